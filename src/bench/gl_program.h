@@ -1,4 +1,4 @@
-// What the rivals share: shaders, the driver's name, the picture that was drawn.
+// Shared by the rivals: shaders, the driver's name, the picture that was drawn.
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ class Quotient {
   VU16 added_, factor_;
 };
 
-// What is added to a quotient: nothing, the formula's offset, or the last source.
+// The term that is added to a quotient: nothing, the formula's offset, or the last source.
 enum class Added { nothing, offset, source };
 
 template <int kTerms, Reads kReads, int kShift, Added kAdded>

@@ -16,7 +16,7 @@
 
 namespace ninebit::effect_detail {
 
-// What is wrong with the name of a file; nothing if the file may be read.
+// The fault of a file name; nothing if the file may be read.
 using NameCheck = std::function<std::optional<std::string>(const std::string& name)>;
 
 // Typed readers for values of a tree; anything else than what is expected is a fault with its place.
@@ -59,7 +59,7 @@ class EffectReader {
     }
   }
 
-  // What `parse` makes of a string.
+  // The value that `parse` returns for a string.
   template <class T>
   void parsed(const json::Value& value, Result<T> (*parse)(std::string_view), T& into) {
     if (value.type != json::Type::string) return read_.wrong_type(value, "a string");

@@ -1,4 +1,4 @@
-// What `ninebit trace --json` prints, and the playground shows.
+// A traced pixel as `ninebit trace --json` prints it and the playground shows it.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,7 @@ bool choose_pass(TracedPixel& pixel, std::size_t pass);
 // "written", "depth test failed", …
 [[nodiscard]] std::string_view text_of_fate(FragmentFate fate);
 
-// What is traced.
+// The pixel to trace.
 struct TraceHeading {
   std::string profile{};               // its name
   std::string program{};               // the file's name; empty: none

@@ -1,4 +1,4 @@
-// What a mesh's vertices give to texture units, colours and fog.
+// The inputs that a mesh's vertices give to texture units, colours and fog.
 #pragma once
 
 #include <array>

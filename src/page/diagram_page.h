@@ -7,7 +7,7 @@
 
 namespace ninebit {
 
-// What such a page shows. Texts are UTF-8 and may have any content: the page shows markup and does not run it.
+// The content of such a page. Texts are UTF-8 and may have any content: the page shows markup and does not run it.
 struct DiagramPage {
   std::string kind{};                                        // above the title: "ninebit trace"
   std::string title{};                                       // of the page

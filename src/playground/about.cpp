@@ -1,4 +1,4 @@
-// What there is to choose from.
+// Lists the choices: profiles, textures, effects.
 #include <array>
 #include <utility>
 

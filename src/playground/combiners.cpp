@@ -1,4 +1,4 @@
-// What the combiners of a pass read and gave, for another machine that computes the same.
+// Records the inputs and results of a pass's combiners, for another machine that computes the same.
 #include <algorithm>
 #include <utility>
 

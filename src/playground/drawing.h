@@ -11,7 +11,7 @@
 
 namespace ninebit::playground {
 
-// What a drawing may take, so that a browser's memory suffices.
+// Limits of a drawing, so that a browser's memory suffices.
 inline constexpr std::size_t kMaxDrawnPixels = std::size_t{1} << 24;  // of the picture and all targets together
 inline constexpr std::size_t kMaxTexels = std::size_t{1} << 25;       // of all textures together, without mip-maps
 inline constexpr int kMaxDrawnSegments = 512;                         // N of a generated mesh
@@ -27,7 +27,7 @@ inline constexpr std::string_view kRoomName = "room";
 // The file texts of a request by name.
 using FileTexts = std::map<std::string, std::string, std::less<>>;
 
-// What is wrong with drawing this effect here: too many pixels, texels or polygons. Nothing: empty.
+// The reason why this effect cannot be drawn here: too many pixels, texels or polygons. Nothing: empty.
 [[nodiscard]] std::string complaint_about_mesh(const std::string& mesh);
 [[nodiscard]] std::string complaint_about_amount(const Effect& effect, const Shelf& shelf);
 
@@ -40,7 +40,7 @@ class ShelfReaders {
   [[nodiscard]] EffectReaders readers();
   // Faults of the program that was read last, with places in its text; none: the reading did not fail there.
   [[nodiscard]] const std::vector<TextFault>& program_faults() const { return program_faults_; }
-  // What was done to files that may not be expected.
+  // Changes made to files that the user may not expect.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -54,7 +54,7 @@ class ShelfReaders {
   std::vector<std::string> warnings_{};
 };
 
-// What an effect's request says besides its profiles. Faults of the effect's own text are in `refused`.
+// An effect's request, without its profiles. Faults of the effect's own text are in `refused`.
 struct RequestedEffect {
   LastDrawing what{};
   std::optional<Reply> refused{};

@@ -30,13 +30,13 @@ struct PutPixels {
   std::vector<std::uint8_t> rgba{};
 };
 
-// What an effect refers to by name.
+// The files that an effect names.
 struct Shelf {
   std::map<std::string, PutPixels, std::less<>> pixels{};
   std::map<std::string, std::vector<std::uint8_t>, std::less<>> files{};
 };
 
-// What was drawn last, for "pixel".
+// The last drawing, for "pixel".
 struct LastDrawing {
   std::string name{};                                       // of the effect
   Effect effect{};                                          // with the size of the request

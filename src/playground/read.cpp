@@ -1,4 +1,4 @@
-// What is wrong with a program, and what it computes.
+// Answers "read": a program's faults, and its equations.
 #include <algorithm>
 #include <array>
 #include <cctype>

@@ -1,4 +1,4 @@
-// What the engine of the playground answers: one JSON object, or a fault with its place.
+// An answer of the playground's engine: one JSON object, or a fault with its place.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// What is asked of the engine of the playground.
+// A request to the playground's engine.
 #pragma once
 
 #include <initializer_list>

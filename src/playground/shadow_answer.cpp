@@ -16,7 +16,7 @@ namespace {
 constexpr double kFarthest = 1e6;
 constexpr int kMaxShadowMap = 2048;
 
-// What is asked, besides the profile.
+// The request, besides the profile.
 struct AskedShadow {
   std::string scene{};
   SceneSetup setup{};

@@ -11,7 +11,7 @@
 
 namespace ninebit::playground {
 
-// What {"do": "shadow", …} and {"do": "judge", …} ask for.
+// The requests {"do": "shadow", …} and {"do": "judge", …}.
 struct ShadowRequest {
   Scene scene{};              // complete: one camera, one light
   RenderSettings settings{};  // their profile's name stays valid as long as `profile`

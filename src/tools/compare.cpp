@@ -19,7 +19,7 @@ std::string light_in_words(const Light& light) {
                      light.kind == LightKind::directional ? "along" : "at", at.x, at.y, at.z);
 }
 
-// What any of the points leaves out of the scene.
+// Parts of the scene that any of the points ignores.
 std::vector<std::string> ignored_by_points(const ComparedPoints& compared, const Scene& scene,
                                            std::vector<std::string> ignored) {
   for (const ComparedPoint& point : compared.points) {
@@ -155,7 +155,7 @@ int compare(const CompareFlags& flags, ComparedPoints points) {
   return answer(object);
 }
 
-// What cannot be known before all flags are parsed. Throws CLI::ValidationError.
+// Checks that need all flags to be parsed. Throws CLI::ValidationError.
 ComparedPoints checked_points(const CLI::App& verb, const CompareFlags& flags) {
   if (!flags.vary.empty()) return varied_points(flags);
   if (verb.get_option("--technique")->count() > 0) {

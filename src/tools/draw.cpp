@@ -31,7 +31,7 @@ struct Difference {
   Image8 image{};
 };
 
-// What `draw` has done.
+// The result of `draw`.
 struct Drawn {
   std::optional<EffectRenderer> renderer{};
   std::optional<Difference> difference{};

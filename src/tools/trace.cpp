@@ -38,7 +38,7 @@ struct TraceFlags {
   CLI::Option* threads = nullptr;  // the same for --threads
 };
 
-// What is traced besides the program: a pixel, and the profile that it was drawn with.
+// The traced fragment: a pixel, and the profile that it was drawn with.
 struct Drawn {
   const TracedPixel* pixel = nullptr;
   const HardwareProfile* profile = nullptr;
@@ -168,9 +168,9 @@ void add_trace(CLI::App& app, int& exit_code) {
       "--set gives the registers of the fragment; --scene or --effect, and --pixel, take them from a picture. "
       "Registers that\n"
       "are not set have the defaults of `ninebit eval` (see its --help). With --scene, the program of the pass that
-"
+      "
       "decided the pixel's shadow is traced; a PROGRAM given with it is traced instead.
-"
+      "
       "Examples:\n"
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"

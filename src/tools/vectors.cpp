@@ -122,7 +122,7 @@ std::string text_of(const VectorPack& pack) {
   return text;
 }
 
-// What is wrong with a seed; empty: nothing. CLI11's own check takes a larger number as the largest.
+// The fault of a seed; empty: none. CLI11's own check takes a larger number as the largest.
 std::string wrong_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const char* const end = text.data() + text.size();

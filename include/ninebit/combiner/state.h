@@ -93,7 +93,7 @@ inline constexpr std::size_t kFinalConstants = kMaxGeneralCombiners;
 // Colours that a program may read as constants: const0 to const15, then constant 0 and 1 of each general combiner that
 // has constants of its own. OpenGL's programs have const0 and const1; Direct3D's c0 to c15 are const0 to const15.
 inline constexpr std::size_t kConstantNames = 16 + 2 * kMaxGeneralCombiners;
-// Such a colour's number, from 0 to kConstantNames - 1.
+// The number of such a colour, from 0 to kConstantNames - 1.
 using ConstantName = std::uint8_t;
 
 // Where a constant that a program reads comes from.

@@ -29,9 +29,9 @@ inline constexpr std::string_view kPictureTarget = "picture";
 // The most passes of an effect.
 inline constexpr std::size_t kMaxEffectPasses = 256;
 
-// What a vertex gives to a texture unit or a colour. All vectors are in world space, except the tangent-space ones,
-// whose x, y and z lie along the tangent, the bitangent and the normal. N, P, L and E are the vertex normal, the
-// position, the light and the camera.
+// The vector that a vertex gives to a texture unit or a colour. All vectors are in world space, except the
+// tangent-space ones, whose x, y and z lie along the tangent, the bitangent and the normal. N, P, L and E are the
+// vertex normal, the position, the light and the camera.
 enum class VertexSource : std::uint8_t {
   constant,              // the given numbers
   uv,                    // the mesh's texture coordinates; (0, 0) is the top left corner of a picture file
@@ -117,7 +117,7 @@ struct EffectTarget {
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth and stencil planes
 };
 
-// What a pass reads through one texture unit.
+// The texture that a pass reads through one unit, and how.
 struct EffectUnit {
   std::string texture{};           // the name of a texture of the effect; empty: the unit is off
   CoordinateSource coordinates{};  // where it is read
@@ -131,7 +131,7 @@ struct EffectClear {
   ClearValues values{};  // the values
 };
 
-// What a pass draws.
+// The geometry that a pass draws.
 enum class EffectGeometry : std::uint8_t {
   mesh,      // the scene's triangles
   rectangle  // two triangles that fill the target: uv (0, 0) is the upper left corner, the normal +z, the tangent +x

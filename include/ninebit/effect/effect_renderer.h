@@ -38,7 +38,7 @@ struct EffectReaders {
   std::function<Result<Scene>(const std::filesystem::path& file, std::optional<UpAxis> up)> scene{};
 };
 
-// What is kept besides the pictures.
+// Options: values to keep besides the pictures.
 struct EffectOptions {
   bool layers = false;                // every register and output of the picture's passes, and depth and stencil
   std::optional<glm::ivec2> pixel{};  // of the picture, to be probed: window coordinates, y up
@@ -51,7 +51,7 @@ inline constexpr std::array kRecordedRegisters{Register::primary,  Register::sec
                                                Register::texture0, Register::texture1,  Register::texture2,
                                                Register::texture3, Register::spare0};
 
-// What the combiners of one pass read and gave at each pixel of its target (of a cube map, of its last face), for the
+// The inputs and results of one pass's combiners at each pixel of its target (of a cube map, of its last face), for the
 // last fragment that passed the depth test. The alpha test is left out. Planes lowest row first, 0 where nothing was
 // drawn.
 struct CombinerRecord {
@@ -88,7 +88,7 @@ class EffectRenderer {
   [[nodiscard]] std::span<const Surface> target(std::string_view name) const;
   // The completed scene; without a mesh the rectangle's.
   [[nodiscard]] const Scene& scene() const;
-  // What was found while preparing that the user may not expect, one sentence each: units without a texture that a
+  // Notes for the user about unexpected things found while preparing, one sentence each: units without a texture that a
   // program reads, textures that were resized.
   [[nodiscard]] const std::vector<std::string>& warnings() const;
   // Milliseconds of wall-clock time of each pass in the last draw().

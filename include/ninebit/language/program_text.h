@@ -35,7 +35,7 @@ enum class ProgramForm : std::uint8_t {
 // The chip whose register words a profile reads: NV20 with per-stage constants, else NV10.
 [[nodiscard]] ChipClass chip_of(const HardwareProfile& profile);
 
-// What a text alone does not decide.
+// Choices that the text alone does not decide.
 struct ReadOptions {
   std::optional<ChipClass> chip{};  // of register words; empty: that of the profile, of a log that of its objects
   std::size_t setup = 0;            // the combiner set-up of a log, from 1; 0: the only one

@@ -18,7 +18,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What a log alone does not decide.
+// Choices that the log alone does not decide.
 struct RegisterLogOptions {
   std::optional<ChipClass> chip{};       // the chip whose methods are read; empty: that of the objects in the log
   ChipClass fallback = ChipClass::nv20;  // for a log that does not name its objects
@@ -55,7 +55,7 @@ struct LogSetup {
 inline constexpr std::size_t kMaxLogSetups = 10'000;    // distinct set-ups; one more is a fault
 inline constexpr std::size_t kMaxLogDraws = 1'000'000;  // draws that are kept; others are only counted
 
-// What a log shows.
+// The content of a log.
 struct RegisterLog {
   ChipClass chip = ChipClass::nv20;     // whose methods were read
   std::vector<LogSetup> setups{};       // in the order of their first draw

@@ -14,7 +14,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What a component of a register before the first general combiner, or of a constant that is not set, holds: an input,
+// The value of a component of a register before the first general combiner, or of a constant that is not set: an input,
 // which may be any byte, or a code.
 struct SmtSource {
   std::string input;   // the input's name, "tex0.r"; empty: a code

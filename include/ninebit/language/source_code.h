@@ -25,7 +25,7 @@ struct SourceFunction {
   std::vector<std::string> needs{};  // names of values that are not known, for Definition::name
 };
 
-// What to read of a source.
+// The part of a source to read.
 struct SourceSelection {
   // Executed in this order on one context, by name or NAME:LINE; empty: the only one.
   std::vector<std::string> functions{};

@@ -67,7 +67,7 @@ struct ParseError {
   [[nodiscard]] std::string text() const;
 };
 
-// What a parser returns: a Result whose error is a ParseError, with notes.
+// A parser's return value: a Result whose error is a ParseError, with notes.
 template <class T>
 class [[nodiscard]] Parsed : public Result<T, ParseError> {
  public:

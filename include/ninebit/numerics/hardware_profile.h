@@ -108,7 +108,7 @@ struct HardwareProfile {
   Choice<NarrowingPoint> narrowing_point;  // of a general combiner's outputs
   Choice<Narrowing> final_narrowing;       // of A·B + (1 - A)·C and of E·F
 
-  // What the chip has.
+  // Features of the chip.
   Choice<int> general_combiners;     // 1 to 8
   Choice<int> texture_units;         // 1 to 4
   Choice<bool> per_stage_constants;  // NV_register_combiners2
@@ -116,7 +116,7 @@ struct HardwareProfile {
   Choice<bool> mux_by_lowest_bit;    // the mux may test the lowest bit of spare0's alpha
   Choice<bool> color_sum_inverts;    // spare0 and the secondary colour may go into the colour sum as 1 - x
 
-  // What registers hold before the first general combiner.
+  // Registers before the first general combiner.
   Choice<int> spare0_alpha_without_texture0;  // byte, when texture unit 0 is off
   Choice<int> disabled_texture_alpha;         // byte, with RGB 0
   Choice<SecondaryAlpha> secondary_alpha;     // 1.0, or that of the colour

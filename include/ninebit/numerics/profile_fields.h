@@ -45,9 +45,9 @@ struct ProfileField {
   FieldGroup group;                  // the part of the hardware that it belongs to
   FieldKind kind;                    // of its value
   std::span<const FieldWord> words;  // of a word, in the order of its enumeration
-  // Of a number: the lowest and the highest value that fit the other fields of the profile.
+  // The lowest and the highest value of a number that fit the other fields of the profile.
   FieldNumbers (*range)(const HardwareProfile& profile);
-  // Of a number: the two values that the evidence lets compete; nullptr: it has no rival.
+  // The two values of a number that the evidence lets compete; nullptr: it has no rival.
   FieldNumbers (*rivals)(const HardwareProfile& profile);
   std::string_view rules;  // of docs/numerics.md, as "5, 8"; empty: none
   std::string_view help;   // one sentence

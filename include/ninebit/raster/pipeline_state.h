@@ -21,7 +21,7 @@ enum class ShadeModel : std::uint8_t { flat, smooth };
 enum class CullFace : std::uint8_t { none, front, back, front_and_back };
 // The winding of a front face, as seen in the window, y up.
 enum class FrontFace : std::uint8_t { counter_clockwise, clockwise };
-// What a polygon draws: points at its vertices, its boundary, or its area.
+// A polygon draws points at its vertices, its boundary, or its area.
 enum class PolygonMode : std::uint8_t { point, line, fill };
 
 // `left function right`. The functions are numbered as in GL (GL_NEVER + n), which makes each a set of three bits:
@@ -107,7 +107,7 @@ enum class BlendEquation : std::uint8_t {
   reverse_subtract,
   min,
   max,
-  // Of the NV2A: the source is a signed byte, from -128 to 127.
+  // The NV2A's: the source is a signed byte, from -128 to 127.
   add_signed,              // destination + source, clamped
   reverse_subtract_signed  // destination - source, clamped
 };

@@ -41,13 +41,13 @@ struct ChipKit {
 [[nodiscard]] Result<ChipKit> make_chip_kit(const HardwareProfile& family,
                                             const std::function<bool(double done)>& go_on = {});
 
-// What the colours of a card say about one field.
+// The answer of a card's colours about one field.
 struct FieldVerdict {
   std::vector<bool> fits;                             // by value
   std::vector<std::vector<std::size_t>> excluded_by;  // by value that does not fit: programs that together exclude it
 };
 
-// What the colours of a card say.
+// The answers of a card's colours.
 struct KitVerdict {
   std::vector<std::size_t> fitting;        // combinations, those with the fewest rival values first
   std::vector<std::size_t> contradiction;  // if none fits: programs whose colours no combination shows together

@@ -32,8 +32,8 @@ struct ProofSubject {
   bool fog_off = false;               // then fog's alpha is what the profile says
 };
 
-// What is compared: a component, kRed to kAlpha, of the final combiner's colour as a byte, or of a register as the last
-// general combiner leaves it.
+// The compared value: a component, kRed to kAlpha, of the final combiner's colour as a byte, or of a register as the
+// last general combiner leaves it.
 struct ProofTarget {
   std::optional<Register> reg;  // spare0, spare1, or another that a stage can write; none: the colour
   int component = 0;            // kRed to kAlpha
@@ -75,7 +75,7 @@ struct EquivalenceAnswer {
   std::string reason;                            // if it is unknown: one sentence
 };
 
-// What is compared, and how much work it may be.
+// The compared values, and limits of the work.
 struct EquivalenceOptions {
   std::vector<ProofTarget> targets;                    // none: the colour's four components
   std::vector<ProofInput> fixed{};                     // inputs that have these bytes only

@@ -14,7 +14,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What a field does to the program's colour.
+// The effect of a field on the program's colour.
 struct FieldEffect {
   CombinerField field;                       // with the profile's value and its rivals
   ProofAnswer answer = ProofAnswer::proved;  // proved: none of its values changes any colour, whatever the other open

@@ -32,7 +32,7 @@ inline constexpr std::array kVectorRegisters{Register::fog,      Register::prima
 // Limits of a pack: programs, fragments of each, fragments of all together.
 inline constexpr int kMostVectorPrograms = 100'000, kMostVectorFragments = 256, kMostVectorColors = 1 << 23;
 
-// What a pack is made of.
+// The parameters of a pack.
 struct VectorSettings {
   int programs = 10000;    // from least_vector_programs() to kMostVectorPrograms
   int fragments = 16;      // of each program: 1 to kMostVectorFragments
@@ -90,7 +90,7 @@ using VectorProgress = std::function<bool(double done)>;
 // Returns the name of the profile that a pack's text says; empty: it is not the text of a pack.
 [[nodiscard]] std::string vector_pack_profile(std::string_view text);
 
-// What an emulator computed for a pack.
+// An emulator's results for a pack.
 struct VectorResults {
   std::string id;  // of the pack
   // The colours of one program.
@@ -116,7 +116,7 @@ struct VectorMistake {
   std::size_t agree = 0;     // fragments of all that it gives as they are
 };
 
-// What results say about an emulator.
+// The verdict on an emulator's results.
 struct VectorVerdict {
   // A fragment.
   struct Place {

@@ -1,4 +1,4 @@
-// What a program asks of a context: the extension string, and the values of the extensions' state.
+// Answers to a program's queries of a context: the extension string, and the values of the extensions' state.
 #include <cmath>
 #include <cstring>
 #include <string>

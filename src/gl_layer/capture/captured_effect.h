@@ -9,7 +9,7 @@
 
 namespace ninebit::gl_layer {
 
-// What an effect cannot say of a draw call: then its picture may differ.
+// Parts of a draw call that an effect cannot express: then its picture may differ.
 struct CapturedFiles {
   std::vector<std::string> files;
   std::size_t pixels = 0;  // that were drawn

@@ -1,4 +1,4 @@
-// What the layer knows of an OpenGL context. This header is free of OpenGL's own, whose macros exclude ninebit's names.
+// The layer's record of an OpenGL context. This header is free of OpenGL's own, whose macros exclude ninebit's names.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct StepList {
   std::vector<unsigned> driver_lists{};  // without the program's own number
 };
 
-// What contexts share.
+// State that contexts share.
 struct ShareGroup {
   std::mutex mutex{};
   std::map<unsigned, std::shared_ptr<const StepList>>
@@ -69,7 +69,7 @@ struct TextureShaders {
   std::array<UnitShader, kLayerUnits> units{};
 };
 
-// What glPushAttrib saves of the layer's own state.
+// The layer's own state that glPushAttrib saves.
 struct SavedState {
   unsigned mask = 0;
   int depth = 0;                             // of the driver's stack after the push
@@ -106,7 +106,7 @@ class Context {
   int list_depth = 0;  // nested glCallList
   std::vector<SavedState> attribute_stack{};
 
-  // What has changed since the last draw.
+  // Changes since the last draw.
   bool inputs_stale = true;   // enabled textures, fog, lighting, the program's own shaders
   bool program_stale = true;  // the combiners' state, apart from constants
   bool constants_stale = true;

@@ -58,7 +58,7 @@ GLenum target_of(UnitSource source) {
   }
 }
 
-// Of the texture that the active unit has bound.
+// A level parameter of the texture that the active unit has bound.
 TexelKind texel_kind(UnitSource source) {
   const GLenum target = target_of(source);
   if (target == GL_NONE) return TexelKind::color;

@@ -1,4 +1,4 @@
-// What happens before a draw call: the right fragment shader becomes current.
+// Before a draw call: the right fragment shader becomes current.
 #pragma once
 
 #include "src/gl_layer/context/context.h"

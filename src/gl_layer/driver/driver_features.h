@@ -1,9 +1,9 @@
-// What the layer needs of a driver.
+// The driver's features that the layer needs.
 #pragma once
 
 namespace ninebit::gl_layer {
 
-// What the driver of a context has.
+// The features of a context's driver.
 struct DriverFeatures {
   bool enough = false;  // what the layer needs; without it the layer leaves the context alone
   bool fragment_program = false, vertex_program = false, rectangle = false;

@@ -51,7 +51,8 @@ void remember(std::string_view name, void* symbol) {
   }
 }
 
-// What dlsym returns for a name that may be one of OpenGL's. A library without OpenGL has no function of ours either.
+// The value that dlsym returns for a name that may be one of OpenGL's. A library without OpenGL has no function of ours
+// either.
 [[maybe_unused]] void* looked_up(void* handle, const char* name) {
   void* const symbol = next_dlsym()(handle, name);
   const AnyFunction own = own_function(name);

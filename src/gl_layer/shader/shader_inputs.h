@@ -1,4 +1,4 @@
-// What a fragment shader of the layer reads besides the combiners' program: chosen by OpenGL's state at a draw call.
+// The inputs of the layer's fragment shader besides the combiners' program: chosen by OpenGL's state at a draw call.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ enum class UnitSource : std::uint8_t {
   cull_fragment  // zero, or no fragment
 };
 
-// What a texture has. Depth textures enter the combiners by a rule of their own; GL_DEPTH_TEXTURE_MODE, which is
-// ignored, decides where GLSL finds the depth.
+// The kind of a texture's values. Depth textures enter the combiners by a rule of their own; GL_DEPTH_TEXTURE_MODE,
+// which is ignored, decides where GLSL finds the depth.
 enum class TexelKind : std::uint8_t { color, depth, depth_in_alpha, comparison, comparison_in_alpha };
 
 struct UnitInput {

@@ -48,7 +48,7 @@ class ExrBlock {
   [[nodiscard]] std::vector<std::uint8_t>& rows() { return rows_; }
   // ZIP compresses the rows.
   void compress();
-  // What the file stores: the compressed rows, or the rows themselves if they are no larger.
+  // The stored bytes: the compressed rows, or the rows themselves if they are no larger.
   [[nodiscard]] std::span<const std::uint8_t> stored() const;
 
  private:

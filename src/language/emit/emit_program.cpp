@@ -105,7 +105,7 @@ class Lister {
       return value.value_or(set(0));
     }
     void write(Register to, int component, const V& value) {
-      // What is not live is not read before it is written again.
+      // A value that is not live is not read before it is written again.
       lister_.registers_(to, component) = live_.has(to, component) ? value : set(0);
     }
 

@@ -15,7 +15,7 @@ namespace ninebit::detail {
 
 enum class GlElement { any, integer, real };
 
-// What the elements of an array are by the name of their type; empty: not a type of GL calls.
+// The kind of an array's elements by the name of their type; empty: not a type of GL calls.
 [[nodiscard]] std::optional<GlElement> element_type(std::string_view name);
 
 // An argument as written: a number or an array of numbers.

@@ -117,7 +117,7 @@ constexpr std::array kCalls{GlSignature{GlCommand::combiner_parameter_i, "Combin
                             GlSignature{GlCommand::combiner_output, "CombinerOutputNV", "eeeeeeebbb"},
                             GlSignature{GlCommand::final_combiner_input, "FinalCombinerInputNV", "eeee"},
                             GlSignature{GlCommand::combiner_stage_parameter_fv, "CombinerStageParameterfvNV", "eeF"},
-                            // Of Java's LWJGL.
+                            // Java's LWJGL.
                             GlSignature{GlCommand::combiner_parameter_fv, "CombinerParameterNV", "eF"},
                             GlSignature{GlCommand::combiner_stage_parameter_fv, "CombinerStageParameterNV", "eeF"},
                             GlSignature{GlCommand::enable, "Enable", "e"},

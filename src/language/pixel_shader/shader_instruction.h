@@ -71,7 +71,7 @@ enum class ShaderOp : std::uint8_t {
   xfc
 };
 
-// What the language says of an instruction.
+// The language's rules for an instruction.
 struct ShaderOpRow {
   std::string_view name;
   ShaderOp op;

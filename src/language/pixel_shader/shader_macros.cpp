@@ -110,7 +110,7 @@ class ShaderPreprocessor {
     }
   }
 
-  // What a line has between two of its tokens.
+  // The text between two tokens of a line.
   static std::string text_of(std::span<const ShaderToken> tokens) {
     if (tokens.empty()) return "a file";
     const char* const begin = tokens.front().text.data();

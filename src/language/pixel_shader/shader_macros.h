@@ -9,7 +9,7 @@
 
 namespace ninebit::detail {
 
-// What is left of a shader's tokens after the preprocessor.
+// A shader's tokens after the preprocessor.
 struct ShaderTokens {
   std::vector<ShaderToken> tokens;  // with names replaced; a replaced token has its name's place
   bool includes = false;            // whether other files were to be included, which may define names

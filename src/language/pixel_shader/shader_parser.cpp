@@ -216,7 +216,7 @@ class ShaderParser {
     return true;
   }
 
-  // What a texture instruction reads is not the combiners': t0_bx2, r0_dw.xyw and the like are read, and not checked.
+  // A texture instruction's operands are not the combiners': t0_bx2, r0_dw.xyw and the like are read, and not checked.
   std::optional<ShaderOperand> coordinates() {
     const ShaderToken& word = in_.peek();
     const std::string name = lower_case(word.text);

@@ -279,7 +279,7 @@ Result<std::string> print_pixel_shader(const CombinerState& state, const Hardwar
   }
   Result<std::string> text = ShaderPrinter(state, *program, profile).print();
   if (!text) return text;
-  // What the printer added may be more than the profile has, such as a third constant.
+  // The printer may have added more than the profile has, such as a third constant.
   const auto back = parse_pixel_shader({*text, "the text"}, profile);
   if (back) return text;
   return Diagnostic{.message = "ps.1.1 cannot express this: " + back.faults().front().message};

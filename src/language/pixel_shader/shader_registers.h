@@ -12,7 +12,7 @@
 
 namespace ninebit::detail {
 
-// What is known of the registers between two stages.
+// Known facts about the registers between two stages.
 struct ShaderValues {
   // Whether a result was saturated: the register may hold less than 0, and means 0 then.
   std::array<bool, kRegisterCount> saturated_rgb{}, saturated_alpha{};

@@ -38,7 +38,7 @@ struct ShaderFactor {
 // Whether a constant is stored as its negative: no component is above 0, and one is below.
 [[nodiscard]] bool is_negative(const ShaderConstant& constant);
 
-// What all stages of a shader have in common.
+// State that all stages of a shader share.
 struct ShaderContext {
   const ShaderText& text;
   const HardwareProfile& profile;

@@ -1,4 +1,4 @@
-// What a program has that ps.1.1 has words for: constants, sources and the instruction of a portion.
+// The parts of a program that ps.1.1 can express: constants, sources and the instruction of a portion.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ struct PrintedPortion {
   std::vector<Source> sources{};
 };
 
-// What is known where a portion is printed.
+// The context in which a portion is printed.
 struct PortionPlace {
   PortionName which = PortionName::rgb;
   bool saturates = false;                           // its result is read as unsigned

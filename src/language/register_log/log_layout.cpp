@@ -106,7 +106,7 @@ bool has_other_header(const std::vector<std::string_view>& lines) {
   return false;
 }
 
-// What the lines have in one column.
+// Statistics of one column of the lines.
 struct ColumnCounts {
   std::size_t methods = 0, needed = 0, numbers = 0, hexadecimal = 0, classes = 0;
 };

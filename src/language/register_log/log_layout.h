@@ -31,7 +31,7 @@ class LogLayout {
   // Whether a header names the columns; where it stands among the lines, from 0.
   [[nodiscard]] bool has_header() const { return header_.has_value(); }
   [[nodiscard]] std::size_t header_line() const { return header_.value_or(0); }
-  // What was guessed, for a note: "method in column 3, data in column 5"; empty: nothing.
+  // The guess, for a note: "method in column 3, data in column 5"; empty: nothing.
   [[nodiscard]] const std::string& guess() const { return guess_; }
   // In a table with a header: what is wrong with the line that read() was given last, and at which column. A line with
   // wrong data is a write without data nevertheless.

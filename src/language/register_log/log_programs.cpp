@@ -1,4 +1,4 @@
-// What a log shows: whether a text is one, and the programs of its set-ups.
+// Reads logs: whether a text is one, and the programs of its set-ups.
 #include <algorithm>
 
 #include "ninebit/language/register_log.h"

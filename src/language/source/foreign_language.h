@@ -17,7 +17,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // Cg have. Empty: unknown. Looks at the first 64 KiB.
 [[nodiscard]] std::string_view foreign_language(std::string_view text);
 
-// What a text of GL calls is for, if it sets no combiners: "code for ATI_fragment_shader". Empty: unknown.
+// The purpose of a text of GL calls that sets no combiners: "code for ATI_fragment_shader". Empty: unknown.
 [[nodiscard]] std::string_view foreign_calls(std::string_view text);
 
 // "this is an ARB fragment program, which register combiners cannot run".

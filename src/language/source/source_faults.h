@@ -42,7 +42,7 @@ class SourceFaults {
 // The beginning of the text in single quotes, with bytes that are not printable ASCII as \xNN.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-// What to note of a definition that a text did not use.
+// The note about a definition that a text did not use.
 [[nodiscard]] std::string not_needed(const Definition& definition);
 
 [[nodiscard]] constexpr bool is_digit(char c) {

@@ -35,7 +35,7 @@ std::string lower_type(std::string_view name) {
   return lower;
 }
 
-// What stands before the numbers: "static const unsigned char ps[240] = {", or a brace alone.
+// The text before the numbers: "static const unsigned char ps[240] = {", or a brace alone.
 struct ArrayHead {
   std::size_t bytes = 0;  // of an element; 0: the type is unknown
   std::size_t names = 0;
@@ -140,7 +140,7 @@ std::vector<Element> take_elements(Lexer& lexer, TextFaults& faults) {
   return elements;
 }
 
-// What may stand behind the array: declarations of single numbers.
+// Text that may follow the array: declarations of single numbers.
 void check_rest(Lexer& lexer, const ArrayHead& head, TextFaults& faults) {
   while (lexer.peek().kind != TokenKind::end) {
     const Token first = lexer.take();

@@ -163,7 +163,7 @@ Rows find_offsets(Rows rows) {
   return one_more_each && !prefixed ? with_offsets(std::move(rows), false) : rows;
 }
 
-// What is wrong with the first '*' of rows for which counts_of_rows() finds no counts.
+// The fault of the first '*' of rows for which counts_of_rows() finds no counts.
 std::string star_fault(const Rows& rows, std::size_t star) {
   if (star == 0 || rows[star - 1].numbers.empty()) return "'*' repeats the row above it, and there is no such row";
   if (!rows[star - 1].offset || star + 1 == rows.size() || !rows[star + 1].offset) {

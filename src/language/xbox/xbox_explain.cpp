@@ -1,4 +1,4 @@
-// What the words that combiners do not read say.
+// Explains the words that combiners do not read.
 #include <algorithm>
 
 #include "ninebit/language/xbox_pixel_shader.h"

@@ -33,7 +33,7 @@ struct Field {
 [[nodiscard]] const Field& field_of(std::size_t word);
 [[nodiscard]] std::string word_name(std::size_t word);
 
-// What is wrong with an index of a member, or with there being none; empty: nothing.
+// The fault of a member's index, or of a missing one; empty: none.
 [[nodiscard]] std::string index_fault(const Field& field, std::optional<std::int64_t> index);
 
 // Whether a function sets memory to a value, which for a definition is 0: memset, ZeroMemory, …

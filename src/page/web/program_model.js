@@ -10,7 +10,7 @@ const kScaleMarks = { scale_by_two: '× 2', scale_by_four: '× 4', scale_by_one_
 const shortOf = (name) => kShortNames[name] ?? String(name);
 const isUnusedInput = (input) => input.input === 'zero' && input.mapping === 'unsigned_identity';
 
-// What a variable of a portion reads of its register: its colour, alpha, or blue.
+// The part of its register that a portion's variable reads: colour, alpha, or blue.
 function readOf(input, group) {
   if (input.usage === 'blue') return 'blue';
   return input.usage === 'alpha' || group === 'alpha' ? 'alpha' : 'colour';

@@ -30,7 +30,7 @@ function stepsOf(model) {
   return steps;
 }
 
-// What a cell is and holds, in the line above the diagram.
+// A cell's name and value, for the line above the diagram.
 function say(said, cell, model) {
   const { place: where, what, channel } = placeOf(cell);
   const { values, loss } = factsOf(cell, model.one);

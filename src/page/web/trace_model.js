@@ -193,7 +193,7 @@ function addStage(model, stage) {
   }
 }
 
-// What the colour sum adds. A trace does not say which of its terms the program inverts, but their values do.
+// The terms of the colour sum. A trace does not say which of its terms the program inverts, but their values do.
 function colorSumText(rgb, last, one) {
   const code = (register, i) => Math.max(0, last[register].codes[i]);
   const terms = [['spare0', 'secondary'], ['(1 − spare0)', 'secondary'], ['spare0', '(1 − secondary)'], ['(1 − spare0)', '(1 − secondary)']];

@@ -27,7 +27,7 @@ class PrimitiveAssembly {
   [[nodiscard]] std::uint32_t vertex(std::size_t place) const {
     return indices_.empty() ? static_cast<std::uint32_t>(place) : indices_[place];
   }
-  // Of primitive i, the vertex whose colours flat shading takes.
+  // The vertex of primitive i whose colours flat shading takes.
   [[nodiscard]] std::uint32_t provoking_vertex(std::size_t i) const;
 
   [[nodiscard]] std::array<std::uint32_t, 2> line(std::size_t i) const;

@@ -40,7 +40,7 @@ struct BinnedBlock {
 
   void clear();
   [[nodiscard]] std::uint32_t end_tile() const { return first_tile + static_cast<std::uint32_t>(first.size()) - 1; }
-  // Of a tile from first_tile to end_tile() - 1.
+  // The entries of a tile from first_tile to end_tile() - 1.
   [[nodiscard]] std::span<const std::uint32_t> in_tile(std::uint32_t t) const {
     const std::uint32_t* const at = &first[t - first_tile];
     return {indices.data() + at[0], at[1] - at[0]};

@@ -22,7 +22,7 @@ class WindowDepth {
   [[nodiscard]] constexpr std::int64_t step_z24() const { return std::int64_t{1} << fraction_bits_; }
   [[nodiscard]] constexpr std::int64_t max_z24() const { return max_z24_; }
   [[nodiscard]] constexpr int fraction_bits() const { return fraction_bits_; }
-  // What code() adds to z24 before it leaves out the fraction bits.
+  // Added to z24 by code() before it drops the fraction bits.
   [[nodiscard]] constexpr int half() const { return half_; }
   // Whether depths on primitives are cut; else they are rounded to nearest, halves up.
   [[nodiscard]] constexpr bool cuts() const { return cuts_; }

@@ -49,8 +49,8 @@ std::array<std::uint8_t, 8> alphas_of(std::uint8_t a0, std::uint8_t a1) {
   return alphas;
 }
 
-// What the NV2A adds below the bits that it keeps of red and green, by row and column of a block. Blue takes the rows
-// of red from below.
+// The dither values that the NV2A adds below the bits that it keeps of red and green, by row and column of a block.
+// Blue takes the rows of red from below.
 constexpr std::array<std::array<int, 4>, 4> kDitherRed{{{0, 4, 1, 5}, {2, 6, 3, 7}, {5, 1, 4, 0}, {7, 3, 6, 2}}};
 constexpr std::array<std::array<int, 4>, 4> kDitherGreen{{{3, 1, 2, 0}, {2, 0, 1, 3}, {1, 3, 0, 2}, {0, 2, 3, 1}}};
 

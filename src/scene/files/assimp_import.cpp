@@ -37,7 +37,7 @@ Wrap wrap_of(aiTextureMapMode mode) {
   }
 }
 
-// What Assimp read and the scene does not hold.
+// Contents that Assimp read and that a scene cannot hold.
 std::vector<std::string> notes_of(const aiScene& from) {
   const auto any_material = [&](const auto& test) {
     return std::any_of(from.mMaterials, from.mMaterials + from.mNumMaterials,

@@ -33,7 +33,8 @@ class GltfMaterials {
   std::uint64_t left_;  // bytes of buffer views that may still become pictures: views may overlap
 };
 
-// What the reader leaves out, one line each kind, such as "normal maps". In the order of the table in gltf_notes.cpp.
+// Contents that the reader leaves out, one line each kind, such as "normal maps". In the order of the table in
+// gltf_notes.cpp.
 [[nodiscard]] std::vector<std::string> gltf_notes(const JsonValue& root);
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// What a glTF file has that the reader leaves out.
+// Contents of a glTF file that the reader leaves out.
 #include <fmt/format.h>
 
 #include <algorithm>

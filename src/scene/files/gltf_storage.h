@@ -44,7 +44,7 @@ struct GltfNumbers {
   std::uint64_t component = 0;  // the glTF number of its type
 
   [[nodiscard]] std::uint32_t index(std::uint64_t at) const;  // of a SCALAR of unsigned integers
-  // Of a VEC2, VEC3 or VEC4, the first N components; integers are normalized.
+  // The first N components of a VEC2, VEC3 or VEC4; integers are normalized.
   template <glm::length_t N>
   [[nodiscard]] glm::vec<N, float> vector(std::uint64_t at) const {
     glm::vec<N, float> out;

@@ -13,7 +13,7 @@
 namespace ninebit {
 namespace {
 
-// Of corners without them.
+// The texture coordinates of corners without them.
 constexpr glm::vec2 kNoTextureCoordinate(0.0F);
 constexpr glm::vec4 kNoTangent(0.0F);
 constexpr glm::vec4 kNoColor(1.0F);

@@ -20,7 +20,7 @@ class NamedFiles {
   // `file`: the scene file. `allow_outside`: names may lead out of its folder.
   NamedFiles(const std::filesystem::path& file, bool allow_outside)
       : folder_(file.parent_path()), stem_(file.stem().string()), allow_outside_(allow_outside) {}
-  // Of a scene file that is in memory: no other file is read.
+  // For a scene file that is in memory: no other file is read.
   [[nodiscard]] static NamedFiles alone(const std::filesystem::path& file) {
     NamedFiles files(file, false);
     files.alone_ = true;

@@ -1,4 +1,4 @@
-// What meshoptimizer's library defines for sections: there are its headers alone for Emscripten. The page asks for no
+// Stand-ins for meshoptimizer's functions: Emscripten has its headers alone. The page asks for no
 // sections; whoever does gets none.
 #include <meshoptimizer.h>
 

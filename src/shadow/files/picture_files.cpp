@@ -90,7 +90,7 @@ struct StagedRendering {
 // Files are written at the same time up to this size of a rendering: each is made in memory as a whole.
 constexpr std::size_t kMostPixelsAtOnce = std::size_t{1} << 24;
 
-// Of the frame and of the maps.
+// The planes of the frame and of the maps.
 std::size_t pixels_of(const Rendering& rendering) {
   std::size_t pixels =
       static_cast<std::size_t>(rendering.frame.width()) * static_cast<std::size_t>(rendering.frame.height());

@@ -1,4 +1,4 @@
-// What a technique draws, noted where it is drawn: its passes, and the memory of its maps.
+// A record of a technique's drawing, made while it draws: its passes, and the memory of its maps.
 #pragma once
 
 #include <array>

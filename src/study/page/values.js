@@ -1,4 +1,4 @@
-// What all parts of the page's own script use: the report's data, colours, numbers for people.
+// Used by all parts of the page's own script: the report's data, colours, numbers for people.
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);

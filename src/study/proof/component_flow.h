@@ -13,7 +13,7 @@ using ComponentFlow = std::array<ComponentMask, kComponents>;
 // Through the general combiners [from, to). A product with a factor that is always 0 depends on nothing.
 [[nodiscard]] ComponentFlow flow_through(const Program& program, int from, int to);
 
-// What the target depends on, of the components before general combiner `from`; after the last one if `from` is their
+// The components before general combiner `from` that the target depends on; after the last one if `from` is their
 // number.
 [[nodiscard]] ComponentMask reads_of(const Program& program, int from, const ProofTarget& target);
 

@@ -18,7 +18,7 @@ namespace {
 using proof::InputBytes;
 using proof::Subject;
 
-// So many are run first: most differences are found by them.
+// The number of cases that run first: most differences are found by them.
 constexpr std::uint64_t kFirstCases = 1U << 18U;
 // Real numbers, and constants that batches cannot have, run one by one.
 constexpr std::uint64_t kMostSingleCases = 1U << 24U;
@@ -139,7 +139,7 @@ std::vector<ProofTarget> color_targets() {
   return {{std::nullopt, kRed}, {std::nullopt, kGreen}, {std::nullopt, kBlue}, {std::nullopt, kAlpha}};
 }
 
-// What makes a question meaningless; empty: nothing.
+// The reason why a question is meaningless; empty: none.
 std::optional<Diagnostic> fault_of(const ProofSubject& a, const ProofSubject& b, const EquivalenceOptions& options) {
   for (const ProofSubject* subject : {&a, &b}) {
     if (const auto program = compile(subject->state, subject->profile); !program) return program.error();

@@ -26,7 +26,7 @@ bool reads(const proof::ComponentMask& read, Register r, int component) {
   return proof::has(read, proof::index_of(r, component));
 }
 
-// What is off, if anything.
+// Units and fog that are off, if any.
 struct Off {
   int texture = -1;  // a unit
   bool fog = false;
@@ -54,7 +54,7 @@ class Setting {
     return {};
   }
 
-  // What field number `at` does.
+  // The effect of field number `at`.
   Result<FieldEffect> effect_of(std::size_t at) {
     FieldEffect effect{fields_[at], ProofAnswer::proved, 0, {}, off_.texture, off_.fog, std::nullopt};
     std::vector<std::pair<std::size_t, std::size_t>> pairs;  // combinations that differ in this field alone

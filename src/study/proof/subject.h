@@ -42,7 +42,7 @@ inline bool is_constant(int index) {
 // The input that a component names.
 [[nodiscard]] ProofInput input_at(int index, std::uint8_t byte);
 
-// What a component holds before the first general combiner.
+// The value of a component before the first general combiner.
 struct Source {
   int input = -1;  // the component that names the input; -1: a code
   s9 code = 0;     // then
@@ -52,7 +52,7 @@ struct Subject {
   explicit Subject(const ProofSubject& from, const std::vector<ProofInput>& fixed = {});
 
   [[nodiscard]] bool is_integer() const { return profile.arithmetic == Arithmetic::integer; }
-  // What the program shows of the target, with these inputs, by the reference.
+  // The target's value as the program shows it, with these inputs, by the reference.
   [[nodiscard]] int evaluate(const ProofTarget& target, const std::array<std::uint8_t, kComponents>& bytes) const;
   // A value of the target as it is compared: a colour's byte.
   [[nodiscard]] int shown(const ProofTarget& target, s9 code) const {
@@ -72,7 +72,7 @@ struct Subject {
 [[nodiscard]] Program head_of(const Program& program, int count);
 // The rest after them, with the final combiner.
 [[nodiscard]] Program tail_of(const Program& program, int count);
-// What a batch must give to show the target.
+// The outputs of a batch that show the target.
 [[nodiscard]] BatchOutputs outputs_for(const ProofTarget& target);
 
 }  // namespace ninebit::proof

@@ -45,7 +45,7 @@ class Lines {
   [[nodiscard]] int line() const { return line_; }
   // The text after the current line.
   [[nodiscard]] std::string_view rest() const { return rest_; }
-  // What is left of the line.
+  // The rest of the line.
   [[nodiscard]] std::string_view words() const { return words_; }
   [[nodiscard]] bool at_end() const { return words_.find_first_not_of(' ') == std::string_view::npos; }
 

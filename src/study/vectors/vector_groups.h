@@ -69,7 +69,7 @@ class Maker {
   std::size_t rest_;
 };
 
-// What a group's fragments start with.
+// The start registers of a group's fragments.
 enum class Inputs {
   bytes,         // codes from 0
   signed_texels  // textures with negative codes, too; only NV20 class chips have them

@@ -64,7 +64,7 @@ CombinerState blue_to_alpha(Maker& m) {
   return state;
 }
 
-// What one portion writes is what the other one reads: it reads what stood there before.
+// One portion writes what the other one reads: it must read the value from before the stage.
 CombinerState reads_before_writes(Maker& m) {
   CombinerState state = shows_spare0();
   GeneralCombiner& stage = state.general[0];

@@ -48,7 +48,7 @@ struct Mistake {
 // The program that a model runs for a state.
 [[nodiscard]] Program mistaken_program(const Mistake& mistake, const CombinerState& state);
 
-// What the model computes.
+// The model's result.
 [[nodiscard]] Rgba9 run_mistaken(const Mistake& mistake, const Program& program, RegisterFile registers);
 
 // A colour as bytes.

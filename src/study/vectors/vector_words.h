@@ -20,7 +20,7 @@ namespace ninebit::vectors {
 // The state of words, or what is wrong with them.
 [[nodiscard]] Result<CombinerState> state_of(const VectorPack& pack, const std::vector<std::uint32_t>& words);
 
-// What a program's fragments show with the pack's profile.
+// The results of a program's fragments with the pack's profile.
 [[nodiscard]] std::vector<Bytes4> expected_colors(const VectorPack& pack, const VectorProgram& program);
 
 // Calls body(i) for 0 <= i < count on several threads, and `go_on` between blocks of them on this one. Returns false

@@ -1,4 +1,4 @@
-// What Highway's library defines: there are its headers alone for Emscripten. There is one target, chosen by the
+// Stand-ins for Highway's library: Emscripten has its headers alone. There is one target, chosen by the
 // compiler.
 #include <hwy/highway.h>
 

@@ -1,5 +1,5 @@
-// What the C++ library of Debian's Emscripten (libc++ 13) lacks of C++20, for the rooms that are compiled with it. It
-// is included before every file of that build, and is empty for a library that has these.
+// Parts of C++20 that the C++ library of Debian's Emscripten (libc++ 13) does not have, for the rooms that are compiled
+// with it. It is included before every file of that build, and is empty for a library that has these.
 #pragma once
 
 #include <array>

@@ -42,7 +42,7 @@ HWY_API TwoDoubles Sqrt(TwoDoubles v) {
 HWY_API TwoDoubles Floor(TwoDoubles v) {
   return TwoDoubles{wasm_f64x2_floor(v.raw)};
 }
-// Of a number and a NaN `b` is the result, as on x86: "pseudo-minimum", whose operands are swapped.
+// The result for a number and a NaN is `b`, as on x86: "pseudo-minimum", whose operands are swapped.
 HWY_API TwoDoubles Min(TwoDoubles a, TwoDoubles b) {
   return TwoDoubles{wasm_f64x2_pmin(b.raw, a.raw)};
 }

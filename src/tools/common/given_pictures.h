@@ -1,4 +1,4 @@
-// What a verb has drawn, as arrays for its host. Nothing here does anything without a host.
+// Pictures that a verb has drawn, as arrays for its host. Nothing here does anything without a host.
 #pragma once
 
 #include <deque>

@@ -24,7 +24,7 @@ void add_family_flag(CLI::App& verb, std::string& family);
 // A row as far as the kit decides it: all but the colour, with a comma at the end.
 [[nodiscard]] std::string kit_row(const ChipKit& kit, std::size_t program);
 
-// What a card showed.
+// The colours that a card showed.
 struct KitResults {
   std::vector<std::string> comments;  // without '#': the driver's strings
   std::vector<int> shown;             // a byte for each program of the kit

@@ -14,7 +14,7 @@
 namespace ninebit::tools {
 namespace {
 
-// What is shown of a set-up's program.
+// The program of a set-up as it is listed.
 struct SetupProgram {
   std::vector<std::string> faults{}, notes{};
   int combiners = 0;

@@ -149,7 +149,7 @@ Result<ProgramSource> open_program(const ProgramFlags& flags) {
     source.text.append(*more);
   }
   source.form = form_by(flags.from, source.text);
-  // What looks like a sequence of calls alone may still need values.
+  // A text that looks like a plain sequence of calls may still need values.
   const bool asks_for_source = !flags.functions.empty() || !flags.defines.empty();
   if (flags.from.empty() && asks_for_source && source.form == ProgramForm::gl) source.form = ProgramForm::source;
   const bool is_log = source.form == ProgramForm::log;

@@ -29,7 +29,7 @@ void add_program_flags(CLI::App& verb, ProgramFlags& flags);
 // The chip whose register words are read.
 [[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
 
-// What --function and --define say.
+// The values of --function and --define.
 [[nodiscard]] SourceSelection selection_of(const ProgramFlags& flags);
 
 }  // namespace ninebit::tools

@@ -93,7 +93,7 @@ Status read_textures(const std::string& scene_file, const RenderSettings& settin
   return {};
 }
 
-// What the technique leaves out of the lights and cameras of a file.
+// Lights and cameras of a file that the technique ignores.
 void add_viewpoints(const Scene& scene, const SceneFlags& flags, std::vector<std::string>& out) {
   if (scene.cameras.size() > 1) out.emplace_back("cameras beyond the first");
   const LightKinds kinds = flags.light_kinds.value_or(find_technique(flags.technique)->lights);

@@ -22,7 +22,7 @@ struct DrawnScene {
 // given) or beyond the limits.
 [[nodiscard]] Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet);
 
-// What a technique leaves out of the scene's materials, one entry each kind.
+// Parts of the scene's materials that a technique ignores, one entry each kind.
 [[nodiscard]] std::vector<std::string> ignored_materials(const Scene& scene, const std::string& technique,
                                                          const RenderSettings& settings);
 

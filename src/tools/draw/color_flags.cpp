@@ -8,7 +8,7 @@
 namespace ninebit::tools {
 namespace {
 
-// So many numbers from 0 to 1.
+// Parses the given count of numbers from 0 to 1.
 std::string check_color(const std::string& text, std::size_t count) {
   const auto n = numbers<float>(text, ',');
   bool valid = n && n->size() == count;

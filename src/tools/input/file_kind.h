@@ -24,7 +24,7 @@ inline constexpr std::string_view kGlKind = "GL calls", kSourceKind = "a source 
 // bytes are enough; more is searched only for words in a text. The result is a guess, for error messages only.
 [[nodiscard]] std::string kind_of_file(std::string_view bytes);
 
-// What a verb reads a file as.
+// The kind of file that a verb expects.
 enum class FileRole { program, scene, picture, table, profile, effect, part };
 
 // If a kind is of another role: one sentence that names it, and the verb that reads it or what was expected: "this is a

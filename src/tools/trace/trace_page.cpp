@@ -22,7 +22,7 @@ Json page_trace(const TraceFacts& facts, const TracedPixel* pixel, const Program
           {"explanation", explanation_json(explain(program, *facts.hardware), {}, facts.profile)}};
 }
 
-// What the page says about a pass beside its diagram.
+// The page's text about a pass beside its diagram.
 Json pass_notes(const TracedPixel& pixel, const ProbedPass& pass, const Program* program) {
   Json notes = Json::array();
   if (program == nullptr) notes.push_back("No program: the combiners are off, and the primary colour is drawn.");

@@ -9,7 +9,7 @@
 
 namespace ninebit::tools {
 
-// What was traced.
+// The traced fragment.
 struct TraceFacts {
   std::string program{};                      // file; empty: the program of the pixel's pass
   std::string profile{};                      // its name for people

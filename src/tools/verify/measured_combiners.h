@@ -1,4 +1,4 @@
-// What a profile's combiners give for the rows of measured tables: the values of the picture, in the order of their
+// The combiners' results for the rows of measured tables: the values of the picture, in the order of their
 // columns.
 #pragma once
 
@@ -26,7 +26,7 @@ class MeasuredRow;
 // A float vertex colour times a texel of 255, and of 51, in the final combiner.
 [[nodiscard]] std::vector<int> run_product(const MeasuredRow& row, const HardwareProfile& profile);
 
-// What is wrong with a row's words for a profile; empty: nothing.
+// The fault of a row's words for a profile; empty: none.
 [[nodiscard]] std::string wrong_scale(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_mux(const MeasuredRow& row, const HardwareProfile& profile);
 

@@ -31,7 +31,7 @@ std::vector<Column> columns(std::initializer_list<std::pair<std::string_view, Co
   return all;
 }
 
-// What a picture was blended over, and by which alpha. Its colours, as the tables' comments give them.
+// The background that a picture was blended over, and the alpha. Its colours, as the tables' comments give them.
 constexpr StatedValue kUnderBlend{"under", "over ", StatedValue::Kind::list, 0, 255, "(32,32,32,255)", 4},
     kBlendConstant{"constant", "blend constant ", StatedValue::Kind::digits, 0, 0xFFFFFFFFP0, "55555555"},
     kUnderTexel{"under", "texel + (255-A)*", StatedValue::Kind::real, 0, 255, "16"},
@@ -142,7 +142,7 @@ std::vector<MeasuredFormat> make_formats() {
   };
 }
 
-// Of triangles, lines and points.
+// Tables of triangles, lines and points.
 std::vector<MeasuredFormat> make_primitive_formats() {
   const Column note{}, word{{}, Kind::word}, digits{{}, Kind::digits}, real{{}, Kind::real},
       measured{{}, Kind::measured}, match{{}, Kind::match},
@@ -207,7 +207,7 @@ std::vector<MeasuredFormat> make_primitive_formats() {
   };
 }
 
-// Of the combiners' own rules.
+// Tables of the combiners' own rules.
 std::vector<MeasuredFormat> make_combiner_formats() {
   const Column note{}, word{{}, Kind::word}, real{{}, Kind::real}, measured{{}, Kind::measured}, match{{}, Kind::match},
       any_byte = byte({});

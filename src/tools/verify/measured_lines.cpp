@@ -32,7 +32,7 @@ std::vector<Corner> corners_of(const std::vector<double>& pixels) {
   return corners;
 }
 
-// What is wrong with corners that a window is too small for; empty: nothing.
+// The fault of corners that do not fit the window; empty: none.
 std::string wrong_spread(std::span<const Corner> corners, double width) {
   for (int Corner::*const coordinate : {&Corner::x, &Corner::y}) {
     const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), [=](const Corner& a, const Corner& b) {

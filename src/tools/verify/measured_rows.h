@@ -1,4 +1,4 @@
-// What a profile gives for the rows of measured tables: the values of the picture, in the order of their columns.
+// A profile's results for the rows of measured tables: the values of the picture, in the order of their columns.
 #pragma once
 
 #include <string>
@@ -46,7 +46,7 @@ class MeasuredRow;
 // The comparison of r with a depth texture: 1 where it holds, else 0.
 [[nodiscard]] std::vector<int> draw_shadow(const MeasuredRow& row, const HardwareProfile& profile);
 
-// What is wrong with a row's words, which draw_… would not know; empty: nothing.
+// The fault of a row's words, which draw_… would not find; empty: none.
 [[nodiscard]] std::string wrong_alpha_test(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_blend(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_depth(const MeasuredRow& row, const HardwareProfile& profile);

@@ -1,4 +1,4 @@
-// What the drawings of measured rows share.
+// Shared by the drawings of measured rows.
 #pragma once
 
 #include <cstdint>

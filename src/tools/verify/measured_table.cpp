@@ -22,7 +22,7 @@ bool reads(std::string_view text, T& value, int base = 10) {
   }
 }
 
-// What a field should have been; empty: it is right.
+// The expected form of a wrong field; empty: it is right.
 std::string read_cell(const Column& column, std::string_view field, MeasuredRow::Cell& cell) {
   cell.text = field;
   if (column.kind == Kind::note || column.kind == Kind::word) return "";

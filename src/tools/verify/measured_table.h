@@ -64,7 +64,7 @@ class MeasuredRow {
 
   [[nodiscard]] bool has(std::string_view column) const { return cells_.find(column) != cells_.end(); }
 
-  // Of a column that the row's format has.
+  // The value of a column that the row's format has.
   [[nodiscard]] const std::string& text(std::string_view column) const { return cell(column).text; }
   [[nodiscard]] int whole(std::string_view column) const { return static_cast<int>(cell(column).whole); }
   [[nodiscard]] double real(std::string_view column) const { return cell(column).real; }
@@ -79,7 +79,7 @@ class MeasuredRow {
   std::map<std::string, Cell, std::less<>> cells_;
 };
 
-// What the extent of nothing reads as.
+// The word for an unknown extent.
 inline constexpr int kNothingDrawn = -9999;
 
 // Pixels first to last of a row.
@@ -94,13 +94,13 @@ struct PixelRun {
 [[nodiscard]] bool is_of_the_picture(const MeasuredColumn& column);
 [[nodiscard]] std::vector<int> allowed_values(const MeasuredColumn& column, const std::string& text);
 
-// What one kind of table measures.
+// A kind of measured table.
 struct MeasuredFormat {
   std::string_view place;  // "blending", for the report
   std::vector<MeasuredColumn> columns;
-  // What the profile gives for the measured columns, in their order.
+  // The profile's values of the measured columns, in their order.
   std::vector<int> (*draw)(const MeasuredRow& row, const HardwareProfile& profile);
-  // What is wrong with a row, for a profile; null: nothing ever is.
+  // The fault of a row, for a profile; null: there never is one.
   std::string (*wrong)(const MeasuredRow& row, const HardwareProfile& profile) = nullptr;
   // More cells of every row.
   std::vector<StatedValue> stated{};
@@ -112,7 +112,7 @@ struct MeasuredFormat {
 // The names of columns, separated by commas.
 [[nodiscard]] std::string header_of(const std::vector<MeasuredColumn>& columns);
 
-// What the tables measure, separated by commas.
+// The measured things of the tables, separated by commas.
 [[nodiscard]] std::string measured_places();
 
 // The format with this header; null: none.

@@ -14,7 +14,7 @@ namespace ninebit::tools {
 using effect_detail::value_of;
 using effect_detail::Words;
 
-// What is wrong with the word in a column; empty: nothing.
+// The fault of the word in a column; empty: none.
 template <class T, std::size_t N>
 [[nodiscard]] std::string wrong_word(const MeasuredRow& row, std::string_view column, const Words<T, N>& words) {
   if (value_of(words, row.text(column))) return "";
