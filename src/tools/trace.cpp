@@ -167,10 +167,8 @@ void add_trace(CLI::App& app, int& exit_code) {
   verb->footer(
       "--set gives the registers of the fragment; --scene or --effect, and --pixel, take them from a picture. "
       "Registers that\n"
-      "are not set have the defaults of `ninebit eval` (see its --help). With --scene, the program of the pass that
-      "
-      "decided the pixel's shadow is traced; a PROGRAM given with it is traced instead.
-      "
+      "are not set have the defaults of `ninebit eval` (see its --help). With --scene, the program of the pass that\n"
+      "decided the pixel's shadow is traced; a PROGRAM given with it is traced instead.\n"
       "Examples:\n"
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"
