@@ -130,9 +130,7 @@ TEST_F(RegularFiles, TheFirstSignalEndsAWaitForStandardInput) {
                                                {"verify", table_, "--program", "-"},
                                                {"verify", "--decide", "-"},
                                                {"prove", "equivalent", program_, "-"},
-                                               {"draw", "-", "-o", folder_ / "out.png"},
-                                               {"study", "datapath", "--program", program_, "--inputs", "-"},
-                                               {"study", "index-steps", "--program", "-"}}) {
+                                               {"draw", "-", "-o", folder_ / "out.png"}}) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       SCOPED_TRACE(testing::PrintToString(words) + " " + std::to_string(signal));
       Child child(words, {.in = fifo});
