@@ -79,8 +79,11 @@ std::error_code finish_file(const std::filesystem::path& file, const std::filesy
 std::error_code create_new(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kNewFileMode);
   if (descriptor < 0) return last_error();
-  if (::close(descriptor) != 0) return last_error();
-  return {};
+  if (::close(descriptor) == 0) return {};
+  // Some file systems report only now that there is no room.
+  const std::error_code error = last_error();
+  ::unlink(file.c_str());
+  return error;
 }
 
 MoveFailure move_all(std::span<const Move> moves) {

@@ -17,7 +17,7 @@ namespace ninebit::posix {
 // the content of `file` is on the disk. A link at `file` is an error.
 [[nodiscard]] std::error_code finish_file(const std::filesystem::path& file, const std::filesystem::path& target);
 
-// Creates an empty file; an existing one, or a link of that name, is an error.
+// Creates an empty file; an existing one, or a link of that name, is an error. After an error there is no new file.
 [[nodiscard]] std::error_code create_new(const std::filesystem::path& file);
 
 // A rename from a temporary name to the final one.
