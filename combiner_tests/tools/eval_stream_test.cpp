@@ -135,7 +135,7 @@ TEST_F(EvalStream, InterruptedWhileWaiting) {
   ASSERT_GE(writer, 0);
   const std::string rows = "primary.r\n1\n2\n";
   ASSERT_EQ(::write(writer, rows.data(), rows.size()), static_cast<ssize_t>(rows.size()));
-  Child child({"eval", article_, "--inputs", pipe, "-o", folder_ / "out.csv"});
+  Child child({"eval", article_, "--inputs", "-", "-o", folder_ / "out.csv"}, {.in = pipe});
   while (files_in(folder_.path() / "").size() < 3 && !child.ended()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));  // until the output has been begun
   }

@@ -20,8 +20,8 @@ class FolderRemoved : public testing::Test {
   // Runs until a file of the folder satisfies `begun`, then removes the folder.
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments,
                             const std::function<bool(const std::string& name)>& begun,
-                            const std::function<void()>& go_on = {}) const {
-    Child child(arguments);
+                            const std::function<void()>& go_on = {}, const ChildSettings& settings = {}) const {
+    Child child(arguments, settings);
     if (go_on) feed_ = std::thread(go_on);
     bool seen = false;
     while (!child.ended() && !seen) {
@@ -97,8 +97,8 @@ TEST_F(FolderRemoved, WhileATableIsEvaluated) {
     table << "2\n";
   };
   const auto begun = [](const std::string& name) { return name.starts_with(".table"); };
-  const std::vector<std::string> words{"eval", program, "--inputs", pipe, "--quiet", "-o", out_ + "/table.csv"};
-  expect_error(run(words, begun, feed), 4, {out_ + "/table.csv"});
+  const std::vector<std::string> words{"eval", program, "--inputs", "-", "--quiet", "-o", out_ + "/table.csv"};
+  expect_error(run(words, begun, feed, {.in = pipe}), 4, {out_ + "/table.csv"});
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 

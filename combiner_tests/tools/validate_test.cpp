@@ -138,7 +138,7 @@ TEST_F(Validate, WhatIsNoProgram) {
   std::size_t errors = 0;
   for (const std::string& line : lines_of(both.err)) errors += line.starts_with("ninebit: error: ") ? 1U : 0U;
   EXPECT_EQ(errors, 5U) << both.err;
-  expect_error(ninebit({"validate", "/dev/zero"}), 3, {"16777216 bytes"});
+  expect_error(ninebit({"validate", "-"}, {.in = "/dev/zero"}), 3, {"16777216 bytes"});
 }
 
 }  // namespace

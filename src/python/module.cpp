@@ -2,13 +2,12 @@
 
 #include <pybind11/stl.h>
 
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "ninebit/combiner/batch_program.h"
 #include "src/language/source/nearest_name.h"
+#include "src/system/stream.h"
 
 namespace py = pybind11;
 
@@ -22,9 +21,9 @@ std::vector<std::string> profile_names() {
 }
 
 ProfileChoice profile_of_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof()) throw Error{path + ": cannot be read; expected a profile as a .json file"};
+  std::error_code error;
+  const std::string text = posix::read_file(path, kMaxSourceBytes + 1, error);
+  if (error) throw Error{path + ": cannot be read: " + error.message() + "; expected a profile as a .json file"};
   auto parsed = parse_json_profile({text, path});
   if (!parsed) throw Error{parsed.faults()[0].text()};
   auto own = std::make_shared<const OwnedProfile>(std::move(parsed).value());

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -12,8 +13,11 @@ namespace ninebit::posix {
 
 inline constexpr int kStandardInput = 0, kStandardOutput = 1, kStandardError = 2;
 
+// The error where a regular file is expected and the name is that of a FIFO, a device or a socket.
+[[nodiscard]] std::error_code not_a_regular_file();
+
 enum class Access : std::uint8_t {
-  read,
+  read,           // of a regular file; never waits for the other end of a FIFO
   write,          // without truncation, for devices and pipes
   create,         // an existing file or link is an error
   create_private  // like create; only the owner may read or write the file
@@ -42,5 +46,8 @@ class Stream {
  private:
   int descriptor_;
 };
+
+// The content of a regular file; of a longer one, its first `most` bytes.
+[[nodiscard]] std::string read_file(const std::filesystem::path& file, std::size_t most, std::error_code& error);
 
 }  // namespace ninebit::posix

@@ -1,15 +1,15 @@
 #include "src/gl_layer/context/context.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
+#include <system_error>
 
 #include "ninebit/language/profile_json.h"
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
 #include "src/gl_layer/shader/program_cache.h"
+#include "src/system/stream.h"
 
 namespace ninebit::gl_layer {
 
@@ -63,13 +63,11 @@ const HardwareProfile* profile_in(const std::string& file) {
   static auto& mutex = *new std::mutex;
   const std::lock_guard lock(mutex);
   if (const auto found = read.find(file); found != read.end()) return &found->second.profile;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  const std::string content = text.str();
+  std::error_code error;
+  const std::string content = posix::read_file(file, kMaxSourceBytes + 1, error);
   auto profile = parse_json_profile({.text = content, .file = file});
   if (!profile) {
-    log_once(stream ? profile.faults().front().text() : file + ": cannot be read");
+    log_once(error ? file + ": cannot be read: " + error.message() : profile.faults().front().text());
     return nullptr;
   }
   return &read.emplace(file, std::move(*profile)).first->second.profile;

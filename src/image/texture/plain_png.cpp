@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "src/image/output/faults.h"
+#include "src/system/stream.h"
 
 namespace ninebit::image_detail {
 namespace {
@@ -25,7 +26,9 @@ Start start_of(const PictureSource& source) {
   if (source.bytes) {
     std::copy_n(source.bytes->begin(), std::min(source.bytes->size(), kStart), start.begin());
   } else {
-    std::ifstream(source.file, std::ios::binary).read(reinterpret_cast<char*>(start.data()), kStart);
+    std::error_code error;
+    const std::string bytes = posix::read_file(source.file, kStart, error);
+    std::copy(bytes.begin(), bytes.end(), start.begin());
   }
   return start;
 }

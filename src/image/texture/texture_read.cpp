@@ -2,33 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "src/image/output/faults.h"
 #include "src/image/texture/plain_png.h"
 #include "src/image/texture/texture_file.h"
+#include "src/system/stream.h"
 
 namespace ninebit::image_detail {
 namespace {
 
 // The largest valid DDS file: six faces of floats with all levels, and the header.
 constexpr std::uint64_t kLargestFile = std::uint64_t{6} * kMaxSurfaceSize * kMaxSurfaceSize * 16 * 4 / 3 + 1024;
-
-Result<std::vector<std::uint8_t>> read_whole(const std::filesystem::path& file, std::ifstream& in) {
-  in.seekg(0, std::ios::end);
-  const std::streamoff size = in.tellg();
-  if (!in || size < 0) return invalid_input(file, "cannot be read");
-  if (static_cast<std::uint64_t>(size) > kLargestFile) {
-    return invalid_input(file, fmt::format("has {} bytes; the largest texture has {}", size, kLargestFile));
-  }
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  in.seekg(0);
-  in.read(reinterpret_cast<char*>(bytes.data()), size);
-  if (!in) return invalid_input(file, "cannot be read to its end");
-  return bytes;
-}
 
 template <class T>
 void flip_planes(std::vector<T>& samples, int width, int height) {
@@ -45,23 +31,23 @@ void flip_planes(std::vector<T>& samples, int width, int height) {
 // Whether the file is a DDS file. Reports a file that is missing, empty or not regular.
 Result<bool> is_dds_file(const std::filesystem::path& file) {
   std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (is_directory(status)) return invalid_input(file, "is a folder; expected a picture");
-  if (exists(status) && !is_regular_file(status)) return invalid_input(file, "is not a regular file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return invalid_input(file, "cannot be opened");
-  std::array<char, 4> start{};
-  in.read(start.data(), start.size());
-  const auto found = static_cast<std::size_t>(in.gcount());
-  if (found == 0) return invalid_input(file, "is empty or cannot be read; expected a picture");
-  return is_dds({reinterpret_cast<const std::uint8_t*>(start.data()), found});
+  const std::string start = posix::read_file(file, 4, error);
+  if (error == std::errc::is_a_directory) return invalid_input(file, "is a folder; expected a picture");
+  if (error == posix::not_a_regular_file()) return invalid_input(file, "is not a regular file; expected a picture");
+  if (error) return invalid_input(file, "cannot be opened");
+  if (start.empty()) return invalid_input(file, "is empty or cannot be read; expected a picture");
+  return is_dds({reinterpret_cast<const std::uint8_t*>(start.data()), start.size()});
 }
 
 Result<FileTexture> read_dds(const HardwareProfile& profile, const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const auto bytes = read_whole(file, in);
-  if (!bytes) return bytes.error();
-  return parse_dds(profile, file, *bytes);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size > kLargestFile) {
+    return invalid_input(file, fmt::format("has {} bytes; the largest texture has {}", size, kLargestFile));
+  }
+  const std::string bytes = posix::read_file(file, kLargestFile, error);
+  if (error) return invalid_input(file, "cannot be read: " + error.message());
+  return parse_dds(profile, file, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 Result<std::vector<FileTexture>> read_with(const PictureReader& reader, std::span<const PictureSource> sources,

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 #include <memory>
 #include <system_error>
 #include <unordered_map>
@@ -11,6 +10,7 @@
 #include "src/study/part/part_state.h"
 #include "src/study/part/part_text.h"
 #include "src/system/hashing/sha256.h"
+#include "src/system/stream.h"
 
 namespace ninebit {
 namespace {
@@ -20,9 +20,9 @@ class Lines {
  public:
   enum class Next { line, none, too_long, unreadable };
 
-  explicit Lines(const std::filesystem::path& file) : stream_(file, std::ios::binary) {}
+  explicit Lines(const std::filesystem::path& file) : stream_(file, posix::Access::read, error_) {}
 
-  [[nodiscard]] bool open() const { return stream_.is_open(); }
+  [[nodiscard]] const std::error_code& error() const { return error_; }
 
   Next next(std::string& line) {
     while (true) {
@@ -35,15 +35,16 @@ class Lines {
       searched_ = text_.size();
       if (text_.size() > kMaxPartLine) return Next::too_long;
       std::array<char, 1 << 16> piece;
-      stream_.read(piece.data(), piece.size());
-      if (stream_.bad()) return Next::unreadable;
-      if (stream_.gcount() == 0) return Next::none;
-      text_.append(piece.data(), static_cast<std::size_t>(stream_.gcount()));
+      const std::size_t count = stream_.read(piece, error_);
+      if (error_) return Next::unreadable;
+      if (count == 0) return Next::none;
+      text_.append(piece.data(), count);
     }
   }
 
  private:
-  std::ifstream stream_;
+  std::error_code error_;
+  posix::Stream stream_;
   std::string text_;
   std::size_t searched_ = 0;
 };
@@ -170,9 +171,9 @@ Result<PartState> read_part_state(const std::filesystem::path& file, const Study
     return Diagnostic{.message = std::move(message), .file = file.string(), .line = line};
   };
   Lines lines(file);
-  std::error_code error;
-  if (!lines.open() || std::filesystem::is_directory(file, error)) {
-    return fault("cannot be read; expected a part written by `ninebit study`", 0);
+  if (lines.error()) {
+    return fault(fmt::format("cannot be read: {}; expected a part written by `ninebit study`", lines.error().message()),
+                 0);
   }
   std::string line;
   while (true) {

@@ -47,7 +47,7 @@ Result<std::optional<std::string_view>> CsvLines::next_raw() {
     carried_.append(part);
     piece_ = {};
     if (!ended_) {
-      auto more = input_.read(true);
+      auto more = input_.read();
       if (!more) return more.error();
       piece_ = *more;
       if (number_ == 0) beginning_ += piece_.substr(0, kBeginning - std::min(kBeginning, beginning_.size()));

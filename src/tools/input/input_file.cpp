@@ -10,6 +10,9 @@ constexpr std::size_t kPiece = std::size_t{1} << 18;
 constexpr int kWaitMilliseconds = 200;
 
 Diagnostic cannot_read(const std::string& name, std::error_code why) {
+  if (why == posix::not_a_regular_file()) {
+    return {.message = "is not a regular file; expected one, or - for standard input", .file = name};
+  }
   return {.message = "could not be read: " + why.message(), .file = name};
 }
 
@@ -26,9 +29,9 @@ Result<InputFile> InputFile::open(const std::string& path) {
   return InputFile(path, std::move(stream));
 }
 
-Result<std::string_view> InputFile::read(bool stoppable) {
+Result<std::string_view> InputFile::read() {
   // Waits in slices: otherwise a signal between the check and the wait would be noticed only with the next data.
-  for (bool ready = !stoppable; !ready;) {
+  for (bool ready = false; !ready;) {
     ready = stream_.wait(kWaitMilliseconds);
     if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   }

@@ -13,14 +13,14 @@ namespace ninebit::tools {
 
 class InputFile {
  public:
-  // "-" is standard input. Reports a file that cannot be opened, and a folder.
+  // "-" is standard input. Reports a file that cannot be opened, and anything but a regular file.
   [[nodiscard]] static Result<InputFile> open(const std::string& path);
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  // The next bytes, valid until the next call; empty at the end. With `stoppable`, which requires a ProgressLine, an
-  // interrupt ends the wait with a Diagnostic of Fault::cancelled.
-  [[nodiscard]] Result<std::string_view> read(bool stoppable = false);
+  // The next bytes, valid until the next call; empty at the end. An interrupt ends the wait with a Diagnostic of
+  // Fault::cancelled.
+  [[nodiscard]] Result<std::string_view> read();
 
  private:
   InputFile(std::string name, posix::Stream stream);

@@ -16,7 +16,6 @@
 #include "src/tools/input/fault_log.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/host.h"
-#include "src/tools/input/input_file.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
@@ -31,15 +30,9 @@ extern "C" void on_interrupt(int signal) {
 }
 
 OwnedProfile read_profile(const std::string& path) {
-  std::string text;
-  auto input = InputFile::open(path);
-  if (!input) throw InvalidInput(input.error());
-  do {
-    const auto piece = input->read();
-    if (!piece) throw InvalidInput(piece.error());
-    if (piece->empty()) break;
-    text += *piece;
-  } while (text.size() <= kMaxSourceBytes);
+  std::error_code error;
+  const std::string text = posix::read_file(path, kMaxSourceBytes + 1, error);
+  if (error) throw InvalidInput(Diagnostic{.message = "could not be read: " + error.message(), .file = path});
   auto parsed = parse_json_profile({text, path});
   if (parsed) return std::move(*parsed);
   if (std::string message = wrong_kind(kind_of_file(text), FileRole::profile); !message.empty()) {

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "ninebit/shadow/picture_files.h"
+#include "src/system/stream.h"
 
 namespace ninebit::tools {
 namespace {
@@ -61,8 +62,8 @@ std::vector<std::string> earlier_files(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kManifest;
   if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) return {};
   if (std::filesystem::file_size(path, error) > kLargestManifest || error) return {};
-  std::ifstream in(path, std::ios::binary);
-  const nlohmann::json manifest = nlohmann::json::parse(in, nullptr, false);
+  const std::string text = posix::read_file(path, kLargestManifest, error);
+  const nlohmann::json manifest = nlohmann::json::parse(text, nullptr, false);
   if (!manifest.is_object() || manifest.value("ninebit", nlohmann::json()) != "render") return {};
   const auto files = manifest.find("files");
   if (files == manifest.end() || !files->is_array() || files->size() > kMostNames) return {};

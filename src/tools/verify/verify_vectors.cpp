@@ -21,7 +21,7 @@ Result<std::string> text_in(const std::string& path) {
   if (!input) return input.error();
   std::string text;
   while (true) {
-    const auto piece = input->read(true);
+    const auto piece = input->read();
     if (!piece) return piece.error();
     if (piece->empty()) return text;
     text += *piece;
