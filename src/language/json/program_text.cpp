@@ -37,10 +37,9 @@ ProgramForm form_of(std::string_view text) {
   if (is_pixel_shader(text)) return ProgramForm::ps;
   if (content.starts_with("!!")) return ProgramForm::rc10;
   const bool definition = is_xbox_pixel_shader(text);
-  // A log's lines may begin with a time in brackets.
-  if (content.starts_with('{') || (content.starts_with('[') && !is_register_log(text))) {
-    return definition ? ProgramForm::xbox : form_of_object(content);
-  }
+  const bool bracket = content.starts_with('{') || content.starts_with('[');
+  if (bracket && definition) return ProgramForm::xbox;
+  if (is_json(content)) return form_of_object(content);
   if (is_assignment(content)) return definition ? ProgramForm::xbox : ProgramForm::words;
   if (is_source_code(text)) return ProgramForm::source;
   // Both may be columns of numbers. A hex dump has offsets that fit its rows; few logs have as many numbers as a

@@ -29,6 +29,27 @@ std::string_view without_heading(std::string_view text) {
   }
 }
 
+bool is_json(std::string_view text) {
+  if (!text.starts_with('{') && !text.starts_with('[')) return false;
+  const std::string_view inside = after_space(text.substr(1));
+  if (inside.empty() || inside.front() == '"') return true;
+  if (text.front() == '{') {
+    // A key without quotes is a fault of JSON.
+    const auto is_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '\''; };
+    const auto end = std::find_if_not(inside.begin(), inside.end(), is_name);
+    const bool has_key = end != inside.begin() && after_space({end, inside.end()}).starts_with(':');
+    return inside.front() == '}' || has_key;
+  }
+  if (inside.front() == '[' || inside.front() == '{') return true;
+  const std::string_view values = inside.substr(0, inside.find(']'));
+  const auto is_plain = [](unsigned char c) {
+    return std::isdigit(c) != 0 || std::isspace(c) != 0 ||
+           std::string_view("+-.,eE").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  const bool plain = std::all_of(values.begin(), values.end(), is_plain);
+  return plain && (values.size() == inside.size() || after_space(inside.substr(values.size() + 1)).empty());
+}
+
 bool is_assignment(std::string_view text) {
   std::size_t i = 0;
   const auto is_name = [](unsigned char c) {

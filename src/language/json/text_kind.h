@@ -10,6 +10,10 @@ namespace NINEBIT_PUBLIC ninebit {
 // The text without leading white space and comments, which every program form except JSON may have.
 [[nodiscard]] std::string_view without_heading(std::string_view text);
 
+// Whether the text seems to be JSON: its first bracket has JSON's values behind it, and nothing follows an array of plain
+// values. A prefix such as "[0x27A0]" or "[12]" and a structure such as "{a = 1}" are not JSON.
+[[nodiscard]] bool is_json(std::string_view text);
+
 // Whether the text starts with "NAME = NUMBER", with a name such as RC_IN_RGB[0].
 [[nodiscard]] bool is_assignment(std::string_view text);
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "src/system/stream.h"
 
 namespace ninebit::tools {
 namespace {
@@ -132,6 +131,22 @@ std::string kind_of_json(std::string_view text) {
   return std::string(has(text, "\"RC_") ? kJsonWordsKind : kJsonKind);
 }
 
+// Whether each line but the last, which may be cut, is blank or has a prefix such as "[0x27A0] ".
+bool has_prefixes(std::string_view text) {
+  for (std::size_t end = 0; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1)) {
+    const std::string_view line = text.substr(0, end);
+    if (!line.empty() && (!line.starts_with('[') || !has(line, "]"sv))) return false;
+  }
+  return text.empty() || text.starts_with('[');
+}
+
+// Whether the text is what gdb's print says, such as "$1 = {a = 2}".
+bool is_gdb_print(std::string_view text) {
+  if (!text.starts_with('$')) return false;
+  const std::size_t end = text.find_first_not_of("0123456789", 1);
+  return end > 1 && end != std::string_view::npos && text.substr(end).starts_with(" = ");
+}
+
 // Whether the first line is a header such as tex0.r,out.a, or has a column `program`.
 bool is_table(std::string_view text) {
   bool known = false, several = false;
@@ -140,6 +155,8 @@ bool is_table(std::string_view text) {
     several = several || field.size() < line.size();
     line.remove_prefix(std::min(line.size(), field.size() + 1));
     field = without_space(field);
+    while (field.ends_with(' ')) field.remove_suffix(1);
+    if (has(field, " ")) return false;
     const std::size_t dot = field.rfind('.');
     const std::string_view component = dot == std::string_view::npos ? ""sv : field.substr(dot + 1);
     known = known || field == "program" || component == "r" || component == "g" || component == "b" || component == "a";
@@ -240,10 +257,11 @@ std::string kind_of_file(std::string_view bytes) {
     const auto end = std::find_if_not(line.begin(), line.end(), is_name);
     return "a program in " + std::string(line.begin(), end);
   }
-  const bool is_log = !text.starts_with('{') && !is_assignment(text) && is_register_log(bytes);
-  if (text.starts_with('{') || (text.starts_with('[') && !is_log)) return kind_of_json(text);
+  if (is_json(text)) return kind_of_json(text);
   if (is_table(text)) return std::string(kTableKind);
-  if (is_log) return std::string(kLogKind);
+  if (!is_assignment(text) && is_register_log(bytes)) return std::string(kLogKind);
+  if (text.starts_with('[') && has_prefixes(text.substr(0, kLookedAt))) return "text with a prefix before each line";
+  if (is_gdb_print(text)) return "text that gdb printed";
   if (std::string source = kind_of_source(bytes.substr(0, kLookedAt)); !source.empty()) return source;
   return std::string(is_assignment(text) ? kWordsKind : ""sv);
 }
@@ -265,11 +283,9 @@ std::string wrong_kind(std::string_view kind, FileRole role) {
 
 Diagnostic explained_by_kind(Diagnostic fault, const std::string& file, FileRole role) {
   std::error_code error;
-  if (fault.fault != Fault::invalid_input || !std::filesystem::is_regular_file(file, error)) return fault;
-  std::ifstream in(file, std::ios::binary);
-  std::string beginning(kLookedAt, '\0');
-  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  if (fault.fault != Fault::invalid_input) return fault;
+  const std::string beginning = posix::read_file(file, kLookedAt, error);
+  if (error) return fault;
   std::string message = wrong_kind(kind_of_file(beginning), role);
   return message.empty() ? fault : Diagnostic{.message = std::move(message), .file = file};
 }
