@@ -1,5 +1,6 @@
 """import ninebit: states, and programs on NumPy arrays."""
 import copy
+import os
 import pathlib
 import pickle
 import tempfile
@@ -45,6 +46,11 @@ class States(unittest.TestCase):
             ninebit.State("geforce")
         with self.assertRaisesRegex(ninebit.Error, "none.json.*cannot be read"):
             ninebit.State("none.json")
+        with tempfile.TemporaryDirectory() as folder:  # a FIFO would never end
+            pipe = os.path.join(folder, "pipe.json")
+            os.mkfifo(pipe)
+            with self.assertRaisesRegex(ninebit.Error, "pipe.json: cannot be read"):
+                ninebit.State(pipe)
         with self.assertRaisesRegex(ninebit.Error, "unknown form 'basic'.*gl, source"):
             ninebit.State.parse("", "basic")
         with self.assertRaisesRegex(ninebit.Error, "text is the name of a file, .*index_compare.gl; expected the program itself"):

@@ -180,6 +180,17 @@ class Draw(Folder):
         with self.assertRaisesRegex(TypeError, "program is float; expected a path, a State or a Program"):
             ninebit.draw(1.5)
 
+    def test_files_outside_are_read_only_if_allowed(self):
+        (self.folder / "sub").mkdir()
+        (self.folder / "p.rc1").write_text("!!RC1.0\nout.rgb = col0;\n")
+        effect = self.folder / "sub" / "e.json"
+        effect.write_text(json.dumps({"ninebit": "effect", "version": 1, "size": 4, "passes": [{"program": "../p.rc1"}]}))
+        for call in (lambda **more: ninebit.draw(effect, **more),
+                     lambda **more: ninebit.trace(effect=effect, pixel=(1, 1), **more)):
+            with self.assertRaisesRegex(ninebit.Error, "'../p.rc1' leaves the folder .*--allow-outside"):
+                call()
+            call(allow_outside=True)
+
 
 class Compare(Folder):
     def test_settings_side_by_side(self):

@@ -44,7 +44,7 @@ TEST_F(InsideFolder, RefusesNamesThatLeaveIt) {
                            R"(deep\..\a.bin)", R"(deep/..\..\secret)"}) {
     EXPECT_EQ(why(name), "'" + std::string(name) +
                              "' leaves the folder of the file that names it; expected a regular file below the folder "
-                             "of the file that names it");
+                             "of the file that names it, or --allow-outside");
   }
 }
 
@@ -81,6 +81,18 @@ TEST_F(InsideFolder, RefusesWhatIsNotARegularFile) {
     EXPECT_NE(why(name).find("is not a regular file"), std::string::npos) << name << ": " << why(name);
   }
   EXPECT_NE(why(".").find("expected a regular file"), std::string::npos);
+}
+
+// LOG#N: the set-up N of a log.
+TEST_F(InsideFolder, ChecksTheFileOfASetup) {
+  fs::create_symlink("../secret", in_ / "link");
+  fs::create_symlink("../secret", in_ / "own#2");
+  EXPECT_EQ(why("a.bin#1"), "");
+  EXPECT_EQ(why("none#1"), "");
+  for (const char* name : {"link#1", "deep#1", "own#2"}) EXPECT_NE(why(name), "") << name;
+  EXPECT_EQ(why("link#x"), "") << "that is the name of a file";
+  EXPECT_EQ(without_setup("a#12"), "a");
+  for (const char* name : {"a#", "#1", "a#1x", "a#-1", "a#1234567890", "a"}) EXPECT_EQ(without_setup(name), name);
 }
 
 TEST_F(InsideFolder, RefusesWhatIsNoName) {

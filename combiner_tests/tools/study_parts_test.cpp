@@ -129,6 +129,27 @@ TEST_F(AlteredPart, NamesFilesBelowTheWorkingFolderAlone) {
   }
 }
 
+// So are the files that its scene names, whatever the part says.
+TEST_F(AlteredPart, ItsSceneNamesFilesBelowItsFolderAlone) {
+  std::filesystem::create_directory(folder_ / "work");
+  const ChildSettings in_work{.folder = folder_ / "work"};
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  write_bytes(folder_ / "work/s.obj", "mtllib ../outside.mtl\n" + corners + "usemtl red\nf 1 2 3\n");
+  write_bytes(folder_ / "outside.mtl", "newmtl red\nKd 1 0 0\n");
+  const Words run{"study", "shadows", "s.obj", "--size", "8x8", "--map-sizes", "8", "--quiet", "-o", "run"};
+  Words allowed = run;
+  allowed.emplace_back("--allow-outside");
+  expect_error(ninebit(run, in_work), 3, {"'../outside.mtl'", "--allow-outside"});
+  ASSERT_EQ(ninebit(allowed, in_work).code, 0);
+  expect_error(merge_parts({"run/part-1-of-1.jsonl"}, "merged", in_work), 3, {"'../outside.mtl'", "--allow-outside"});
+  EXPECT_EQ(merge_parts({"run/part-1-of-1.jsonl", "--allow-outside"}, "merged", in_work).code, 0);
+  auto part = read_part(folder_ / "work/run/part-1-of-1.jsonl");
+  ASSERT_TRUE(part) << part.error().text();
+  part->header.question.options.emplace_back("--allow-outside", "");
+  write_bytes(folder_ / "work/evil.jsonl", written(*part));
+  expect_error(merge_parts({"evil.jsonl"}, "merged2", in_work), 3, {"evil.jsonl:1", "its command has --allow-outside"});
+}
+
 // A part as it is while another run writes it.
 TEST_F(AlteredPart, ASecondRunIsToldOfTheFirst) {
   const Words study{"index-steps", "--formats", "la", "--steps", "2", "--profile", "geforce2"};

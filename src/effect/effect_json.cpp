@@ -1,9 +1,8 @@
 #include "ninebit/effect/effect_json.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
+#include "ninebit/effect/generated_meshes.h"
 #include "src/effect/effect_reader.h"
 
 namespace ninebit {
@@ -28,7 +27,10 @@ void read_scene_setup(EffectReader& read, const Value& value, EffectScene& scene
   const auto real = [&](std::string_view key, double lowest, double highest, std::optional<float>& into) {
     read.with(value, key, [&](const Value& v) { read.real(v, lowest, highest, into.emplace()); });
   };
-  read.with(value, "mesh", [&](const Value& v) { read.text(v, scene.mesh); });
+  read.with(value, "mesh", [&](const Value& v) {
+    read.text(v, scene.mesh);
+    if (!is_generated_mesh(scene.mesh)) read.check_file(v, scene.mesh);
+  });
   if (scene.mesh.empty())
     read.reader().fault(value.offset, "the key \"mesh\" is missing; expected a scene file or a generated mesh");
   read.with(value, "up", [&](const Value& v) { read.word(v, effect_detail::kUpAxes, "axis", scene.up.emplace()); });
@@ -68,7 +70,10 @@ EffectTexture read_effect_texture(EffectReader& read, const Value& value) {
   if (json::Reader::find(value, "source") == nullptr) {
     read.reader().fault(value.offset, "the key \"source\" is missing; expected a file or a generated texture");
   }
-  read.with(value, "source", [&](const Value& v) { read.parsed(v, &parse_texture_source, texture); });
+  read.with(value, "source", [&](const Value& v) {
+    read.parsed(v, &parse_texture_source, texture);
+    for (const std::string& file : texture.files) read.check_file(v, file);
+  });
   read.with(value, "steepness", [&](const Value& v) {
     if (texture.origin != TextureOrigin::normals) {
       read.reader().fault(v.key_offset, "steepness is only for normals:FILE");
@@ -178,12 +183,16 @@ std::size_t place_of_fault(const EffectFault& fault, const Value& root, const Pa
 }  // namespace
 
 Parsed<Effect> parse_effect(const SourceText& source) {
+  return effect_detail::parse_effect(source, {});
+}
+
+Parsed<Effect> effect_detail::parse_effect(const SourceText& source, const NameCheck& check) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return faults.take();
   const std::optional<Value> root = json::read_tree(source.text, faults);
   if (!root) return faults.take();
   json::Reader reader(source.text, faults);
-  EffectReader read(reader);
+  EffectReader read(reader, check);
   PartPlaces places;
   if (root->type == Type::object) reader.heading(*root, "effect", true);
   // Another kind of file has no more to say.
@@ -195,25 +204,6 @@ Parsed<Effect> parse_effect(const SourceText& source) {
   }
   if (!faults.empty()) return faults.take();
   return effect;
-}
-
-Parsed<Effect> read_effect(const std::filesystem::path& file) {
-  const auto unreadable = [&](const char* message) {
-    return Parsed<Effect>(std::vector{TextFault{.file = file.string(), .message = message}});
-  };
-  std::error_code error;
-  if (is_directory(file, error)) return unreadable("is a folder; expected an effect file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return unreadable("cannot be opened");
-  std::string text(kMaxSourceBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) return unreadable("cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.empty()) return unreadable("is empty; expected an effect");
-  const std::string name = file.string();
-  Parsed<Effect> parsed = parse_effect({text, name});
-  if (parsed) parsed->folder = file.parent_path().string();
-  return parsed;
 }
 
 }  // namespace ninebit

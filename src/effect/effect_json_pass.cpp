@@ -189,7 +189,10 @@ EffectPass read_pass(EffectReader& read, const Value& value, bool has_scene) {
   read.with(value, "name", [&](const Value& v) { read.text(v, pass.name); });
   read.with(value, "view", [&](const Value& v) { read.word(v, kViews, "view", pass.view); });
   read.with(value, "target", [&](const Value& v) { read.text(v, pass.target); });
-  read.with(value, "program", [&](const Value& v) { read.text(v, pass.program); });
+  read.with(value, "program", [&](const Value& v) {
+    read.text(v, pass.program);
+    read.check_file(v, pass.program);
+  });
   read.with(value, "constants", [&](const Value& v) { read_constants(read, v, pass.constants); });
   read.with(value, "units", [&](const Value& v) { read_units(read, v, pass.units); });
   read.with(value, "primary", [&](const Value& v) { read.parsed(v, &parse_color_source, pass.primary); });

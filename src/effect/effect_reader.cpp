@@ -13,6 +13,11 @@ void EffectReader::text(const Value& value, std::string& into) {
   into = value.text;
 }
 
+void EffectReader::check_file(const Value& value, const std::string& name) {
+  if (!check_ || name.empty()) return;
+  if (const auto why = check_(name)) read_.fault(value.offset, *why);
+}
+
 void EffectReader::real(const Value& value, double lowest, double highest, float& into) {
   if (value.type != Type::number) return read_.wrong_type(value, "a number");
   double number = 0.0;

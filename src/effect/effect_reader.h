@@ -6,18 +6,24 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ninebit/effect/effect.h"
+#include "ninebit/language/source_text.h"
 #include "src/effect/effect_words.h"
 #include "src/language/json/json_reader.h"
 
 namespace ninebit::effect_detail {
 
+// What is wrong with the name of a file; nothing if the file may be read.
+using NameCheck = std::function<std::optional<std::string>(const std::string& name)>;
+
 // Typed readers for values of a tree; anything else than what is expected is a fault with its place.
 class EffectReader {
  public:
-  explicit EffectReader(json::Reader& reader) : read_(reader) {}
+  // With `check`, for the names of files.
+  explicit EffectReader(json::Reader& reader, NameCheck check) : read_(reader), check_(std::move(check)) {}
 
   [[nodiscard]] json::Reader& reader() { return read_; }
 
@@ -29,6 +35,8 @@ class EffectReader {
   }
 
   void text(const json::Value& value, std::string& into);
+  // Reports a file of this name, which `value` holds, if it may not be read.
+  void check_file(const json::Value& value, const std::string& name);
   // A finite number in [lowest, highest].
   void real(const json::Value& value, double lowest, double highest, float& into);
   // An array of so many numbers, or from `fewest` on; returns how many there are, 0 after a fault.
@@ -64,9 +72,13 @@ class EffectReader {
 
  private:
   json::Reader& read_;
+  NameCheck check_;
 };
 
 // Reads one element of "passes".
 [[nodiscard]] EffectPass read_pass(EffectReader& read, const json::Value& value, bool has_scene);
+
+// parse_effect() that also checks the names of programs, textures and meshes.
+[[nodiscard]] Parsed<Effect> parse_effect(const SourceText& source, const NameCheck& check);
 
 }  // namespace ninebit::effect_detail

@@ -18,7 +18,7 @@ inline constexpr int kMaxDrawnSegments = 512;                         // N of a 
 
 inline constexpr std::uint64_t kMaxFileTriangles = std::uint64_t{1} << 19;  // of a scene file that was put
 
-// The scene that is always there: scenes/index_room.gltf. An effect of the gallery names it by that path.
+// The scene that is always there: scenes/index_room.gltf. Effects of the gallery name it index_room.gltf.
 inline constexpr std::string_view kRoomName = "room";
 
 // A scene file that was put, or the room.

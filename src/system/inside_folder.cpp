@@ -88,8 +88,20 @@ std::string wrong_with_place(const fs::path& folder, std::string_view name) {
 std::optional<std::string> why_outside(const fs::path& folder, std::string_view name) {
   std::string wrong = wrong_with_text(name);
   if (wrong.empty()) wrong = wrong_with_place(folder, name);
+  if (wrong.empty()) wrong = wrong_with_place(folder, without_setup(name));
   if (wrong.empty()) return std::nullopt;
-  return shown(name) + ' ' + wrong + "; expected a regular file below the folder of the file that names it";
+  return shown(name) + ' ' + wrong +
+         "; expected a regular file below the folder of the file that names it, or --allow-outside";
+}
+
+std::string_view without_setup(std::string_view name) {
+  constexpr std::size_t kMostDigits = 9;
+  const std::size_t hash = name.rfind('#');
+  if (hash == std::string_view::npos || hash == 0) return name;
+  const std::string_view digits = name.substr(hash + 1);
+  const bool is_number = !digits.empty() && digits.size() <= kMostDigits &&
+                         std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return is_number ? name.substr(0, hash) : name;
 }
 
 }  // namespace ninebit::posix

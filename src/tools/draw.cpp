@@ -201,7 +201,7 @@ int draw(const DrawFlags& flags) {
     return wrong_usage(fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
   }
   if (Status checked = check_files(flags); !checked) return wrong_usage(checked.error().message);
-  DrawnFile file = read_effect_file(flags.file);
+  DrawnFile file = read_effect_file(flags.file, flags.allow_outside);
   if (file.exit_code != kDone) return file.exit_code;
   const bool is_effect = file.effect.has_value();
   if (is_effect) {

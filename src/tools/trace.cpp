@@ -117,7 +117,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
 
 int trace_effect(const TraceFlags& flags) {
   const HardwareProfile* const given = flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr;
-  const auto traced = draw_pixel(flags.effect, flags.pixel, flags.common, given);
+  const auto traced = draw_pixel(flags.effect, flags.pixel, flags.scene.allow_outside, flags.common, given);
   if (!traced) return report(traced.error());
   const TracedPixel& pixel = traced->pixel;
   const Drawn drawn{&pixel, traced->profile};
@@ -139,6 +139,9 @@ int run(const TraceFlags& flags) {
     return wrong_usage("--threads requires --scene or --effect: a trace of given registers has one thread");
   }
   if (flags.scene.file.empty() && !flags.pixel.empty()) return wrong_usage("--pixel requires --scene or --effect");
+  if (flags.scene.file.empty() && flags.scene.allow_outside) {
+    return wrong_usage("--allow-outside requires --scene or --effect");
+  }
   if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene requires --pixel X,Y");
   std::optional<Program> program;
   if (!flags.program.file.empty()) {
@@ -183,7 +186,9 @@ void add_trace(CLI::App& app, int& exit_code) {
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
   add_page_flag(*verb, flags->output);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
-  for (const char* flag : {"--allow-outside", "--up"}) verb->get_option(flag)->needs(scene);
+  verb->get_option("--allow-outside")
+      ->description("Also read files that the scene or effect names outside of its folder");
+  verb->get_option("--up")->needs(scene);
   for (const char* flag : {"--from", "--chip", "--function", "--define"}) {
     verb->get_option(flag)->needs(verb->get_option("program"));
   }

@@ -11,11 +11,18 @@
 namespace NINEBIT_PUBLIC ninebit {
 
 // Parses an effect and checks it with check_effect. Every fault has its place in the text. The effect's folder stays
-// empty.
+// empty; the names of files are not checked.
 [[nodiscard]] Parsed<Effect> parse_effect(const SourceText& source);
 
+// How an effect file is read.
+struct EffectReadOptions {
+  bool allow_outside = false;  // files that the effect names may be anywhere; otherwise only below its own folder
+};
+
 // Reads an effect file of at most kMaxSourceBytes. The effect's folder is that of the file. A file that cannot be read
-// is a fault on line 0.
-[[nodiscard]] Parsed<Effect> read_effect(const std::filesystem::path& file);
+// is a fault on line 0; so that no FIFO is waited for, only regular files are read. Unless options.allow_outside, the
+// name of a program, texture or mesh is a fault if it is absolute or an address, has "..", or leads out of the folder
+// by a link.
+[[nodiscard]] Parsed<Effect> read_effect(const std::filesystem::path& file, const EffectReadOptions& options = {});
 
 }  // namespace ninebit

@@ -1,12 +1,15 @@
 #include "ninebit/effect/effect_files.h"
 
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
+#include "ninebit/effect/effect_json.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/scene/scene_io.h"
+#include "src/effect/effect_reader.h"
+#include "src/system/inside_folder.h"
+#include "src/system/stream.h"
 
 namespace ninebit {
 namespace {
@@ -17,12 +20,9 @@ Diagnostic fault_of(const std::filesystem::path& file, std::string message) {
 
 Result<CombinerState> program_in(const std::filesystem::path& file, const HardwareProfile& profile) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return fault_of(file, "is not a file; expected a program");
-  std::ifstream in(file, std::ios::binary);
-  std::string text(kMaxSourceBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!in.eof() || in.bad()) return fault_of(file, "cannot be read, or is too long for a program");
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  const std::string text = posix::read_file(file, kMaxSourceBytes + 1, error);
+  if (error) return fault_of(file, "cannot be read: " + error.message());
+  if (text.size() > kMaxSourceBytes) return fault_of(file, "is too long for a program");
   const std::string name = file.string();
   auto parsed = parse_program({text, name}, form_of(text), profile);
   if (!parsed) {
@@ -35,6 +35,25 @@ Result<CombinerState> program_in(const std::filesystem::path& file, const Hardwa
 }
 
 }  // namespace
+
+Parsed<Effect> read_effect(const std::filesystem::path& file, const EffectReadOptions& options) {
+  const auto unreadable = [&](std::string message) {
+    return Parsed<Effect>(std::vector{TextFault{.file = file.string(), .message = std::move(message)}});
+  };
+  std::error_code error;
+  const std::string text = posix::read_file(file, kMaxSourceBytes + 1, error);
+  if (error == std::errc::is_a_directory) return unreadable("is a folder; expected an effect file");
+  if (error) return unreadable("cannot be opened: " + error.message() + "; expected an effect file");
+  if (text.empty()) return unreadable("is empty; expected an effect");
+  effect_detail::NameCheck check;
+  if (!options.allow_outside) {
+    check = [folder = file.parent_path()](const std::string& name) { return posix::why_outside(folder, name); };
+  }
+  const std::string name = file.string();
+  Parsed<Effect> parsed = effect_detail::parse_effect({text, name}, check);
+  if (parsed) parsed->folder = file.parent_path().string();
+  return parsed;
+}
 
 EffectReaders file_readers(TextureFilesReader textures) {
   EffectReaders readers;

@@ -32,7 +32,7 @@ export class Shelf {
 
   /** Names of meshes to choose from: the room, which the engine has, and what was dropped. */
   meshes() {
-    return ['../index_room.gltf', ...[...this.dropped].filter((name) => meshEnding.test(name))];
+    return ['index_room.gltf', ...[...this.dropped].filter((name) => meshEnding.test(name))];
   }
 
   /** Puts a file of the page into the engine, once. @param {string} name */

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace ninebit::tools {
 
@@ -16,8 +15,5 @@ struct SetupName {
 
 // Takes "#N" from the end of a name, unless there is a file of the whole name.
 [[nodiscard]] SetupName setup_name(const std::string& name);
-
-// The name without "#N" at its end, whatever files there are.
-[[nodiscard]] std::string_view without_setup(std::string_view name);
 
 }  // namespace ninebit::tools

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/scene/scene_io.h"
 #include "src/image/texture/picture_loader.h"
+#include "src/system/stream.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/printable.h"
@@ -26,11 +26,8 @@ bool go_on() {
 bool is_effect(const std::string& file) {
   constexpr std::size_t kStart = 4096;
   std::error_code error;
-  if (file == "-" || !std::filesystem::is_regular_file(file, error)) return false;
-  std::ifstream in(file, std::ios::binary);
-  std::string start(kStart, '\0');
-  in.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(in.gcount()));
+  if (file == "-") return false;
+  const std::string start = posix::read_file(file, kStart, error);
   const std::string_view content = without_heading(start);
   return content.starts_with('{') && json_kind(content) == "effect";
 }
@@ -98,9 +95,9 @@ Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::s
       .file = file};
 }
 
-DrawnFile read_effect_file(const std::string& file) {
+DrawnFile read_effect_file(const std::string& file, bool allow_outside) {
   if (!is_effect(file)) return {};
-  auto parsed = read_effect(file);
+  auto parsed = read_effect(file, {.allow_outside = allow_outside});
   if (!parsed) return {.effect = {}, .exit_code = report(parsed.faults())};
   return {.effect = std::move(*parsed)};
 }

@@ -178,7 +178,8 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
       ->type_name("FILE|BUILTIN")
       ->check(text_check(&check_file_name));
   add_up_flag(verb, flags.up);
-  verb.add_flag("--allow-outside", flags.allow_outside, "Also read files that the scene names outside of its folder");
+  verb.add_flag("--allow-outside", flags.allow_outside,
+                "Also read files that the effect or scene names outside of its folder");
   add_pass_flags(verb, flags);
   const auto point = [&](const char* flag, std::string& text, const char* help) {
     verb.add_option(flag, text, help)->type_name("X,Y,Z")->check(text_check(&check_point));

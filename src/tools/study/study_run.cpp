@@ -17,7 +17,6 @@
 #include "src/system/inside_folder.h"
 #include "src/system/process.h"
 #include "src/tools/common/scene_flags.h"
-#include "src/tools/common/setup_name.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/host.h"
 #include "src/tools/study/study.h"
@@ -156,7 +155,6 @@ std::optional<std::string> why_refused(std::string_view word) {
     const bool is_folder = std::filesystem::is_directory(std::filesystem::symlink_status(piece, error));
     if (piece.empty() || is_folder) continue;
     if (auto why = posix::why_outside("", piece)) return why;
-    if (auto why = posix::why_outside("", without_setup(piece))) return why;
   }
   return std::nullopt;
 }
@@ -167,11 +165,21 @@ Result<std::unique_ptr<Study>> study_of(const StudyQuestion& question, bool allo
   StudyRequest request;
   add_studies(verbs, request);
   std::vector<std::string> words = question.words();
+  constexpr const char* kAllowOutside = "--allow-outside";
   for (const std::string& word : words) {
+    if (word.starts_with(kAllowOutside)) {
+      return Diagnostic{.message =
+                            fmt::format("its command has {}, which no part has; give it to the merge", kAllowOutside)};
+    }
     const auto why = allow_outside ? std::nullopt : why_refused(word);
-    if (why) return Diagnostic{.message = fmt::format("its command names a file: {}, or --allow-outside", *why)};
+    if (why) return Diagnostic{.message = fmt::format("its command names a file: {}", *why)};
   }
-  std::reverse(words.begin(), words.end());  // CLI11 expects the last word first
+  const auto takes_it = [&](const CLI::App* verb) {
+    return verb->get_name() == question.study && verb->get_option_no_throw(kAllowOutside) != nullptr;
+  };
+  const bool can_allow = !std::as_const(verbs).get_subcommands(takes_it).empty();
+  if (allow_outside && can_allow) words.emplace_back(kAllowOutside);  // for the files that a scene names
+  std::reverse(words.begin(), words.end());                           // CLI11 expects the last word first
   try {
     verbs.parse(std::move(words));
   } catch (const CLI::ParseError& error) {

@@ -13,8 +13,8 @@
 namespace ninebit::tools {
 namespace {
 
-Result<Effect> effect_in(const std::string& file) {
-  auto parsed = read_effect(file);
+Result<Effect> effect_in(const std::string& file, bool allow_outside) {
+  auto parsed = read_effect(file, {.allow_outside = allow_outside});
   if (parsed) return std::move(*parsed);
   const Diagnostic other = explained_by_kind({}, file, FileRole::effect);
   if (!other.message.empty()) return other;
@@ -25,10 +25,10 @@ Result<Effect> effect_in(const std::string& file) {
 
 }  // namespace
 
-Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, const CommonFlags& common,
-                                const HardwareProfile* given) {
+Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, bool allow_outside,
+                                const CommonFlags& common, const HardwareProfile* given) {
   const ThreadLimit limit(common.threads);
-  const auto effect = effect_in(file);
+  const auto effect = effect_in(file, allow_outside);
   if (!effect) return effect.error();
   const auto chosen = effect_profile(*effect, file, given);
   if (!chosen) return chosen.error();
@@ -41,8 +41,8 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
   std::vector<std::string> warnings;
-  auto renderer =
-      EffectRenderer::make(*effect, *traced.profile, effect_readers(false, warnings), {.layers = false, .pixel = *at});
+  auto renderer = EffectRenderer::make(*effect, *traced.profile, effect_readers(allow_outside, warnings),
+                                       {.layers = false, .pixel = *at});
   if (!renderer) return renderer.error();
   Status drawn = renderer->draw([&](std::string_view pass, double done) { return line.step(pass, done); });
   if (!drawn) return drawn.error();

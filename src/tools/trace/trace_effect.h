@@ -15,9 +15,10 @@ struct TracedEffect {
 };
 
 // Draws the effect file and probes the pixel X,Y of its picture, counted from the top left. The rectangles that passes
-// draw count as one more object, whose polygons come after those of the mesh. `given`: the profile of --profile, or
-// nullptr. Reports what `ninebit draw` reports, and a pixel outside of the picture.
-[[nodiscard]] Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel,
+// draw count as one more object, whose polygons come after those of the mesh. `allow_outside` as in EffectReadOptions.
+// `given`: the profile of --profile, or nullptr. Reports what `ninebit draw` reports, and a pixel outside of the
+// picture.
+[[nodiscard]] Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, bool allow_outside,
                                               const CommonFlags& common, const HardwareProfile* given);
 
 }  // namespace ninebit::tools

@@ -9,7 +9,6 @@
 #include "src/combiner/given_registers.h"
 #include "src/language/source/nearest_name.h"
 #include "src/system/inside_folder.h"
-#include "src/tools/common/setup_name.h"
 
 namespace ninebit::tools {
 namespace {
@@ -170,9 +169,7 @@ Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
     return {};
   }
   if (is_named_here && !allow_outside_) {
-    auto why = posix::why_outside(folder_, named);
-    if (!why) why = posix::why_outside(folder_, without_setup(named));
-    if (why) return csv_fault(name(), line.number, 1, *why + ", or --allow-outside");
+    if (const auto why = posix::why_outside(folder_, named)) return csv_fault(name(), line.number, 1, *why);
   }
   // A row that names "-" means a file of that name, never standard input.
   if (flags.file == "-" && is_named_here) flags.file = "./-";
