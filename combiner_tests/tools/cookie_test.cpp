@@ -104,17 +104,16 @@ TEST_F(Cookie, LayersHaveTheLitPass) {
 
 // The comparison of polygons decides the shadow. Without shadows the lit pass is traced, which reads the cookie.
 TEST_F(Cookie, TraceFollowsTheShadowOrTheLight) {
-  std::vector<std::string> arguments{"trace",        "--scene",  kRoom,     "--size", "64x48",
-                                     "--map-size",   "64",       "--pixel", "32,40",  "--technique",
-                                     "light-cookie", "--cookie", kPlain,    "--json"};
-  const Json shadow = json_of(ninebit(arguments));
+  const auto trace = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"trace", "--scene", kRoom, "--size", "64x48", "--pixel", "32,40", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return json_of(ninebit(arguments));
+  };
+  const Json shadow = trace({"--map-size", "64", "--technique", "light-cookie", "--cookie", kPlain});
   EXPECT_EQ(shadow["scene"]["technique"], "light-cookie");
   EXPECT_EQ(shadow["scene"]["pass"], "comparison");
-  const Json index = json_of(
-      ninebit({"trace", "--scene", kRoom, "--size", "64x48", "--map-size", "64", "--pixel", "32,40", "--json"}));
-  EXPECT_EQ(shadow["stages"], index["stages"]) << "as with index-cube";
-  arguments.insert(arguments.end(), {"--cookie-shadows", "none"});
-  const Json light = json_of(ninebit(arguments));
+  EXPECT_EQ(shadow["stages"], trace({"--map-size", "64"})["stages"]) << "as with index-cube";
+  const Json light = trace({"--technique", "light-cookie", "--cookie", kPlain, "--cookie-shadows", "none"});
   EXPECT_EQ(light["scene"]["pass"], "lit");
   EXPECT_EQ(light["out"]["bytes"], light["scene"]["passes"][1]["fragments"].back()["color"]);
 }
