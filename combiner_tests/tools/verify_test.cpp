@@ -221,6 +221,13 @@ TEST_F(Verify, WhatATablesCommentsState) {
   expect_error(verify("# loop: (0,0) (300,0)\n" + runs + "p,1,loop,1,1-2,,1\n"), 3, {"the lines are too long"});
 }
 
+TEST_F(Verify, Spare0sAlphaStartsAsTexture0s) {
+  write_bytes(folder_ / "spare.rc", "!!RC1.0\nout.rgb = spare0.a;\nout.a = zero;\n");
+  const Outcome outcome =
+      verify("program,tex0.a,spare0.a,out.r\nspare.rc,77,,77\nspare.rc,77,5,5\nspare.rc,,,255\n", {"--quiet"});
+  EXPECT_EQ(outcome.out, "3 rows: 3 agree, 0 differ\n") << outcome.err;
+}
+
 TEST_F(Verify, AProfileThatIsNotGivenIsNamed) {
   const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_dxt1.csv";
   EXPECT_NE(ninebit({"verify", file}).err.find("compared with profile geforce2; --profile names another"),
