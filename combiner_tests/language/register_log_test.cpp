@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "combiner_tests/combiner/random_state.h"
@@ -360,10 +361,15 @@ TEST(RegisterLog, AFlipEndsADraw) {
 TEST(RegisterLog, BareDataWithALetter) {
   const RegisterLog log = read("method,data\n0x1e60,101\n0x1e40,c0\n0x17fc,5\n0x17fc,10\n");
   ASSERT_EQ(log.setups.size(), 1U);
+  const std::map<std::string, std::uint32_t> expected{{"RC_ENABLE", 0x101}, {"RC_OUT_RGB[0]", 0xc0}};
+  std::size_t found = 0;
   for (const RegisterWord& word : log.setups[0].words) {
-    if (word.name == "RC_ENABLE") EXPECT_EQ(word.value, 0x101U);
-    if (word.name == "RC_OUT_RGB[0]") EXPECT_EQ(word.value, 0xc0U);
+    const auto at = expected.find(word.name);
+    if (at == expected.end()) continue;
+    EXPECT_EQ(word.value, at->second) << word.name;
+    ++found;
   }
+  EXPECT_EQ(found, expected.size());
   EXPECT_EQ(log.setups[0].draw_calls.at(0).primitive, 5U);
 }
 
