@@ -193,6 +193,27 @@ TEST(PixelShaderFaults, HostileTextsEnd) {
             "conditions are nested more than 32 deep");
 }
 
+// Limits of instructions, as Direct3D counts and reads them.
+TEST(PixelShaderFaults, LimitsOfInstructions) {
+  const std::string loads = "\ntex t0\ntex t1\ntex t2\n";
+  expect_shader_faults({
+      {"ps.1.1" + loads + "mad r0, t0, t1, t2\n",
+       "5:1: an instruction of ps.1.1 reads at most 2 t registers, found 3\n"},
+      {"ps.1.2" + loads + "mad r0, t0, t1, t2\n", ""},
+      {"ps.1.3" + loads + "mad r0, t0, t1, t2\n", ""},
+      // The second of a pair does not see what the first one writes.
+      {"ps.1.1\nmov r0.rgb, v0\n+mov r0.a, r0.b\n", "3:12: 'r0' is read before it is written\n"},
+  });
+  // ps.1.4 counts its instructions in each phase.
+  std::string five;
+  for (int i = 0; i < 5; ++i) five += "mul r0, r0, v0\n";
+  const std::string phases = "ps.1.4\ntexld r0, t0\n" + five + "phase\n" + five;
+  const auto parsed = parse_pixel_shader({phases, ""}, profiles::nv2a);
+  ASSERT_EQ(parsed.faults().size(), 1U) << test::all_faults(parsed);
+  EXPECT_NE(parsed.faults()[0].message.find("too many general combiners"), std::string::npos)
+      << test::all_faults(parsed);
+}
+
 // A body that a condition without a value leaves out would vanish without a word.
 TEST(PixelShaderFaults, WhatAConditionNeedsIsAskedFor) {
   const std::string both = "ps.1.1\ntex t0\n#if MODE == 0\nmov r0, t0\n#endif\n#if MODE != 0\nmul r0, t0, v0\n#endif\n";

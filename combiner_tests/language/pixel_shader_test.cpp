@@ -225,6 +225,26 @@ TEST(PixelShader, NamesAndConditionsOfThePreprocessorAreReplaced) {
             program_of_shader("ps_1_1 def c0, 0, 0, 0, 1 tex t0 mul r0, t0, c0.a add r0, r0, v0", profiles::nv2a));
 }
 
+TEST(PixelShader, ANameIsNotReplacedInItself) {
+  EXPECT_EQ(program_of_shader("ps.1.1\n#define v0 1-v0\nmov r0, v0\n", profiles::nv2a),
+            program_of_shader("ps.1.1\nmov r0, 1-v0\n", profiles::nv2a));
+}
+
+TEST(PixelShader, ModifiersOfOne) {
+  const auto is = [](const char* from, const char* rc10) {
+    const std::string stage = std::string("!!RC1.0\n{ rgb { spare0 = ") + rc10 + "; } alpha { spare0 = " + rc10 +
+                              "; } }\nout.rgb = spare0;\nout.a = spare0;\n";
+    const auto expected = parse_rc10({stage, ""}, profiles::nv2a);
+    ASSERT_TRUE(expected) << test::all_faults(expected);
+    EXPECT_EQ(program_of_shader(std::string("xps.1.1\nmov r0, ") + from + "\n", profiles::nv2a),
+              normalize(*expected, profiles::nv2a))
+        << from;
+  };
+  is("one_bias", "-half_bias(zero)");
+  is("one_bx2", "unsigned_invert(zero)");
+  is("one", "unsigned_invert(zero)");
+}
+
 // Definitions are macros that no line of the text replaces.
 TEST(PixelShader, DefinitionsOfTheCaller) {
   const std::string text =

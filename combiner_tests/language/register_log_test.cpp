@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "combiner_tests/combiner/random_state.h"
@@ -169,6 +170,8 @@ TEST(RegisterLog, VerticesAreCountedByWhatDrawsThem) {
   EXPECT_EQ(vertices(formats, Trace(15, {0x1818, 7})), 3U);
   EXPECT_EQ(vertices(formats, Trace(14, {0x1818, 7})), std::nullopt);
   EXPECT_EQ(vertices({}, Trace(15, {0x1818, 7})), std::nullopt);
+  // A byte and a float: 8 bytes, as the float begins at a multiple of four.
+  EXPECT_EQ(vertices({{0x1760, 0x10}, {0x1764, 0x12}}, Trace(6, {0x1818, 7})), 3U);
   // Xemu counts indices that it does not list, from 0.
   Trace trace{{0x1e60, 0x101}, {0x17fc, 5}};
   const std::string text = xemu_text(trace) +
@@ -347,6 +350,55 @@ TEST(RegisterLog, ABeginningWithoutDataChangesNoDraw) {
   EXPECT_EQ(outside.setups[0].draw_calls[0].vertices, 3U);
 }
 
+TEST(RegisterLog, AFlipEndsADraw) {
+  const std::string text = "method,data\n0x1e60,0x101\n0x17fc,5\n0x1810,0x02000000\n0x12c,0\n0x1810,0x02000000\n";
+  const RegisterLog log = read(text);
+  ASSERT_EQ(log.setups.at(0).draw_calls.size(), 1U);
+  EXPECT_EQ(log.setups[0].draw_calls[0].vertices, 3U);
+}
+
+// In hexadecimal if one number of the column must be.
+TEST(RegisterLog, BareDataWithALetter) {
+  const RegisterLog log = read("method,data\n0x1e60,101\n0x1e40,c0\n0x17fc,5\n0x17fc,10\n");
+  ASSERT_EQ(log.setups.size(), 1U);
+  const std::map<std::string, std::uint32_t> expected{{"RC_ENABLE", 0x101}, {"RC_OUT_RGB[0]", 0xc0}};
+  std::size_t found = 0;
+  for (const RegisterWord& word : log.setups[0].words) {
+    const auto at = expected.find(word.name);
+    if (at == expected.end()) continue;
+    EXPECT_EQ(word.value, at->second) << word.name;
+    ++found;
+  }
+  EXPECT_EQ(found, expected.size());
+  EXPECT_EQ(log.setups[0].draw_calls.at(0).primitive, 5U);
+}
+
+// Which bit a mux looks at matters if there is a mux with an output.
+TEST(RegisterLog, AMuxWithoutOutputMakesNoOtherSetUp) {
+  for (const auto& [output, set_ups] : {std::pair(0x40c0U, 1U), std::pair(0x4cd0U, 2U)}) {
+    Trace trace{{0x1e60, 0x101}, {0xac0, 0x08040000}, {0x1e40, output}};
+    add_draw(trace, 5);
+    trace.push_back({0x1e60, 0x001});
+    add_draw(trace, 5);
+    EXPECT_EQ(read(xemu_text(trace)).setups.size(), set_ups) << std::hex << output;
+  }
+}
+
+// NV10's number of stages is 1 or 2.
+TEST(RegisterLog, StagesOfNv10) {
+  for (const auto& [count, set_ups] : {std::pair(1U, 1U), std::pair(2U, 2U)}) {
+    Trace trace{
+        {0x260, 0, 0x56}, {0x268, 0x08040000, 0x56}, {0x278, 0, 0x56}, {0x280, 0xc0, 0x56}, {0x284, count << 28, 0x56}};
+    const Trace draw{{0xdfc, 5, 0x56}, {0x1400, 0x02000000, 0x56}, {0xdfc, 0, 0x56}};
+    trace.insert(trace.end(), draw.begin(), draw.end());
+    trace.push_back({0x26c, 0x09040000, 0x56});  // an input of stage 1
+    trace.insert(trace.end(), draw.begin(), draw.end());
+    const RegisterLog log = read(xemu_text(trace));
+    EXPECT_EQ(log.chip, ChipClass::nv10);
+    EXPECT_EQ(log.setups.size(), set_ups) << count;
+  }
+}
+
 TEST(RegisterLog, ALogWithoutDrawsHasItsLastWords) {
   Random random(98);
   const RegisterLog log = read(xemu_text(simple_program(2, random)));
@@ -424,7 +476,7 @@ TEST(RegisterLog, OtherTextsAreNot) {
        {std::string(), std::string("glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, 0x8523, 0x852c, 0x8536, 0x1907);\n"),
         std::string("!!RC1.0\nout.rgb = col0;\n"), std::string("{\"ninebit\": \"program\"}"), std::string("0x260\n"),
         std::string("tex0.r,primary.r\n1,2\n"), std::string("method\n"), std::string("1 2 3\n4 5 6\n"),
-        std::string("# Y, U, V -> R, G, B\nY,U,V,R,G,B\n292,608,608,1,2,3\n292,608,612,1,2,3\n")}) {
+        std::string("# Y, U, V -> R, G, B\nY,U,V,R,G,B\n1,260,128,1,2,3\n2,264,129,1,2,3\n3,288,130,4,5,6\n")}) {
     EXPECT_FALSE(is_register_log(text)) << text;
   }
   EXPECT_FALSE(is_register_log(std::string("method,data\n0x1e60,1\n") + '\0'));

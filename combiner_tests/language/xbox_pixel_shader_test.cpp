@@ -74,6 +74,21 @@ TEST(XboxPixelShader, PrintedInitializersGiveTheSameProgramAndWords) {
   }
 }
 
+// '*' stands for as many rows as the offsets around it leave room for.
+TEST(XboxPixelShader, RepeatedRowsOfADump) {
+  const std::string zeros = " 0000 0000 0000 0000 0000 0000 0000 0000\n";
+  const std::string last = " 0000 0000 0100 0000 2143 0000 0000 0000\n";
+  const auto words = other_words_of("00000000:" + zeros + "*\n000000d0:" + last + "000000e0:" + zeros);
+  for (const RegisterWord& word : words)
+    EXPECT_EQ(word.value, word.name == "PSTextureModes" ? 0x4321U : 0U) << word.name;
+  ASSERT_EQ(words.size(), kOtherWordNames.size());
+  // A row is missing behind it, and one row too many is there.
+  const auto jumps =
+      parse_xbox_pixel_shader({"00000000:" + zeros + "*\n000000d0:" + zeros + "000000f0:" + zeros, ""}, kShaderProfile);
+  ASSERT_EQ(jumps.faults().size(), 1U) << all_faults(jumps);
+  EXPECT_NE(jumps.faults()[0].message.find("the offsets do not fit the rows"), std::string::npos) << all_faults(jumps);
+}
+
 TEST(XboxPixelShader, MissingWordsAreZeroAndNotGlsDefaults) {
   const auto parsed = parse_xbox_pixel_shader({"psd.PSCombinerCount = 0x11102;\n", ""}, kShaderProfile);
   ASSERT_TRUE(parsed) << all_faults(parsed);
@@ -146,6 +161,8 @@ TEST(XboxPixelShader, ExpressionsFollowC) {
       {"- - 1 + + 2", 3},
       {"((((7))))", 7},
       {"(DWORD)0x80000000UL", 0x80000000},
+      {"~0 >> 4", 0x0fffffff},
+      {"~0xffffffff", 0},
       {"(unsigned long)(017 + 9)", 24},
       {"4294967295", 0xffffffff},
       {"0X1fL", 0x1f},
@@ -231,6 +248,7 @@ TEST(XboxPixelShader, EveryFaultHasItsPlace) {
       {"psd.PSRGBInputs = 1;", 1, 5, "PSRGBInputs needs an index from 0 to 7"},
       {"psd.PSTextureModes[0] = 1;", 1, 5, "PSTextureModes is one word; expected no index"},
       {"psd.PSRGBInputs[0][1] = 1;", 1, 19, "expected '='; found '['"},
+      {"psd.PSDotMapping = PS_DOTMAPPING(8, 0, 0, 0);", 1, 34, "argument 1 of PS_DOTMAPPING is 0x08; expected 0 to 0x07"},
       {"psd.PSRGBInputs[0] 1;", 1, 20, "expected '=' after PSRGBInputs; found '1'"},
       {"psd.PSRGBInputs[0] = ;", 1, 22, "expected a value; found ';'"},
       {"psd.PSRGBInputs[0] = 0xfffffffff;", 1, 22, "the value does not fit in 32 bits"},

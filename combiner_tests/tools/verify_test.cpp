@@ -13,7 +13,7 @@ constexpr const char* kSquare =
     "!!RC1.0\n{ rgb { spare0 = col0; scale_by_one_half(); } }\n{ rgb { spare1 = spare0 * spare0; } }\n"
     "out.rgb = spare1;\nout.a = unsigned_invert(zero);\n";
 
-const std::string kMux =
+const std::string kMuxHeader =
     "# AB: (255,0,0)\n# CD: (0,0,255)\nmux_select,spare0_alpha_byte,R,G,B,A,hw_selected,model_selected,match\n";
 
 class Verify : public testing::Test {
@@ -121,9 +121,9 @@ TEST_F(Verify, WrongTablesOfPixels) {
 
 // A number beyond 32 bits would otherwise be compared with nothing.
 TEST_F(Verify, AMeasuredNumberBeyond32Bits) {
-  EXPECT_EQ(verify(kMux + "MSB,0,255,0,0,255|2147483647,AB,AB,1\n", {"--profile", "nv2a"}).code, 0);
+  EXPECT_EQ(verify(kMuxHeader + "MSB,0,255,0,0,255|2147483647,AB,AB,1\n", {"--profile", "nv2a"}).code, 0);
   for (const char* number : {"2147483648", "4294967551", "-2147483649", "99999999999999999999"}) {
-    expect_error(verify(kMux + "MSB,0,255,0,0,255|" + number + ",AB,AB,1\n", {"--profile", "nv2a"}), 3,
+    expect_error(verify(kMuxHeader + "MSB,0,255,0,0,255|" + number + ",AB,AB,1\n", {"--profile", "nv2a"}), 3,
                  {"rows.csv:4:15", "A must be whole numbers of 32 bits separated by |, or empty, not '255|"});
   }
   expect_error(verify("program,primary.r,out.r\nsquare.rc,101,4294967305\n"), 3,
@@ -131,9 +131,10 @@ TEST_F(Verify, AMeasuredNumberBeyond32Bits) {
 }
 
 TEST_F(Verify, WrongTablesOfCombiners) {
-  expect_error(verify(kMux + "LSB,0,255,0,0,255,AB,AB,1\n"), 3,
+  expect_error(verify(kMuxHeader + "LSB,0,255,0,0,255,AB,AB,1\n"), 3,
                {"rows.csv:4:1", "profile geforce2 has no mux by the lowest bit of spare0's alpha"});
-  expect_error(verify(kMux + "ISB,0,255,0,0,255,AB,AB,1\n"), 3, {"mux_select must be one of LSB or MSB, not 'ISB'"});
+  expect_error(verify(kMuxHeader + "ISB,0,255,0,0,255,AB,AB,1\n"), 3,
+               {"mux_select must be one of LSB or MSB, not 'ISB'"});
   expect_error(verify("op,op_code_bits15_17,portion,channel,in,hw_out,model_out,match,how\nSHL3,0,rgb,R,1,1,1,1,\n"), 3,
                {"rows.csv:2:1", "op must be one of IDENTITY, BIAS", "'SHL3'"});
   expect_error(verify("float,model,hw,match\n(half),1,1,1\n"), 3, {"rows.csv:2:1", "float must be a number"});
@@ -218,6 +219,13 @@ TEST_F(Verify, WhatATablesCommentsState) {
   expect_error(verify("# width: 8\n" + colors + "0,0,4096,0,0,FF,1,1,0,0,0,0,0,0,1\n"), 3,
                {"rows.csv:3:1", "the lines are too long or too wide; expected at most 256 pixels"});
   expect_error(verify("# loop: (0,0) (300,0)\n" + runs + "p,1,loop,1,1-2,,1\n"), 3, {"the lines are too long"});
+}
+
+TEST_F(Verify, Spare0sAlphaStartsAsTexture0s) {
+  write_bytes(folder_ / "spare.rc", "!!RC1.0\nout.rgb = spare0.a;\nout.a = zero;\n");
+  const Outcome outcome =
+      verify("program,tex0.a,spare0.a,out.r\nspare.rc,77,,77\nspare.rc,77,5,5\nspare.rc,,,255\n", {"--quiet"});
+  EXPECT_EQ(outcome.out, "3 rows: 3 agree, 0 differ\n") << outcome.err;
 }
 
 TEST_F(Verify, AProfileThatIsNotGivenIsNamed) {

@@ -73,8 +73,8 @@ std::string text_of(const EquivalenceAnswer& proof, const EquivalentFlags& flags
   return fmt::format("unknown: {}\n", proof.reason);
 }
 
-std::optional<CombinerState> load(Result<ProgramSource> source, const ProgramFlags& flags,
-                                  const HardwareProfile& profile, bool quiet, int& exit_code) {
+std::optional<CombinerState> state_in(Result<ProgramSource> source, const ProgramFlags& flags,
+                                      const HardwareProfile& profile, bool quiet, int& exit_code) {
   if (!source) {
     exit_code = report(source.error());
     return std::nullopt;
@@ -95,8 +95,8 @@ int run(const EquivalentFlags& flags) {
   if (!takes(source_of_a) && takes(source_of_b)) of_a.defines.clear();
   if (!takes(source_of_b)) of_b.defines.clear();
   int exit_code = kDone;
-  auto a = load(std::move(source_of_a), of_a, profile, common.quiet, exit_code),
-       b = load(std::move(source_of_b), of_b, other, common.quiet, exit_code);
+  auto a = state_in(std::move(source_of_a), of_a, profile, common.quiet, exit_code),
+       b = state_in(std::move(source_of_b), of_b, other, common.quiet, exit_code);
   if (!a || !b) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);

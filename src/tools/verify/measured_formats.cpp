@@ -36,7 +36,7 @@ constexpr StatedValue kUnderBlend{"under", "over ", StatedValue::Kind::list, 0, 
     kBlendConstant{"constant", "blend constant ", StatedValue::Kind::digits, 0, 0xFFFFFFFFP0, "55555555"},
     kUnderTexel{"under", "texel + (255-A)*", StatedValue::Kind::real, 0, 255, "16"},
     kAlphaUnderTexel{"alpha_under", "A*A + (255-A)*", StatedValue::Kind::real, 0, 255, "254"},
-    kAlpha{"alpha", "alpha ", StatedValue::Kind::real, 0, 255, "127"},
+    kBlendAlpha{"alpha", "alpha ", StatedValue::Kind::real, 0, 255, "127"},
     kUnder{"under", "blended over ", StatedValue::Kind::real, 0, 255, "32"};
 // Lines: their width in pixels, and corners in window coordinates, y growing downwards.
 constexpr StatedValue kLineWidth{"width", "Line_", StatedValue::Kind::real, 0, 64, "16"},
@@ -127,7 +127,7 @@ std::vector<MeasuredFormat> make_formats() {
                 {"model_out_if_nearest,match_if_nearest", note}}),
        draw_weight,
        nullptr,
-       {kAlpha, kUnder}},
+       {kBlendAlpha, kUnder}},
       {"depth comparison",
        columns({{"picture", note},
                 {"mode", word},
