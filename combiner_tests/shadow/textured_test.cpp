@@ -304,15 +304,17 @@ std::vector<Decided> ways_to_decide() {
 TEST(DecidingPass, IsThatOfTheShadow) {
   for (const Decided& way : ways_to_decide()) {
     SCOPED_TRACE(way.technique + (" " + testing::PrintToString(way.passes)));
-    Scene scene = shadow_test::square_over_floor();
+    Scene scene = shadow_test::scene_with({4, 5, 7}, {0, 0.5F, 0}, {-3, 4, 1});
+    shadow_test::add_box(scene, "box", {-1, 0.5F, -1}, {1, 2, 1});
+    shadow_test::add_quad(scene, "floor", {{{-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}}});
     const bool needs_spot = !find_technique(way.technique)->lights.point;
-    if (needs_spot) scene.lights[0] = shadow_test::spot_light({0, 3, 0}, {0, 0, 0}, 120.0F);
+    if (needs_spot) scene.lights[0] = shadow_test::spot_light({-3, 4, 1}, {0, 0, 0}, 100.0F);
     Scene textured = scene;
     dress(textured, plain_texture({200, 100, 50, 255}));
     std::set<std::string> seen;
     int lit = 0, shadowed = 0;
-    for (int y = 1; y < way.settings.height; y += 4) {
-      for (int x = 1; x < way.settings.width; x += 5) {
+    for (int y = 1; y < way.settings.height; y += 3) {
+      for (int x = 1; x < way.settings.width; x += 3) {
         SCOPED_TRACE(std::to_string(x) + "," + std::to_string(y));
         RenderSettings settings = way.settings;
         settings.pixel = glm::ivec2(x, y);

@@ -82,6 +82,7 @@ std::array<std::uint32_t, 3> PrimitiveAssembly::strip_triangle(std::size_t i) co
   return {vertex(i + i % 2), vertex(i + 1 - i % 2), vertex(i + 2)};
 }
 
+// Rule 32.
 std::array<std::uint32_t, 3> PrimitiveAssembly::triangle_of(std::size_t i, std::size_t cut) const {
   switch (type_) {
     case PrimitiveType::quads:
