@@ -66,8 +66,8 @@ TEST_F(TexturedRender, DrawsTheTexture) {
 TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
   picture("scene/t.png", 4, 10);
   const auto trace = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), {"trace", "--scene", folder_ / "scene/s.obj", "--size", "32x24", "--map-size", "32",
-                               "--pixel", "16,14", "--quiet"});
+    more.insert(more.begin(),
+                {"trace", "--scene", folder_ / "scene/s.obj", "--size", "32x24", "--pixel", "16,14", "--quiet"});
     return tools_test::ninebit(more);
   };
   const Json answer = json_of(trace({"--json"}));
@@ -80,13 +80,34 @@ TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
   EXPECT_EQ(trace({"-o", folder_ / "page.html"}).code, 0);
   EXPECT_NE(read_bytes(folder_ / "page.html").find("<dt>Pass</dt><dd>comparison</dd>"), std::string::npos);
 
+  // No face of a volume is at this pixel: the pass that coloured it.
   const Json volume = json_of(trace({"--json", "--technique", "shadow-volume"}));
-  EXPECT_EQ(volume["scene"]["pass"], "volumes");
-  EXPECT_TRUE(volume["scene"]["fragment"].is_null());
-  EXPECT_FALSE(volume.contains("stages"));
-  const Outcome counted = trace({"--technique", "shadow-volume"});
-  EXPECT_NE(counted.out.find("pass volumes decided, without a program: nothing to trace"), std::string::npos)
-      << counted.out;
+  EXPECT_EQ(volume["scene"]["pass"], "lit");
+  int written = 0;
+  for (const Json& pass : volume["scene"]["passes"]) {
+    for (const Json& fragment : pass["fragments"]) {
+      if (pass["name"] == "depth" || fragment["fate"] != "written") continue;
+      EXPECT_EQ(pass["name"], "lit");
+      EXPECT_EQ(fragment["color"], volume["out"]["bytes"]);
+      ++written;
+    }
+  }
+  EXPECT_EQ(written, 1);
+}
+
+// The pass that decided may have no program.
+TEST(TraceOfVolumes, NamesThePassThatHasNothingToTrace) {
+  const auto trace = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"trace", "--scene", tools_test::kRoom, "--size", "64x48", "--pixel", "32,40",
+                               "--technique", "shadow-volume", "--quiet"});
+    return tools_test::ninebit(more);
+  };
+  const Json answer = json_of(trace({"--json"}));
+  EXPECT_EQ(answer["scene"]["pass"], "volumes");
+  EXPECT_TRUE(answer["scene"]["fragment"].is_null());
+  EXPECT_FALSE(answer.contains("stages"));
+  const Outcome text = trace({});
+  EXPECT_NE(text.out.find("pass volumes decided, without a program: nothing to trace"), std::string::npos) << text.out;
 }
 
 TEST_F(TexturedRender, CartoonIgnoresIt) {
