@@ -129,6 +129,7 @@ class NamedFiles : public testing::Test {
       EXPECT_EQ(outcome.code, 0) << name << ": " << outcome.err;
     }
     const auto expect_refused = [&](const std::string& name, const std::vector<std::string>& more) {
+      if (HasFailure()) return;  // one name tells enough
       SCOPED_TRACE(testing::PrintToString(name.substr(0, 60)));
       const Outcome outcome = reader.read(name, more);
       std::error_code unknown;
@@ -138,7 +139,6 @@ class NamedFiles : public testing::Test {
       EXPECT_EQ(outcome.err.find("root:"), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << outcome.err;
       EXPECT_LT(outcome.err.size(), 2100U) << outcome.err.substr(0, 2000);
-      ASSERT_FALSE(HasFailure());
       if (more.empty() && (name.starts_with("..") || name.starts_with('/'))) {
         EXPECT_NE(outcome.err.find("--allow-outside"), std::string::npos) << outcome.err;
       }

@@ -122,8 +122,13 @@ std::optional<LogLayout> LogLayout::choose(const std::vector<std::string_view>& 
                                    [](std::string_view line) { return read_known_line(line).has_value(); });
   // Where most lines have a known form, columns are not looked for.
   if (2 * known >= std::ssize(lines) && known > 0) return LogLayout();
-  // Braces belong to a printed structure, whose members are not lines of a table.
-  const auto is_structure = [](std::string_view line) { return line.find_first_of("{}") != std::string_view::npos; };
+  // The members of a printed structure, "name = {" or "{", are not columns.
+  const auto is_structure = [](std::string_view line) {
+    const std::size_t brace = line.find('{');
+    if (brace == std::string_view::npos) return false;
+    const std::size_t before = line.substr(0, brace).find_last_not_of(" \t");
+    return before == std::string_view::npos || line[before] == '=';
+  };
   auto layout = std::any_of(lines.begin(), lines.end(), is_structure) ? std::nullopt : by_columns(lines, chip);
   if (!layout) return known > 0 ? std::optional(LogLayout()) : std::nullopt;
   layout->find_bases(lines, chip);

@@ -150,9 +150,10 @@ std::optional<std::string> why_refused(std::string_view word) {
     const std::size_t end = std::min(word.find_first_of(kBetweenNames), word.size());
     const std::string_view piece = word.substr(0, end);
     word.remove_prefix(std::min(end + 1, word.size()));
-    // A folder is skipped: its name may be that of a study or a format, and no study reads folders.
+    // A folder beside the part is skipped: its name may be that of a study or a format, and no study reads folders.
     std::error_code error;
-    const bool is_folder = std::filesystem::is_directory(std::filesystem::symlink_status(piece, error));
+    const bool is_plain = piece.find('/') == std::string_view::npos && piece != "..";
+    const bool is_folder = is_plain && std::filesystem::is_directory(std::filesystem::symlink_status(piece, error));
     if (piece.empty() || is_folder) continue;
     if (auto why = posix::why_outside("", piece)) return why;
   }
