@@ -145,7 +145,7 @@ TEST_F(Prove, OtherVerbsSayWhatTheyAssume) {
   const Outcome c = ninebit({"convert", program, "--to", "c"}), gl = ninebit({"convert", program, "--to", "gl"});
   EXPECT_NE(c.err.find("const0, const1 are not set; 0 is assumed"), std::string::npos) << c.err;
   EXPECT_EQ(gl.err, "");
-  const Words draw{"draw", program, "--size", "8x8", "--tex0", "checker", "--json", "-o", folder_ / "p.png"};
+  const Words draw{"draw", program, "--size", "8x8", "--tex0", "checker:8", "--json", "-o", folder_ / "p.png"};
   const std::string warnings = json_of(ninebit(draw))["warnings"].dump();
   EXPECT_NE(warnings.find("const0 is not set; 0 is assumed"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("const1 is not set; 0 is assumed"), std::string::npos) << warnings;
