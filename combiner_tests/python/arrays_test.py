@@ -71,6 +71,14 @@ class Shapes(unittest.TestCase):
         np.testing.assert_array_equal(left["out"], by_planes(picture))
         self.assertEqual({array.shape for array in left.values()}, {(5, 7, 4)})
 
+    def test_what_is_not_given_is_the_profiles(self):
+        for source, geforce2, nv2a in (("col1.a", 255, 0), ("fog.a", 255, 255), ("tex1.a", 255, 255), ("spare0.a", 255, 255)):
+            text = f"!!RC1.0\nout.rgb = {source};\nout.a = zero;\n"
+            for profile, code in (("geforce2", geforce2), ("nv2a", nv2a)):
+                one = ninebit.Program(text, profile=profile)
+                self.assertEqual(one.evaluate({"primary.r": 1}).tolist(), [code, code, code, 0], (source, profile))
+                self.assertEqual(one.trace({"primary.r": 1})["out"]["codes"], [code, code, code, 0], (source, profile))
+
     def test_out(self):
         picture = random.integers(0, 256, (5, 7, 4), dtype=np.uint8)
         for out in (np.empty((5, 7, 4), np.uint8), np.empty((5, 7, 4), np.int64), np.empty((10, 7, 4), np.int16)[::2], picture):
