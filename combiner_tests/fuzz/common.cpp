@@ -128,7 +128,12 @@ std::string wrong_with_faults(const std::vector<TextFault>& faults, std::string_
   return {};
 }
 
-std::string wrong_with_state(const CombinerState& state, const HardwareProfile& profile) {
+std::string wrong_with_state(const CombinerState& read, const HardwareProfile& profile) {
+  // Only pixel shaders have names of their own for constants.
+  CombinerState state = read;
+  for (auto& place : state.origin) {
+    for (ConstantOrigin& origin : place) origin.name.reset();
+  }
   if (const auto found = validate(state, profile); !found.empty()) return "GL refuses it: " + found.front().message;
   const auto program = compile(state, profile);
   if (!program) return "it does not compile: " + program.error().message;

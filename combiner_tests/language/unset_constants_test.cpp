@@ -83,7 +83,10 @@ TEST(UnsetConstants, StayUnsetInEveryPrintedForm) {
       kReadsBoth, "const0 = (0, 0, 0, 0);\n" + kReadsBoth, "const1 = (0, 0, 0, 0);\n" + kReadsBoth,
       "const0 = (0, 0, 0, 0);\nconst1 = (1, 0, 0, 0);\n" + kReadsBoth,
       "{ const0 = (0, 0, 0, 0); rgb { spare0 = tex0 * const0; } }\n{ rgb { spare0 = spare0 * const0; } }\n"
-      "const0 = (0, 1, 0, 1);\nout.rgb = spare0 * const0;\nout.a = zero;\n"};
+      "const0 = (0, 1, 0, 1);\nout.rgb = spare0 * const0;\nout.a = zero;\n",
+      // Nothing that is set makes constants the general combiners' own, but a constant that nothing reads.
+      "{ const1 = (0, 0, 0, 0); rgb { spare0 = tex0 * const0; } }\n{ rgb { spare0 = spare0 * const0; } }\n"
+      "out.rgb = spare0 * const0;\nout.a = zero;\n"};
   for (const std::string& body : bodies) {
     SCOPED_TRACE(body);
     const HardwareProfile& profile = profiles::nv2a;

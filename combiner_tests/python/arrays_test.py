@@ -71,6 +71,29 @@ class Shapes(unittest.TestCase):
         np.testing.assert_array_equal(left["out"], by_planes(picture))
         self.assertEqual({array.shape for array in left.values()}, {(5, 7, 4)})
 
+    def test_what_is_not_given_is_the_profiles(self):
+        for source, geforce2, nv2a in (("col1.a", 255, 0), ("fog.a", 255, 255), ("tex1.a", 255, 255), ("spare0.a", 255, 255)):
+            text = f"!!RC1.0\nout.rgb = {source};\nout.a = zero;\n"
+            for profile, code in (("geforce2", geforce2), ("nv2a", nv2a)):
+                one = ninebit.Program(text, profile=profile)
+                self.assertEqual(one.evaluate({"primary.r": 1}).tolist(), [code, code, code, 0], (source, profile))
+                self.assertEqual(one.trace({"primary.r": 1})["out"]["codes"], [code, code, code, 0], (source, profile))
+
+    def test_spare0s_alpha_is_texture_0s_unless_it_is_given(self):
+        shown = ninebit.Program("!!RC1.0\nout.rgb = spare0.a;\nout.a = zero;\n")
+        for given, code in (({"tex0.a": 31}, 31), ({"tex0.a": 31, "spare0.a": 77}, 77), ({"spare0.a": 5}, 5)):
+            self.assertEqual(shown.evaluate(given).tolist(), [code, code, code, 0], given)
+            self.assertEqual(shown.trace(given)["out"]["codes"], [code, code, code, 0], given)
+
+    def test_registers_have_constants_and_what_stages_wrote(self):
+        text = "!!RC1.0\nconst1 = (1, 0, 0, 0.2);\n{ rgb { spare0 = tex0 * const1; } }\nout.rgb = spare0;\nout.a = zero;\n"
+        for profile in ("geforce2", "ideal"):
+            one = ninebit.Program(text, profile=profile)
+            left = one.evaluate({"tex0.r": 40}, registers=True)
+            self.assertEqual((left["const1"].tolist(), left["spare0"].tolist()[:3]), ([255, 0, 0, 51], [40, 0, 0]), profile)
+            varied = one.evaluate({"tex0.r": 40, "const1.r": [255, 0]}, registers=True)
+            self.assertEqual(varied["spare0"][0].tolist(), [40, 0], profile)
+
     def test_out(self):
         picture = random.integers(0, 256, (5, 7, 4), dtype=np.uint8)
         for out in (np.empty((5, 7, 4), np.uint8), np.empty((5, 7, 4), np.int64), np.empty((10, 7, 4), np.int16)[::2], picture):

@@ -169,6 +169,40 @@ TEST(Equivalence, ConstantsOfGeneralCombinersOwn) {
   EXPECT_EQ(answer.counterexample->inputs[1].name(), "stage1.const0.r");
 }
 
+// Spare0's alpha starts as texture 0's: the two are one input.
+TEST(Equivalence, Spare0sAlphaIsTexture0s) {
+  const auto product = [](const std::string& alpha) {
+    return subject(rc10("{ alpha { spare1 = " + alpha + " * tex1.a; } }\nout.rgb = zero; out.a = spare1.a;\n"));
+  };
+  EquivalenceOptions spare1;
+  spare1.targets = {{Register::spare1, kAlpha}};
+  const EquivalenceAnswer answer = ask(product("spare0.a"), product("tex0.a"), spare1);
+  EXPECT_EQ(answer.answer, ProofAnswer::proved) << answer.reason;
+  EXPECT_GE(answer.cases, 65536U);
+}
+
+// A colour that only some of 2^24 texels near one colour do not give: random inputs do not find it, all cases do.
+TEST(Equivalence, FindsTheOnlyCase) {
+  const std::string square = "{ rgb { spare1 = spare1; scale_by_four(); } }\n";
+  const ProofSubject differs =
+      subject(rc10("const0 = (0.39216, 0.1451, 0.78824, 0);\n"
+                   "{ rgb { discard = tex0; discard = -const0; spare0 = sum(); scale_by_four(); } }\n"
+                   "{ rgb { spare1 = spare0 . spare0; scale_by_four(); } }\n" +
+                       square + square + square + square + "out.rgb = zero; out.a = spare1.b;\n",
+                   profiles::nv2a),
+              profiles::nv2a);
+  const ProofSubject white =
+      subject(rc10("out.rgb = zero; out.a = unsigned_invert(zero);\n", profiles::nv2a), profiles::nv2a);
+  const EquivalenceAnswer answer = ask(differs, white);
+  ASSERT_EQ(answer.answer, ProofAnswer::refuted);
+  EXPECT_EQ(answer.method, ProofMethod::exhaustive);
+  expect_confirmed(differs, white, answer);
+  const std::array<int, 3> color{100, 37, 201};
+  for (std::size_t i = 0; i < color.size(); ++i) {
+    EXPECT_NEAR(answer.counterexample->inputs[i].byte, color[i], 2);
+  }
+}
+
 TEST(Equivalence, FourLiveBytes) {
   const ProofSubject a =
       subject(rc10("{ alpha { discard = tex0.a * tex1.a; discard = col0.a * col1.b; spare0 = sum(); } }\n"

@@ -137,6 +137,9 @@ TEST_F(Eval, EnginesAgreeWithTheLibrary) {
                                  Register::texture3, Register::spare0}) {
         registers[reg][kAlpha] = static_cast<s9>(profile.one);
       }
+      if (profile.secondary_alpha == SecondaryAlpha::one) {
+        registers[Register::secondary][kAlpha] = static_cast<s9>(profile.one);
+      }
       Program own = compiled;
       bool spare0_alpha_given = false;
       for (std::size_t k = 0; k < columns.size(); ++k) {

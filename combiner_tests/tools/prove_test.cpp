@@ -124,7 +124,8 @@ TEST_F(Prove, ConstantsThatAreNotSet) {
   expect_error(ask({a, b, "--set", "spare0.a=1"}), 2, {"--set", "spare0", "expected"});
   expect_error(ask({a, b, "--set", "const0.r=1", "--set", "const0=1,2,3,4"}), 2, {"const0.r is set twice"});
   expect_error(ask({a, b, "--free", "const1"}), 2, {"--free const1"});
-  const std::string final_only = program("d.rc1", "out.rgb = lerp(const0, tex0, tex1);\n");
+  const std::string final_only =
+      write_bytes(folder_ / "d.rc1", "!!RC1.0\nout.rgb = lerp(const0, tex0, tex1);\nout.a = zero;\n");
   EXPECT_EQ(ninebit({"prove", "stable", final_only, "--quiet"}).code, 1) << "final_narrowing matters";
   EXPECT_EQ(ninebit({"prove", "stable", final_only, "--quiet", "--set", "const0=0,0,0,0"}).code, 0);
 }
@@ -145,7 +146,7 @@ TEST_F(Prove, OtherVerbsSayWhatTheyAssume) {
   const Outcome c = ninebit({"convert", program, "--to", "c"}), gl = ninebit({"convert", program, "--to", "gl"});
   EXPECT_NE(c.err.find("const0, const1 are not set; 0 is assumed"), std::string::npos) << c.err;
   EXPECT_EQ(gl.err, "");
-  const Words draw{"draw", program, "--size", "8x8", "--tex0", "checker", "--json", "-o", folder_ / "p.png"};
+  const Words draw{"draw", program, "--size", "8x8", "--tex0", "checker:8", "--json", "-o", folder_ / "p.png"};
   const std::string warnings = json_of(ninebit(draw))["warnings"].dump();
   EXPECT_NE(warnings.find("const0 is not set; 0 is assumed"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("const1 is not set; 0 is assumed"), std::string::npos) << warnings;

@@ -25,7 +25,8 @@ namespace NINEBIT_PUBLIC ninebit {
 // stages past num_general_combiners and for a stage's constants that nothing reads, whose call a profile may not have.
 // Calls of constants that are unset are omitted. State that the
 // profile does not have (later stages, the stages' constants) is omitted: it has no effect, and GL would refuse the
-// calls. Apart from that, parse_gl_calls returns the same state if the state is valid (see validate.h) and its colours
+// calls. Apart from that and from the names of
+// constants, parse_gl_calls returns the same state if the state is valid (see validate.h) and its colours
 // are in [0, 1]. A feature that only the NV2A's registers have gives a Diagnostic that names it, if it has an effect.
 [[nodiscard]] Result<std::string> print_gl_calls(const CombinerState& state, const HardwareProfile& profile);
 

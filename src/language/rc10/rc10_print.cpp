@@ -168,8 +168,21 @@ class Printer {
     const bool leaves_own = leaves_own_constants();
     if (!leaves_own) text += global_constants();
     for (std::size_t i = 0; i < stages(); ++i) text += stage_text(i);
-    if (leaves_own) text += global_constants();
+    if (leaves_own) text += needs_marker() ? marker() : global_constants();
     return text + final_text(program_);
+  }
+
+  // Whether no constant that is set makes constants the general combiners' own.
+  [[nodiscard]] bool needs_marker() const {
+    bool is_own = !leaves_own_constants() || !global_constants().empty();
+    for (std::size_t i = 0; i < stages(); ++i) is_own = is_own || !own_constants(i).empty();
+    return !is_own;
+  }
+
+  // Then one of the final combiner does that it does not read. Empty: it reads both.
+  [[nodiscard]] std::string marker() const {
+    if (!reads_finally(program_.final_combiner, Register::constant0)) return constant("const0", {});
+    return reads_finally(program_.final_combiner, Register::constant1) ? "" : constant("const1", {});
   }
 
  private:
@@ -180,6 +193,18 @@ class Printer {
     return state_.per_stage_constants &&
            std::any_of(program_.general.begin(), program_.general.end(),
                        [](const ProgramStage& stage) { return stage.unset[0] || stage.unset[1]; });
+  }
+
+  [[nodiscard]] std::string own_constants(std::size_t i) const {
+    const ProgramStage& stage = program_.general[i];
+    std::string text;
+    if (state_.per_stage_constants && reads_in(stage, Register::constant0) && !stage.unset[0]) {
+      text += "  " + constant("const0", state_.general[i].constant0);
+    }
+    if (state_.per_stage_constants && reads_in(stage, Register::constant1) && !stage.unset[1]) {
+      text += "  " + constant("const1", state_.general[i].constant1);
+    }
+    return text;
   }
 
   [[nodiscard]] std::string global_constants() const {
@@ -201,13 +226,7 @@ class Printer {
 
   [[nodiscard]] std::string stage_text(std::size_t i) const {
     const ProgramStage& stage = program_.general[i];
-    std::string text = "{\n";
-    if (state_.per_stage_constants && reads_in(stage, Register::constant0) && !stage.unset[0]) {
-      text += "  " + constant("const0", state_.general[i].constant0);
-    }
-    if (state_.per_stage_constants && reads_in(stage, Register::constant1) && !stage.unset[1]) {
-      text += "  " + constant("const1", state_.general[i].constant1);
-    }
+    const std::string text = "{\n" + own_constants(i);
     std::string portions = portion_text(PortionName::rgb, stage.rgb) + portion_text(PortionName::alpha, stage.alpha);
     if (portions.empty()) portions = "  rgb {\n    discard = zero;\n  }\n";
     return text + portions + "}\n";
@@ -223,7 +242,12 @@ Result<std::string> print_rc10(const CombinerState& state, const HardwareProfile
   const Result<Program> program = compile(state, profile);
   if (!program) return program.error();
   if (std::string why = inexpressible(*program); !why.empty()) return Diagnostic{.message = std::move(why)};
-  return Printer(state, *program).print();
+  const Printer printer(state, *program);
+  if (printer.needs_marker() && printer.marker().empty()) {
+    return Diagnostic{.message =
+                          "!!RC1.0 cannot express this: constants of general combiners' own, none of which is set"};
+  }
+  return printer.print();
 }
 
 }  // namespace ninebit

@@ -48,9 +48,12 @@ Result<Fragments> Fragments::of(const HardwareProfile& profile, ProgramInputs in
   for (std::size_t i = 0; i < columns; ++i) {
     out.count_ *= out.values(i);
     if (out.count_ > kMostCombinations) {
-      return Diagnostic{.message = fmt::format("{} register components have more than {} combinations of values, the "
-                                               "maximum; name fewer, or give a table of inputs",
-                                               columns, kMostCombinations)};
+      std::string names;
+      for (const RegisterComponent& one : out.components()) names += (names.empty() ? "" : ", ") + one.name();
+      return Diagnostic{.message = fmt::format("{} register components ({}) have more than {} combinations of values, "
+                                               "the maximum; name fewer, set constants in the program, or give a table "
+                                               "of inputs",
+                                               columns, names, kMostCombinations)};
     }
   }
   return out;
