@@ -131,6 +131,8 @@ TEST(PlaygroundDraw, CountsFacesAndWholeTextures) {
   cube["effect"]["passes"].insert(cube["effect"]["passes"].begin(), cube["effect"]["passes"][0]);
   cube["effect"]["passes"][0]["name"] = "faces";
   cube["effect"]["passes"][0]["target"] = "faces";
+  cube["effect"]["passes"][0]["draw"] = "mesh";
+  cube["effect"]["scene"]["mesh"] = "cube";
   const std::string pixels = std::to_string(6 * 2048 * 2048 + 32 * 16);
   EXPECT_NE(fault_of_answer(ask(cube)).find("have " + pixels + " pixels"), std::string::npos) << ask(cube);
   // Sides are resampled to powers of two: 4,096 texels for 2,049.
@@ -215,7 +217,8 @@ TEST(PlaygroundCompare, ArithmeticIsTheFirstProfileWithExactCombiners) {
   ASSERT_EQ(fault_of_answer(eight), "");
   EXPECT_EQ(eight["profiles"], PageJson({"geforce256-8bit", "arithmetic"}));
   const std::vector<std::uint8_t> bytes(engine.bytes().begin(), engine.bytes().end());
-  request["profiles"] = {"geforce256-8bit", "geforce2"};  // the program is exact in nine bits
+  const PageJson exact{{"base", "geforce2"}, {"name", "exact"}, {"arithmetic", "exact"}};  // the same chip otherwise
+  request["profiles"] = PageJson::array({"geforce256-8bit", exact});
   EXPECT_EQ(ask(engine, request)["difference"], eight["difference"]);
   EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), engine.bytes().begin(), engine.bytes().end()));
   EXPECT_GT(eight["difference"]["pixels"], 0);

@@ -13,9 +13,12 @@ namespace {
 const std::string kTree = NINEBIT_SOURCE_DIR;
 
 TEST(ShownPictures, TheDemoNamesTheProfileOfEachPicture) {
-  const TempFolder folder;
-  const std::string demo = "cd '" + kTree + "' && scenes/demo '" + kProgram + "' '" + folder.path().string() + "' 2>&1";
-  ASSERT_EQ(std::system((demo + " >'" + folder / "log'").c_str()), 0) << read_bytes(folder / "log");
+  const TempFolder folder, tools;
+  write_bytes(tools / "dpkg", "#!/bin/sh\nexit 1\n");  // no model is installed
+  std::filesystem::permissions(tools / "dpkg", std::filesystem::perms::owner_all);
+  const std::string demo = "cd '" + kTree + "' && PATH='" + tools.path().string() + "':\"$PATH\" scenes/demo '" +
+                           kProgram + "' '" + folder.path().string() + "' >'" + tools / "log" + "' 2>&1";
+  ASSERT_EQ(std::system(demo.c_str()), 0) << read_bytes(tools / "log");
   const std::string page = read_bytes(folder / "index.html"), begin = "<figure>", effects = "\"effects/";
   int figures = 0;
   for (std::size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1), ++figures) {
