@@ -65,6 +65,11 @@ TEST_F(InsideFolder, RefusesLinksOutOfIt) {
   for (const char* name : {"link", "relative", "up/secret", "up/none", "up"}) {
     EXPECT_NE(why(name).find("is a link out of the folder"), std::string::npos) << name << ": " << why(name);
   }
+  // A folder whose name begins alike is another one.
+  fs::create_directory(top_.path() / "in2");
+  write_bytes(top_.path() / "in2" / "a.bin", "s");
+  fs::create_symlink("../in2/a.bin", in_ / "beside");
+  EXPECT_NE(why("beside").find("is a link out of the folder"), std::string::npos);
   // Nothing stands there, and still it would lead out as soon as something does.
   EXPECT_NE(why("dangling"), "");
   fs::create_symlink("a.bin", in_ / "alias");

@@ -32,9 +32,9 @@ TEST(ReadFile, GivesAsManyBytesAsThereAreUpToTheMost) {
 
 // Files of the kernel have the size 0.
 TEST(ReadFile, ReadsOnWhereTheSizeIsUnknown) {
-  if (!std::filesystem::exists("/proc/self/maps")) GTEST_SKIP() << "no /proc here";
-  EXPECT_GT(read("/proc/self/maps", 1 << 20).size(), 4096U);
-  EXPECT_EQ(read("/proc/self/maps", 5000).size(), 5000U);
+  if (!std::filesystem::exists("/proc/self/smaps")) GTEST_SKIP() << "no /proc here";
+  EXPECT_GT(read("/proc/self/smaps", 1 << 20).size(), 4096U);
+  EXPECT_EQ(read("/proc/self/smaps", 5000).size(), 5000U);
 }
 
 TEST(ReadFile, RefusesAllButRegularFiles) {

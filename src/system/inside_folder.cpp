@@ -43,8 +43,7 @@ bool is_address(std::string_view name) {
 }
 
 bool is_below(const fs::path& folder, const fs::path& file) {
-  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-  return end == folder.end() && rest != file.end();
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
 // The fault in the text of a name; empty: none.

@@ -93,7 +93,6 @@ std::string read_file(const std::filesystem::path& file, std::size_t most, std::
   std::size_t filled = 0,
               capacity = unknown ? 1 : static_cast<std::size_t>(std::min<std::uintmax_t>(size, most - 1)) + 1;
   for (std::size_t count = 1; !error && count > 0; filled += count) {
-    if (filled == most) break;
     if (filled == capacity) capacity += std::min(most - capacity, std::max(capacity, kSmallest));
     content.resize(capacity);
     count = stream.read(std::span(content).subspan(filled), error);
