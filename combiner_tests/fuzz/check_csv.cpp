@@ -21,10 +21,9 @@ using tools::EvalBatch;
 using tools::EvalRows;
 using tools::InputFile;
 
-// Opens what stands behind a descriptor as the program opens a file; the descriptor is closed.
-InputFile open_again(int descriptor) {
-  auto file = InputFile::open("/proc/self/fd/" + std::to_string(descriptor));
-  ::close(descriptor);
+// Opens a file, or standard input, as the program does.
+InputFile opened(const std::string& name) {
+  auto file = InputFile::open(name);
   if (!file) std::abort();  // the machine's fault: no /proc
   return std::move(*file);
 }
@@ -42,7 +41,9 @@ InputFile whole(std::string_view text) {
   const int descriptor = ::memfd_create("table", MFD_CLOEXEC);
   if (descriptor < 0) std::abort();
   write_all(descriptor, text);
-  return open_again(descriptor);
+  InputFile file = opened("/proc/self/fd/" + std::to_string(descriptor));
+  ::close(descriptor);
+  return file;
 }
 
 // How many bytes of a text come at once from in_pieces(): a pipe holds 16 pieces at least.
@@ -50,15 +51,16 @@ std::size_t piece_of(std::size_t size) {
   return std::max(1 + size % 61, size / 15 + 1);
 }
 
-// A pipe in packet mode: each read gives what one write put in.
+// A pipe in packet mode as standard input: each read gives what one write put in.
 InputFile in_pieces(std::string_view text) {
   int ends[2] = {};
   if (::pipe2(ends, O_CLOEXEC | O_DIRECT) != 0) std::abort();
   const std::size_t piece = piece_of(text.size());
   for (std::size_t at = 0; at < text.size(); at += piece) write_all(ends[1], text.substr(at, piece));
-  InputFile file = open_again(ends[0]);
+  if (::dup2(ends[0], STDIN_FILENO) != STDIN_FILENO) std::abort();
+  ::close(ends[0]);
   ::close(ends[1]);
-  return file;
+  return opened("-");
 }
 
 // A table as it was understood: its columns and rows as text, and the fault that ended the reading.
