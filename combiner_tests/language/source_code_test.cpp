@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -271,6 +272,87 @@ TEST(SourceCode, VariablesOfTheFileHaveTheirFirstValue) {
   // Unless a function changes it.
   EXPECT_EQ(test::all_faults(parse("int stages = 3;\nvoid g() { stages++; }\nvoid f() { " + kSet + "stages); }")),
             "s:3:64: a value is not known: 'stages' (line 3); give it as in --define 'stages=…'\n");
+}
+
+// What is asked for, and that it is enough: the names of the fault, each defined as 1 or as four numbers.
+void expect_asked(const std::string& text, const std::string& asked, const std::vector<Definition>& definitions,
+                  int expected) {
+  const auto found = parse(text, {{"f"}, {}});
+  ASSERT_FALSE(found) << text;
+  EXPECT_NE(test::all_faults(found).find(asked), std::string::npos) << test::all_faults(found);
+  const auto given = parse(text, {{"f"}, definitions});
+  ASSERT_TRUE(given) << text << "\n" << test::all_faults(given);
+  EXPECT_EQ(given->num_general_combiners, expected) << text;
+}
+
+TEST(SourceCode, WaysThatAreNotDecidedLeaveWhatTheyHaveInCommon) {
+  EXPECT_EQ(count("int n; if (p) n = 3; else n = 3; " + kSet + "n);"), 3);
+  EXPECT_EQ(count("int n = 2; for (int i = 0; i < p; i++) { int n = 5; n++; } " + kSet + "n);"), 2);
+  expect_asked("int h(int m) { if (m > 0) return 3; return 2; }\nvoid f(int m) { " + kSet + "h(m)); }", "'m' (line 2)",
+               {{"m", "1"}}, 3);
+  expect_asked(
+      "void f(int m) { int n = 1; switch (m) { case 1: n++; case 2: n++; break; default: n = 5; } " + kSet + "n); }",
+      "'m' (line 1)", {{"m", "1"}}, 3);
+  expect_asked("void f(int m) { int n = 1; while (m) { n++; if (n > 3) break; m--; } " + kSet + "n); }", "'m' (line 1)",
+               {{"m", "2"}}, 3);
+  expect_asked("int h(int m) { int n = 1; again: n++; if (m-- > 0) goto again; return n; }\nvoid f(int m) { " + kSet +
+                   "h(m)); }",
+               "", {{"m", "1"}}, 3);
+  expect_asked("int h(int m) { for (int i = 0; i < 4; i++) { if (i == m) return i; } return 7; }\nvoid f(int m) { " +
+                   kSet + "h(m)); }",
+               "'m' (line 2)", {{"m", "2"}}, 2);
+}
+
+TEST(SourceCode, WhatIsNotModelledIsNotKnown) {
+  const std::vector<std::pair<const char*, const char*>> cases{
+      {"struct B { unsigned a : 2; };", "struct B b; b.a = 6; int n = b.a;"},
+      {"union U { int i; float f; };", "union U u; u.f = 1; int n = u.i;"},
+      {"", "volatile int n = 3;"},
+      {"", "int n = 3; asm(\"nop\" : \"=r\"(n));"},
+      {"", "int n = 3; int *q = &n; sscanf(s, \"%d\", q);"},
+      {"void g(int &x);", "int n = 3; g(n);"},
+      {"", "int n = 3; std::swap(n, m);"},
+      {"struct V { int x; V(int a) : x(a + 1) {} };", "V v(2); int n = v.x;"},
+      {"void t() { throw 3; }", "int n = 3; try { t(); n = 4; } catch (int e) { n = e; }"},
+      {"", "float x = 3e9f; int n = (int) x;"},
+      {"", "int n = 1 << 40;"},
+      {"enum E { a, b };", "enum E e = a; int n = e - 1 < 0 ? 2 : 3;"},
+      {"", "long l = 1; l <<= 33; int n = (int) (l >> 32);"},
+      {"", "int a[2] = { 1, 2 }; a[p] = 3; int n = a[0];"},
+      {"void g(int *q) { *q = 2; }", "int n = 3; int *q = p ? &n : 0; if (q) g(q);"}};
+  for (const auto& [outside, body] : cases) {
+    const auto found = parse(std::string(outside) + "\nvoid f(int p) { " + body + " " + kSet + "n); }", {{"f"}, {}});
+    EXPECT_FALSE(found) << body;
+  }
+}
+
+TEST(SourceCode, IncludedFilesAreRead) {
+  const SourceInclude include = [](std::string_view name) -> std::optional<std::string> {
+    if (name == "more.h") return "#define ONE 1\n#include \"types.h\"\n";
+    if (name == "types.h") return "typedef unsigned char tiny;\nenum { TWO = ONE + 1 };\n";
+    return std::nullopt;
+  };
+  const std::string text =
+      "#include \"more.h\"\n#include \"missing.h\"\nvoid f() { tiny n = 256 + TWO; " + kSet + "n + ONE); }";
+  const auto found = parse(text, {.functions = {}, .definitions = {}, .include = include});
+  ASSERT_TRUE(found) << test::all_faults(found);
+  EXPECT_EQ(found->num_general_combiners, 3);
+  EXPECT_FALSE(parse(text));
+}
+
+TEST(SourceCode, AFunctionThatDrawsHasSeveralPrograms) {
+  const std::string text = "void f() { " + kSet +
+                           "2); glDrawArrays(GL_TRIANGLES, 0, 3); glDrawArrays(GL_TRIANGLES, 0, 3); " + kSet +
+                           "3); glDrawArrays(GL_TRIANGLES, 0, 3); }";
+  EXPECT_EQ(test::all_faults(parse(text)),
+            "s:1:1: draws with 2 programs; pick one with #1 to #2 behind the file's name\n");
+  for (const std::size_t number : {1U, 2U}) {
+    const auto found = parse(text, {.functions = {}, .definitions = {}, .program = number});
+    ASSERT_TRUE(found) << test::all_faults(found);
+    EXPECT_EQ(found->num_general_combiners, static_cast<int>(number) + 1);
+  }
+  EXPECT_EQ(test::all_faults(parse(text, {.functions = {}, .definitions = {}, .program = 3})),
+            "s:1:1: has 2 programs, not 3\n");
 }
 
 }  // namespace

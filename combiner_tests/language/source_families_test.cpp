@@ -153,24 +153,6 @@ out 2 RGB DISCARD DISCARD SPARE0 NONE 0
 )"));
 }
 
-TEST(SourceFamilies, Pascal) {
-  const std::string begin = R"(
-count 1
-color 0 0,0.125f,0.25f,1
-color 1 0,0.25f,0.5f,1
-in 0 RGB A TEXTURE0 UNSIGNED_IDENTITY RGB
-in 0 RGB B PRIMARY_COLOR UNSIGNED_IDENTITY RGB
-in 0 RGB C ZERO UNSIGNED_IDENTITY RGB
-in 0 RGB D ZERO UNSIGNED_IDENTITY RGB
-final D SPARE0 UNSIGNED_IDENTITY RGB
-)";
-  EXPECT_TRUE(read("water.pas", {"SetupCombiners"}, {{"Quality", "qMedium"}}) ==
-              after(begin + "out 0 RGB SPARE0 DISCARD DISCARD NONE 0\n"));
-  EXPECT_TRUE(
-      read("water.pas", {"TWater::setupcombiners"}, {{"quality", "qHigh"}, {"unit0", "GL_TEXTURE2"}}) ==
-      after(begin + "in 0 RGB C TEXTURE2 EXPAND_NORMAL RGB\nout 0 RGB DISCARD DISCARD SPARE0 SCALE_BY_TWO 0\n"));
-}
-
 TEST(SourceFamilies, TranslatorsWithTablesAndCheckingMacros) {
   const auto stage = [](const char* op) {
     return read("translator.c", {"set_stage"}, {{"stage", "1"}, {"is_alpha", "0"}, {"op", op}});
@@ -197,19 +179,6 @@ out 1 RGB DISCARD DISCARD SPARE0 NONE 0
 in 0 ALPHA A TEXTURE0 UNSIGNED_IDENTITY ALPHA
 in 0 ALPHA B PRIMARY_COLOR UNSIGNED_IDENTITY ALPHA
 out 0 ALPHA SPARE0 DISCARD DISCARD NONE 0
-)"));
-}
-
-TEST(SourceFamilies, CSharp) {
-  EXPECT_TRUE(read("glow.cs", {}, {{"bright", "true"}}) == after(R"(
-count 2
-color 0 1,0.5f,0.25f,1
-in 0 RGB A TEXTURE0 UNSIGNED_IDENTITY RGB
-in 0 RGB B CONSTANT_COLOR0 UNSIGNED_IDENTITY RGB
-out 0 RGB SPARE0 DISCARD DISCARD SCALE_BY_FOUR 0
-in 1 RGB A SPARE0 UNSIGNED_IDENTITY RGB
-in 1 RGB B CONSTANT_COLOR0 UNSIGNED_IDENTITY RGB
-out 1 RGB SPARE0 DISCARD DISCARD SCALE_BY_FOUR 0
 )"));
 }
 

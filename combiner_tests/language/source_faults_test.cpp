@@ -143,8 +143,6 @@ TEST(SourceFaults, RandomDamage) {
       "k); } };\n",
       "switch (m) { case A::x: for (int i = 0; i < 3; ++i) v[i++] = i * 2; break; default: { nvparse(\"!!RC1.0\\n\" "
       "\"out.rgb=tex0;\"); } }\n",
-      "procedure P(x: Integer); var c: array[0..3] of Single; begin c[0] := 1; glCombinerParameterfvNV($852A, @c); "
-      "end;\n",
       "if (p->q(3)[1].z != NULL) return; else while (--n) ;\n",
       "float[] a = new float[] { 1f, 2d }; R\"x(!!RC1.0)x\" // c\n"};
   const test::Damage damage{.seed = 24,

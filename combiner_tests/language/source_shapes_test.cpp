@@ -88,7 +88,7 @@ TEST(SourceShapes, MembersOfAUnionAreNotGuessed) {
 
 TEST(SourceShapes, LoopsOverElements) {
   expect_calls("void f() { for (int n : new int[] {1, 3}) " + set_count("n") + " }", set_count("3"));
-  expect_calls("void f() { int[] all = {1, 2}; foreach (var n in all) { " + set_count("n") + " } }", set_count("2"));
+  expect_calls("void f() { int[] all = {1, 2}; for (int n : all) { " + set_count("n") + " } }", set_count("2"));
   expect_calls("void f() { for (;;) { " + set_count("2") + " break; } }", set_count("2"));
   expect_fault_of("void f() { for (int n : list) { " + set_count("n") + " } }", "'list'");
 }
@@ -112,14 +112,6 @@ TEST(SourceShapes, MarksAndLineEndsOfWindows) {
   const auto found = shape(program);
   ASSERT_TRUE(found) << test::all_faults(found);
   EXPECT_EQ(found->general[0].rgb.a.reg, Register::texture0);
-}
-
-TEST(SourceShapes, PascalsBounds) {
-  const std::string head = "program p;\nconst R: array[1..2] of GLenum = (GL_FOG, GL_SPARE1_NV);\nvar i: Integer;\n";
-  expect_calls(
-      head + "procedure f;\nbegin\n for i := Low(R) to High(R) do " + set_input("R[i]") + "\nend;\nbegin\nend.",
-      set_input("GL_SPARE1_NV"));
-  expect_calls(head + "procedure f;\nbegin\n " + set_count("Length(R)") + "\nend;\nbegin\nend.", set_count("2"));
 }
 
 }  // namespace

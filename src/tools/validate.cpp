@@ -104,8 +104,8 @@ std::vector<TextFault> faults_of(const std::vector<SourceFunction>& functions) {
 
 // A source whose functions were not chosen from: what there is.
 int list_functions(const ValidateFlags& flags, const ProgramFile& file, const HardwareProfile& profile) {
-  const auto functions =
-      find_source_functions({file.text, file.name}, selection_of(flags.program).definitions, profile);
+  const auto functions = find_source_functions({file.text, file.name}, selection_of(flags.program).definitions, profile,
+                                               include_beside(file.name));
   if (functions.empty() && !file.parsed) return report(file.parsed.faults(), file.text);
   const std::vector<TextFault> faults = faults_of(functions);
   const bool refused_only = std::all_of(faults.begin(), faults.end(), is_refusal);

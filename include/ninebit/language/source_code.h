@@ -1,6 +1,9 @@
 // Combiner programs in source files: the calls are found and executed, function by function.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,24 +28,33 @@ struct SourceFunction {
   std::vector<std::string> needs{};  // names of values that are not known, for Definition::name
 };
 
+// The text of a file that #include "NAME" names; empty: it is not there, and what it declares is not known.
+using SourceInclude = std::function<std::optional<std::string>(std::string_view)>;
+
 // The part of a source to read.
 struct SourceSelection {
   // Executed in this order on one context, by name or NAME:LINE; empty: the only one.
   std::vector<std::string> functions{};
   // Values that the source does not give.
   std::vector<Definition> definitions{};
+  // Reads files that the source includes; without it, none is read.
+  SourceInclude include{};
+  // Of a function that draws between its set-ups, the program to take, from 1; 0: the only one.
+  std::size_t program = 0;
 };
 
 // The functions of a source that set combiners, in the order of the text; each is executed by itself with the profile.
-// Reads C, C++, C#, Java and Pascal, as a person would who looks for calls: docs/languages.md says what is understood.
+// Reads C, C++ and Java; docs/languages.md says what is followed, and what makes a value unknown.
 [[nodiscard]] std::vector<SourceFunction> find_source_functions(const SourceText& source,
                                                                 const std::vector<Definition>& definitions,
-                                                                const HardwareProfile& profile);
+                                                                const HardwareProfile& profile,
+                                                                const SourceInclude& include = {});
 
 // Executes functions of a source on a new context of the profile, and gives its state at the end. A call whose
 // arguments are not known, or of which it is not known whether it is reached, is a fault; one fault lists all names
 // that must be defined. Notes say what was skipped and what was assumed. Without a selection, a source with several
-// functions that set combiners is a fault that lists them.
+// functions that set combiners is a fault that lists them; so is a function that draws between its set-ups, which has
+// several programs.
 // Functions may fill a D3DPIXELSHADERDEF instead (xbox_pixel_shader.h): the program is then that of its words, and
 // `other_words` receives those that combiners do not read.
 [[nodiscard]] Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSelection& selection,

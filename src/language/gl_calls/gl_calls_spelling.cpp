@@ -102,7 +102,7 @@ const std::vector<Core>& cores() {
 
 }  // namespace
 
-const GlSignature* find_gl_call(std::string_view name, NameCase letters) {
+const GlSignature* find_gl_call(std::string_view name) {
   // Most names of a source are none of these.
   const bool may_be =
       find_letters(name, "combiner") != std::string_view::npos || find_letters(name, "able") != std::string_view::npos;
@@ -110,7 +110,7 @@ const GlSignature* find_gl_call(std::string_view name, NameCase letters) {
   for (const GlSignature& call : gl_calls()) {
     const bool is_nv = call.name.ends_with("NV");
     const std::string_view base = is_nv ? call.name.substr(0, call.name.size() - 2) : call.name;
-    const std::size_t at = letters == NameCase::any ? find_letters(name, base) : name.find(base);
+    const std::size_t at = name.find(base);
     if (at == std::string_view::npos) continue;
     std::string_view suffix = name.substr(at + base.size());
     const bool has_nv = is_nv && same_letters(suffix.substr(0, 2), "nv");

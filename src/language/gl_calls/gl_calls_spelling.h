@@ -9,11 +9,9 @@
 
 namespace ninebit::detail {
 
-enum class NameCase { exact, any };
-
 // The call that a name means: GL's name or that of a function pointer (docs/languages.md); nullptr: none. A qualifier
 // such as gl. or vtkgl:: is not part of the name.
-[[nodiscard]] const GlSignature* find_gl_call(std::string_view name, NameCase letters = NameCase::exact);
+[[nodiscard]] const GlSignature* find_gl_call(std::string_view name);
 
 // The call that a method of an object or a function of a namespace means, beyond find_gl_call: gl.enable, GL.Disable.
 [[nodiscard]] const GlSignature* find_gl_method(std::string_view name);

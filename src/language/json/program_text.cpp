@@ -24,8 +24,8 @@ ProgramForm form_of_object(std::string_view text) {
 
 // The form of a program in string literals, which the text begins with.
 ProgramForm form_of_literals(std::string_view text) {
-  const std::size_t end = end_of_literals(text, LiteralStyle::c, 0);
-  const LiteralText program({text, {}}, LiteralStyle::c, 0, end);
+  const std::size_t end = end_of_literals(text, 0);
+  const LiteralText program({text, {}}, 0, end);
   const std::string_view content = without_heading(program.source().text);
   return content.starts_with('"') ? ProgramForm::gl : form_of(content);
 }

@@ -140,7 +140,7 @@ Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, con
   if (detail::shader_version_length(source.text.substr(shader_begin(source.text))) == 0) {
     const std::size_t quote = detail::find_shader_literal(source.text);
     if (quote != std::string_view::npos) {
-      const LiteralText shader(source, LiteralStyle::c, quote, end_of_literals(source.text, LiteralStyle::c, quote));
+      const LiteralText shader(source, quote, end_of_literals(source.text, quote));
       return parse_defined_shader(shader.source(), definitions, profile, used);
     }
   }

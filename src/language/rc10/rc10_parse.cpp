@@ -155,7 +155,7 @@ Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile
   const std::size_t quote = find_literal(source.text, "!!");
   const std::size_t header = source.text.find("!!");
   if (quote != std::string_view::npos && quote < header) {
-    const LiteralText program(source, LiteralStyle::c, quote, end_of_literals(source.text, LiteralStyle::c, quote));
+    const LiteralText program(source, quote, end_of_literals(source.text, quote));
     return parse_rc10(program.source(), profile);
   }
   if (const std::string_view language = foreign_language(source.text);

@@ -7,13 +7,10 @@
 namespace ninebit {
 namespace {
 
-using detail::is_digit;
-
 // Writes the contents of literals over blanks.
 class LiteralReader {
  public:
-  LiteralReader(std::string_view from, LiteralStyle style, std::string& into)
-      : from_(from), style_(style), into_(into) {}
+  LiteralReader(std::string_view from, std::string& into) : from_(from), into_(into) {}
 
   void read() {
     while (at_ < from_.size()) {
@@ -25,7 +22,7 @@ class LiteralReader {
   std::size_t read_joined() {
     std::size_t end = 0;
     while (at_ < from_.size()) {
-      const bool comments = from_.substr(at_).starts_with("/") || from_[at_] == '{';
+      const bool comments = from_.substr(at_).starts_with("/");
       if (literal()) {
         if (!comments) end = at_;
         continue;
@@ -43,17 +40,9 @@ class LiteralReader {
   // A literal or a comment here; false: there is none.
   bool literal() {
     if (comment()) return true;
-    const char c = from_[at_];
-    if (style_ == LiteralStyle::pascal && c == '\'') {
-      pascals();
-    } else if (style_ == LiteralStyle::pascal && c == '#') {
-      numbered();
-    } else if (style_ == LiteralStyle::c && c == '"') {
-      const bool raw = at_ > 0 && from_[at_ - 1] == 'R';
-      raw ? raw_literal() : escaped();
-    } else {
-      return false;
-    }
+    if (from_[at_] != '"') return false;
+    const bool raw = at_ > 0 && from_[at_ - 1] == 'R';
+    raw ? raw_literal() : escaped();
     return true;
   }
 
@@ -63,11 +52,9 @@ class LiteralReader {
       at_ = std::min(from_.find('\n', at_), from_.size());
       return true;
     }
-    const bool c = style_ == LiteralStyle::c && rest.starts_with("/*");
-    const bool pascal = style_ == LiteralStyle::pascal && rest.starts_with("{");
-    if (!c && !pascal) return false;
-    const std::size_t end = from_.find(c ? "*/" : "}", at_ + 1);
-    at_ = end == std::string_view::npos ? from_.size() : end + (c ? 2 : 1);
+    if (!rest.starts_with("/*")) return false;
+    const std::size_t end = from_.find("*/", at_ + 1);
+    at_ = end == std::string_view::npos ? from_.size() : end + 2;
     return true;
   }
 
@@ -99,36 +86,16 @@ class LiteralReader {
     at_ = std::min(end + close.size(), from_.size());
   }
 
-  void pascals() {
-    for (++at_; at_ < from_.size() && from_[at_] != '\n'; ++at_) {
-      if (from_[at_] == '\'') {
-        if (at_ + 1 >= from_.size() || from_[at_ + 1] != '\'') break;
-        ++at_;
-      }
-      into_[at_] = from_[at_];
-    }
-    ++at_;
-  }
-
-  // #10
-  void numbered() {
-    int code = 0;
-    const std::size_t begin = at_++;
-    for (; at_ < from_.size() && is_digit(from_[at_]) && code < 256; ++at_) code = code * 10 + (from_[at_] - '0');
-    if (code == 10) into_[begin] = '\n';
-  }
-
   std::string_view from_;
-  LiteralStyle style_;
   std::string& into_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-LiteralText::LiteralText(const SourceText& source, LiteralStyle style, std::size_t begin, std::size_t end)
+LiteralText::LiteralText(const SourceText& source, std::size_t begin, std::size_t end)
     : source_(source), begin_(begin), text_(end - begin, ' ') {
-  LiteralReader(source.text.substr(begin, end - begin), style, text_).read();
+  LiteralReader(source.text.substr(begin, end - begin), text_).read();
 }
 
 SourceText LiteralText::source() const {
@@ -138,11 +105,11 @@ SourceText LiteralText::source() const {
           .begin = source_.place(begin_)};
 }
 
-std::size_t end_of_literals(std::string_view text, LiteralStyle style, std::size_t begin) {
+std::size_t end_of_literals(std::string_view text, std::size_t begin) {
   constexpr std::size_t kLongest = std::size_t{1} << 20;
   text = text.substr(begin, kLongest);
   std::string contents(text.size(), ' ');
-  return begin + LiteralReader(text, style, contents).read_joined();
+  return begin + LiteralReader(text, contents).read_joined();
 }
 
 std::size_t find_literal(std::string_view text, std::string_view header, std::size_t from) {

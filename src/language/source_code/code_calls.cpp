@@ -1,4 +1,4 @@
-// Calls: of the combiners, of the file's functions, and of those whose results are known.
+// Calls: of the combiners, of the file's functions, and of others.
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -6,13 +6,11 @@
 
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
-#include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/pixel_shader/shader_literal.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/source_code/code_types.h"
 
 namespace ninebit::code {
 namespace {
@@ -33,15 +31,33 @@ bool enables(const detail::GlSignature& signature) {
   return signature.command == GlCommand::enable || signature.command == GlCommand::disable;
 }
 
+bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts) {
+  return std::any_of(parts.begin(), parts.end(), [&](auto part) { return name.find(part) != std::string_view::npos; });
+}
+
 // Whether a call draws, by its name.
 bool draws(std::string_view name) {
-  constexpr std::array<std::string_view, 8> kParts{"glBegin",    "glDrawArrays", "glDrawElements", "glDrawRange",
-                                                   "glCallList", "glRect",       "DrawElements",   "glEvalMesh"};
-  return std::any_of(kParts.begin(), kParts.end(),
-                     [&](std::string_view part) { return name.find(part) != std::string_view::npos; });
+  return contains_any(name, {"glBegin", "glDrawArrays", "glDrawElements", "glDrawRange", "glCallList", "glRect",
+                             "DrawElements", "glEvalMesh"});
+}
+
+// Functions of C's library, and macros, that change nothing of the caller's.
+bool changes_nothing(std::string_view name) {
+  constexpr std::array<std::string_view, 20> kNames{
+      "printf", "fprintf", "puts",   "fputs", "putchar", "assert", "ASSERT", "free",       "fflush",  "strlen",
+      "strcmp", "strstr",  "delete", "exit",  "abort",   "atoi",   "atof",   "strcasecmp", "stricmp", "strncmp"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
 }  // namespace
+
+bool names_gl_function(std::string_view name) {
+  constexpr std::size_t kLongestPrefix = 6;
+  const std::size_t at = name.find("gl");
+  const std::string_view own = at <= kLongestPrefix ? name.substr(at + 2) : std::string_view();
+  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
+  return own.size() > 2 && is_upper(own[0]) && !is_upper(own[1]) && own[1] != '_';
+}
 
 const Expression& called_operand(const Expression& callee) {
   const Expression* at = &callee;
@@ -51,173 +67,218 @@ const Expression& called_operand(const Expression& callee) {
   return wrapped && detail::find_gl_call(at->parts[1].text) != nullptr ? at->parts[1] : *at;
 }
 
-const detail::GlSignature* signature_of(const Expression& callee, Language language) {
+const detail::GlSignature* signature_of(const Expression& callee) {
   const Expression& named = called_operand(callee);
-  const auto letters = language == Language::pascal ? detail::NameCase::any : detail::NameCase::exact;
-  if (const auto* const found = detail::find_gl_call(named.text, letters)) return found;
-  const bool qualified = named.kind == ExpressionKind::member || named.is_qualified;
+  if (named.kind != ExpressionKind::name && named.kind != ExpressionKind::member) return nullptr;
+  if (const auto* const found = detail::find_gl_call(named.text)) return found;
+  const bool qualified = named.kind == ExpressionKind::member || !named.qualifier.empty();
   return qualified ? detail::find_gl_method(named.text) : nullptr;
 }
 
 Value Machine::call(const Expression& e) {
   const Expression& callee = e.parts[0];
   const std::string_view name = own_name(callee);
-  if (const Function* const function = function_of(callee, e.parts.size() - 1)) return call_function(*function, e);
-  const detail::GlSignature* const signature = signature_of(callee, program_.file.language);
-  if (signature != nullptr) {
-    call_combiner(*signature, e);
+  const Function* const inside = frames_.back().function;
+  const Function* function = program_.function_of(callee, e.parts.size() - 1, inside);
+  // A variable that holds a function.
+  const Expression& named = called_operand(callee);
+  if (function == nullptr && detail::find_gl_call(name) == nullptr) {
+    const bool is_variable = named.kind == ExpressionKind::index || callee.kind == ExpressionKind::unary ||
+                             (named.kind == ExpressionKind::name && lookup(named).kind == PlaceKind::cell);
+    const Value held = is_variable ? evaluate(callee) : Value{};
+    if (held.is(ValueKind::function)) function = held.function;
+  }
+  if (function != nullptr && quiet_ > 0) return needed_value({}, function->result->kinds);
+  if (function != nullptr) {
+    Value self = named.kind == ExpressionKind::name && !function->scope.empty() ? frames_.back().self : Value{};
+    if (named.kind == ExpressionKind::member) {
+      const Place object =
+          named.is_arrow ? deref(evaluate(named.parts[0]), integer_value(0), "") : place(named.parts[0]);
+      if (object.kind == PlaceKind::cell) {
+        self.kind = ValueKind::pointer;
+        self.object = object.object;
+        self.at = object.at;
+        self.type = object.type;
+      }
+    }
+    return call_function(*function, e, self);
+  }
+  if (const detail::GlSignature* const signature = signature_of(callee)) {
+    if (quiet_ == 0) call_combiner(*signature, e);
     return {};
   }
-  if (name == "nvparse" || name.ends_with("_nvparse")) return call_nvparse(e);
-  const std::string path = path_of(e);
-  if (const Value* const given = defined(path)) return *given;
+  if (name == "nvparse" || name.ends_with("_nvparse")) return quiet_ > 0 ? integer_value(0) : call_nvparse(e);
   if (auto known = call_known(name, e)) return *std::move(known);
-  look_for_misspelling(name, e);
-  if (callee.kind == ExpressionKind::call || callee.kind == ExpressionKind::index) evaluate(callee);
-  const bool wraps = may_set(e);  // a check around a call
-  for (std::size_t i = 1; i < e.parts.size(); ++i) evaluate(e.parts[i]);
-  forget_arguments(e);
-  if (!wraps) skip(name, e);
-  return needed_value(path);
+  return call_unknown(e, name);
 }
 
-void Machine::skip(std::string_view name, const Expression& e) {
-  if (name.empty()) return;
-  if (draws(name) && calls_made_ > 0) drawn_at_ = e.offset + 1;
+// A function whose body is not known may change what it is given by address, and what other code can change.
+Value Machine::call_unknown(const Expression& e, std::string_view name) {
+  const std::string path = normal_path(text_of(e));
+  const Expression& callee = e.parts[0];
+  const auto declared = program_.prototypes.find(name);
+  const Function* const prototype = declared != program_.prototypes.end() ? declared->second[0] : nullptr;
+  Value out = needed_value(path, prototype != nullptr ? prototype->result->kinds : Kinds{0});
+  if (prototype != nullptr && prototype->result->is(TypeKind::pointer)) out.type = prototype->result->of;
+  if (quiet_ > 0) return out;
+  look_for_misspelling(name, e);
+  if (program_.by_name.count(name) != 0 && reported_.count(e.offset) == 0) {
+    for (const Function* const one : program_.by_name.find(name)->second) {
+      const bool may_be_it = callee.kind != ExpressionKind::member || one->parameters.size() == e.parts.size() - 1;
+      if (!may_be_it || one == frames_.back().function || !program_.sets(*one)) continue;
+      reported_.insert(e.offset);
+      faults_.add(e.offset, quoted(name) + " sets combiners, and which function of this name is called is not known");
+      break;
+    }
+  }
+  std::vector<Value> given;
+  if (callee.kind == ExpressionKind::call || callee.kind == ExpressionKind::index) given.push_back(evaluate(callee));
+  // A class's own function may change the object.
+  const bool is_gl =
+      names_gl_function(name) || (callee.kind == ExpressionKind::member && callee.parts[0].text.starts_with("gl") &&
+                                  detail::is_word(name.empty() ? ' ' : name[0]));
+  if (callee.kind == ExpressionKind::member && !is_gl) {
+    const Place object =
+        callee.is_arrow ? deref(evaluate(callee.parts[0]), integer_value(0), "") : place(callee.parts[0]);
+    if (object.object >= 0) {
+      forget_object(object.object);
+      objects_[static_cast<std::size_t>(object.object)].is_escaped = true;
+    }
+  }
+  for (std::size_t i = 1; i < e.parts.size(); ++i) {
+    const bool by_reference =
+        prototype != nullptr && i <= prototype->parameters.size() && prototype->parameters[i - 1].is_reference;
+    given.push_back(evaluate(e.parts[i]));
+    const ExpressionKind kind = e.parts[i].kind;
+    const bool is_place =
+        kind == ExpressionKind::name || kind == ExpressionKind::index || kind == ExpressionKind::member;
+    const bool may_refer = prototype == nullptr && is_place && !is_gl && !changes_nothing(name) && !is_c_or_java();
+    if (!by_reference && !may_refer) continue;
+    const Place at = quietly([&] { return place(e.parts[i]); });
+    if (!by_reference && callee.qualifier != "std" && name != "swap") {
+      assume_unchanged(at, name, e.parts[i]);
+      continue;
+    }
+    if (at.object >= 0) {
+      forget_object(at.object);
+      objects_[static_cast<std::size_t>(at.object)].is_escaped = true;
+    } else {
+      forget_outside();
+    }
+  }
+  const bool only_reads = changes_nothing(name) ||
+                          (is_gl && !contains_any(name, {"Get", "Gen", "Read", "Select", "Feedback", "Map", "Query"}));
+  const bool wraps = program_.sets(e);  // a check around a call
+  if (!only_reads) {
+    for (const Value& one : given) forget_pointed(one);
+  }
+  if (!only_reads && !is_gl && !wraps) {
+    forget_outside();
+    forget_shared();
+  }
+  if (wraps || name.empty()) return out;
+  note_drawing(name, e);
   if (skips_++ == 0) first_skipped_ = e.offset;
   last_skipped_ = e.offset;
   constexpr std::size_t kMostNames = 1000;
   if (skipped_.size() < kMostNames) skipped_.insert(std::string(name));
+  return out;
+}
+
+// In C++ a function that the file does not declare may take a number by reference.
+void Machine::assume_unchanged(const Place& at, std::string_view function, const Expression& e) {
+  const bool is_number =
+      at.kind == PlaceKind::cell && at.type != nullptr && at.type->is(TypeKind::number) && is_inside(at);
+  if (!is_number || objects_[static_cast<std::size_t>(at.object)].is_constant) return;
+  const CellKey key{at.object, at.at, {}};
+  const Value now = cell(key);
+  if (!now.is_known()) return;
+  const std::string variable = text_of(e), origin = std::string(function) + "(" + variable + ")";
+  assumptions_.try_emplace(origin, e.offset,
+                           "assumed that " + quoted(function) + " does not change " + quoted(variable));
+  Value assumed;
+  assumed.origins = std::make_shared<const Names>(Names{origin});
+  set_cell(key, with_origins(now, assumed));
+}
+
+// A program that something is drawn with is one by itself.
+void Machine::note_drawing(std::string_view name, const Expression& e) {
+  (void)e;
+  if (!draws(name) || !set_since_drawing_) return;
+  if (drawn_.empty() || !(drawn_.back() == state())) drawn_.push_back(state());
+  set_since_drawing_ = false;
+}
+
+std::vector<CombinerState> Machine::programs() const {
+  std::vector<CombinerState> all = drawn_;
+  if (all.empty() || (set_since_drawing_ && !(all.back() == state()))) all.push_back(state());
+  return all;
 }
 
 // A call that is one letter away from one of the combiners'.
 void Machine::look_for_misspelling(std::string_view name, const Expression& e) {
   const std::string meant = name.find("ombin") == std::string_view::npos ? "" : detail::meant_call(name);
-  if (meant.empty() || !misspelled_.insert(e.offset).second) return;
+  if (meant.empty() || !reported_.insert(e.offset).second) return;
   faults_.add(e.offset, quoted(name) + " is not a call of the register combiners" + meant);
 }
 
-// The file's function that a call means: that with as many parameters, or the only one.
-const Function* Machine::function_of(const Expression& callee, std::size_t arguments) const {
-  const auto found = program_.by_name.find(program_.key(own_name(callee)));
-  if (found == program_.by_name.end()) return nullptr;
-  // A wrapper that has the name of what it calls.
-  const Function* const inside = frames_.empty() ? nullptr : frames_.back().function;
-  const Function* best = nullptr;
-  std::size_t fitting = 0;
-  for (const Function* const one : found->second) {
-    if (one == inside && callee.kind != ExpressionKind::name) continue;
-    const bool fits = one->parameters.size() == arguments;
-    const bool defaults = one->parameters.size() > arguments && !one->parameters[arguments].value.empty();
-    if (!fits && !defaults && found->second.size() > 1) continue;
-    fitting += 1;
-    // Of several the one of the same class.
-    const bool same_class = inside != nullptr && one->name.size() > one->own_name.size() &&
-                            inside->name.starts_with(one->name.substr(0, one->name.size() - one->own_name.size()));
-    if (best == nullptr || same_class) best = one;
-  }
-  return best == inside && fitting < 2 && detail::find_gl_call(own_name(callee)) != nullptr ? nullptr : best;
-}
-
-Value Machine::call_function(const Function& function, const Expression& e) {
-  Frame frame{.function = &function};
-  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-    const Parameter& parameter = function.parameters[i];
-    Value value;
-    if (i + 1 < e.parts.size()) {
-      value = evaluate(e.parts[i + 1]);
-    } else if (!parameter.value.empty()) {
-      value = evaluate(parameter.value[0]);
+Value Machine::call_function(const Function& function, const Expression& e, const Value& self) {
+  const std::string path = normal_path(text_of(e));
+  Frame frame{.function = &function, .self = self};
+  for (std::size_t i = 0; i < std::max(function.parameters.size(), e.parts.size() - 1); ++i) {
+    const bool is_given = i + 1 < e.parts.size(), is_named = i < function.parameters.size();
+    if (!is_named) {
+      (void)evaluate(e.parts[i + 1]);
+      continue;
     }
-    if (!value.is_known() && value.needs.empty()) value = needed_value(path_of(e));
-    if (i + 1 < e.parts.size()) add_alias(parameter.name, e.parts[i + 1], frame);
-    frame.values[program_.key(parameter.name)] = std::move(value);
+    const Declared& parameter = function.parameters[i];
+    const Expression* const given = is_given                  ? &e.parts[i + 1]
+                                    : parameter.value.empty() ? nullptr
+                                                              : &parameter.value[0];
+    const bool binds = parameter.is_reference && is_given && given->kind != ExpressionKind::number;
+    if (binds) {
+      frame.variables.push_back({parameter.name, place(*given)});
+      continue;
+    }
+    Value value = given != nullptr ? evaluate(*given) : Value{};
+    if (!value.is_known() && !value.needs && value.object < 0) value.needs = needed_value(path).needs;
+    Place at = place_of(new_object(parameter.type, std::string(parameter.name)));
+    at.type = parameter.type;
+    if (!objects_[static_cast<std::size_t>(at.object)].cells.empty()) store(at, std::move(value));
+    frame.variables.push_back({parameter.name, at});
   }
-  for (std::size_t i = function.parameters.size() + 1; i < e.parts.size(); ++i) evaluate(e.parts[i]);
-  if (frames_.size() >= kMostNestedCalls || !spend()) return needed_value(path_of(e));
-  frames_.push_back(std::move(frame));
+  Value out = needed_value(path, function.result->kinds);
+  const bool too_deep = frames_.size() >= kMostNestedCalls;
+  if (too_deep || function.is_special || function.is_template || !spend()) {
+    if (!too_deep && program_.sets(function) && reported_.insert(e.offset).second) {
+      faults_.add(e.offset, quoted(function.own_name) + " sets combiners, and is not followed");
+    }
+    forget_all();
+    return out;
+  }
+  const bool gives = !function.result->is(TypeKind::nothing);
   need_conditions(&function);
-  execute(body_of(function));
-  Frame done = std::move(frames_.back());
+  frame.mark = log_.size();
+  frame.result = place_of(new_object(function.result, "the result"));
+  frame.result.type = gives ? function.result : nullptr;
+  frames_.push_back(std::move(frame));
+  (void)execute(program_.body_of(function));
+  resolve(Flow::give_back, frames_.back().mark);
+  // A way back to a label is not followed.
+  const auto leads_back = [&](const Exit& one) { return one.frame == frames_.size(); };
+  const bool is_lost = std::any_of(exits_.begin(), exits_.end(), leads_back);
+  if (is_lost) {
+    exits_.erase(std::remove_if(exits_.begin(), exits_.end(), leads_back), exits_.end());
+    forget_all();
+  }
+  if (gives && !is_lost) {
+    Value result = load(frames_.back().result);
+    const std::string own = "the result";
+    const bool is_own = result.needs && result.needs->count(own) != 0;
+    if (result.is_known() || (result.needs && !is_own)) out = std::move(result);
+  }
   frames_.pop_back();
-  // Arrays are given by address.
-  for (std::size_t i = 0; i < function.parameters.size() && i + 1 < e.parts.size(); ++i) {
-    Value* const array = place(e.parts[i + 1]);
-    Value& after = done.values[program_.key(function.parameters[i].name)];
-    const bool same_size = array != nullptr && array->kind == Value::Kind::list && after.kind == Value::Kind::list &&
-                           array->list.size() == after.list.size();
-    if (same_size) *array = std::move(after);
-  }
-  if (done.has_result && (done.result.is_known() || !done.result.needs.empty())) return std::move(done.result);
-  return needed_value(path_of(e));
-}
-
-// Makes one argument of a call; false: it is not known, which is noted as a need, or a fault.
-bool Machine::argument(const Expression& e, bool is_array, detail::GlArgument& out) {
-  Value value = evaluate(e);
-  use(value);
-  out.offset = e.offset;
-  out.text = program_.source.text.substr(e.offset, e.end - e.offset);
-  // An array of three numbers was good enough where nothing read the fourth.
-  if (is_array && value.kind == Value::Kind::list && value.list.size() == 3) {
-    notes_.add(e.offset, quoted(out.text) + " has 3 values; took 0 for the fourth, which OpenGL reads, too");
-    value.list.push_back(integer_value(0));
-  }
-  if (to_argument(value, out)) return true;
-  if (value.kind == Value::Kind::text || value.kind == Value::Kind::entry_point || value.kind == Value::Kind::symbol) {
-    faults_.add(e.offset, quoted(out.text) + " cannot be passed here; expected a number or an enumerant");
-    return false;
-  }
-  Value unknown = unknown_of(value, value);
-  for (const Value& element : value.list) {
-    if (!element.is_known()) add_needs(unknown.needs, element.needs);
-  }
-  const bool is_gls_name = e.kind == ExpressionKind::name && e.text.starts_with("GL_") && unknown.needs.size() == 1;
-  if (is_gls_name) {
-    faults_.add(e.offset,
-                quoted(e.text) + " is not an enumerant of the register combiners" + detail::meant_enumerant(e.text));
-    return false;
-  }
-  // &color.r is all of color.
-  const bool first_member = is_array && e.kind == ExpressionKind::unary && e.text == "&" &&
-                            e.parts[0].kind == ExpressionKind::member && e.parts[0].text.size() == 1;
-  if (first_member && value.list.size() < 2) unknown = needed_value(path_of(e.parts[0].parts[0]));
-  // A row of an array has a name of its own.
-  const std::string path = is_array ? path_of(e) : "";
-  const bool own = is_array && unknown.needs.size() == 1 && path.starts_with(unknown.needs[0]);
-  if (own) unknown = needed_value(path);
-  if (is_array && (own || value.kind != Value::Kind::list)) arrays_.insert(unknown.needs.begin(), unknown.needs.end());
-  if (first_member) arrays_.insert(unknown.needs.begin(), unknown.needs.end());
-  need(unknown, e);
-  return false;
-}
-
-// Notes that a call or a decision depends on a value.
-void Machine::use(const Value& value) {
-  used_origins_.insert(value.origins.begin(), value.origins.end());
-  for (const Value& element : value.list) used_origins_.insert(element.origins.begin(), element.origins.end());
-}
-
-// Notes that a value is needed. Without a name that could be defined, its own text is one.
-void Machine::need(const Value& value, const Expression& e) {
-  if (value.needs.empty()) need(path_of(e), e.offset);
-  for (const std::string& name : value.needs) need(name, e.offset);
-}
-
-void Machine::need(const std::string& name, std::uint32_t offset) {
-  constexpr std::size_t kMostNeeds = 100;
-  if (needs_.size() < kMostNeeds || needs_.count(name) != 0) needs_[name].insert(offset);
-}
-
-// Notes the names that decide which of a function's lines are read; nullptr: the lines outside of functions.
-void Machine::need_conditions(const Function* function) {
-  for (const OpenCondition& one : program_.file.open_conditions) {
-    const auto holds = [&](const Function& f) { return f.begin <= one.begin && one.end <= f.end; };
-    const std::vector<Function>& all = program_.outline.functions;
-    const bool matters = function != nullptr ? one.begin < function->end && function->begin < one.end
-                                             : std::none_of(all.begin(), all.end(), holds);
-    if (matters) need(one.name, one.offset);
-  }
+  return out;
 }
 
 void Machine::call_combiner(const detail::GlSignature& signature, const Expression& e) {
@@ -228,25 +289,20 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
     detail::GlArgument one;
     if (switches) {
       const Value capability = evaluate(e.parts[i]);
-      const bool is_ours =
-          capability.kind == Value::Kind::integer &&
-          (capability.integer == gl::GL_REGISTER_COMBINERS_NV || capability.integer == gl::GL_PER_STAGE_CONSTANTS_NV);
+      const bool is_ours = capability.is_number() && (capability.number.integer == gl::GL_REGISTER_COMBINERS_NV ||
+                                                      capability.number.integer == gl::GL_PER_STAGE_CONSTANTS_NV);
       if (!is_ours) return;
     }
-    const bool is_array = i <= signature.parameters.size() && signature.parameters[i - 1] == 'F' &&
-                          signature.name != "CombinerParameterNV";
-    known = argument(e.parts[i], is_array, one) && known;
+    const char kind = i <= signature.parameters.size() ? signature.parameters[i - 1] : ' ';
+    known = argument(e.parts[i], signature.name == "CombinerParameterNV" ? 'A' : kind, one) && known;
     arguments.push_back(std::move(one));
   }
+  need_guards(e);
   if (!switches) {
     ++calls_made_;
     ++calls_made_on_context_;
-    if (drawn_at_ != 0 && !noted_drawing_ && needs_.empty()) {
-      notes_.add(drawn_at_ - 1, "draws before the combiners are set again; the program is that at the end");
-      noted_drawing_ = true;
-    }
-    drawn_at_ = 0;
   }
+  set_since_drawing_ = true;
   CallSite& site = sites_[e.offset];
   if (!known) {
     site.is_unknown = true;
@@ -261,28 +317,120 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
   site.is_refused = site.is_refused || faults.count() > before;
 }
 
+// Makes one argument of a call; false: it is not known, which is noted as a need, or a fault.
+bool Machine::argument(const Expression& e, char kind, detail::GlArgument& out) {
+  Value value = evaluate(e);
+  use(value);
+  out.offset = e.offset;
+  out.text = program_.source.text.substr(e.offset, e.end - e.offset);
+  const bool is_array = kind == 'F' || kind == 'I' || (kind == 'A' && !value.is_number());
+  if (value.is_number()) {
+    out.is_integer = (value.number.kinds & ~kReals) != 0;
+    out.integer = value.number.integer;
+    out.real = value.number.value();
+    return true;
+  }
+  if (is_array && (value.is(ValueKind::pointer) || !value.is_known())) {
+    return array_argument(std::move(value), e, kind == 'I' ? 'I' : 'F', out);
+  }
+  if (value.is_known()) {
+    faults_.add(e.offset, quoted(out.text) + " cannot be passed here; expected a number or an enumerant");
+    return false;
+  }
+  const bool is_gls_name = e.kind == ExpressionKind::name && e.text.starts_with("GL_") && value.name == e.text;
+  if (is_gls_name) {
+    if (reported_.insert(e.offset).second) {
+      faults_.add(e.offset,
+                  quoted(e.text) + " is not an enumerant of the register combiners" + detail::meant_enumerant(e.text));
+    }
+    return false;
+  }
+  need(value, e);
+  return false;
+}
+
+// The numbers that a pointer leads to.
+bool Machine::array_argument(Value value, const Expression& e, char kind, detail::GlArgument& out) {
+  constexpr std::int64_t kRead = 4;  // the most that GL reads of an array
+  out.is_array = true;
+  const Type* const element = program_.parser->number_type(kind == 'I' ? kInt32 : kFloat32);
+  std::int64_t size = kRead;
+  if (value.is(ValueKind::pointer)) {
+    const Object& object = objects_[static_cast<std::size_t>(value.object)];
+    size = static_cast<std::int64_t>(object.cells.size()) - value.at;
+    if (value.type != nullptr && value.type->is(TypeKind::array)) value.type = value.type->of;
+  }
+  value.type = element;
+  Value missing;
+  bool misses = false;
+  const std::string path = normal_path(text_of(e));
+  for (std::int64_t i = 0; i < std::min(size, kRead); ++i) {
+    const Value one = read(deref(value, integer_value(i), path + "[" + std::to_string(i) + "]"));
+    use(one);
+    const auto number = one.is_number() ? convert(one.number, element->kinds) : std::nullopt;
+    if (!number) {
+      misses = true;
+      missing = unknown_of(missing, one);
+      continue;
+    }
+    detail::GlArgument& made = out.values.emplace_back();
+    made.offset = out.offset;
+    made.text = out.text;
+    made.is_integer = (number->kinds & ~kReals) != 0;
+    made.integer = number->integer;
+    made.real = number->value();
+  }
+  if (!misses && value.is(ValueKind::pointer) && size == kRead - 1) {
+    // An array of three numbers was good enough where nothing read the fourth.
+    notes_.add(e.offset, quoted(out.text) + " has 3 values; took 0 for the fourth, which OpenGL reads, too");
+    out.values.push_back(out.values[0]);
+    out.values.back().is_integer = true;
+    out.values.back().integer = 0;
+    out.values.back().real = 0;
+  }
+  out.count = value.is(ValueKind::pointer)
+                  ? std::max(out.values.size(), static_cast<std::size_t>(std::max<std::int64_t>(size, 0)))
+                  : out.values.size();
+  if (!misses) return true;
+  // A pointer that is not known, and the elements of one array, are the array.
+  const bool is_pointer = !value.is_known() && value.needs;
+  std::string array = is_pointer ? *value.needs->begin() : std::string();
+  Names own;
+  for (const std::string& one : missing.needs ? *missing.needs : Names{}) {
+    const std::size_t open = one.rfind('[');
+    own.insert(one.ends_with(']') && open != std::string::npos && one.starts_with(path + "[") ? path : one);
+  }
+  if (is_pointer) own = *value.needs;
+  if (own.empty()) own.insert(path);
+  if (own.count(path) != 0) arrays_.insert(path);
+  if (own.size() == 1 && is_pointer) arrays_.insert(*own.begin());
+  missing.needs = std::make_shared<const Names>(std::move(own));
+  need(missing, e);
+  return false;
+}
+
 Value Machine::call_nvparse(const Expression& e) {
   CallSite& site = sites_[e.offset];
   ++calls_made_;
   ++calls_made_on_context_;
+  set_since_drawing_ = true;
   std::vector<Value> arguments;
   for (std::size_t i = 1; i < e.parts.size(); ++i) arguments.push_back(evaluate(e.parts[i]));
+  need_guards(e);
   const auto found =
-      std::find_if(arguments.begin(), arguments.end(), [](const Value& one) { return one.kind == Value::Kind::text; });
+      std::find_if(arguments.begin(), arguments.end(), [](const Value& one) { return one.is(ValueKind::text); });
   if (found == arguments.end()) {
     site.is_unknown = true;
     if (!arguments.empty()) need(arguments[0], e.parts[1]);
     return {};
   }
-  const Value& text = *found;
-  load(text.begin, text.end, e.offset, text.symbol);
+  load(found->begin, found->end, e.offset, found->name);
   return integer_value(0);
 }
 
 void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset, const std::string& pasted) {
-  const LiteralStyle style = program_.file.language == Language::pascal ? LiteralStyle::pascal : LiteralStyle::c;
   const SourceText made{.text = pasted, .file = program_.source.file};
-  const LiteralText literal(pasted.empty() ? program_.source : made, style, pasted.empty() ? begin : 0,
+  const LiteralText literal(pasted.empty() ? program_.source : made, pasted.empty() ? begin : 0,
                             pasted.empty() ? end : pasted.size());
   loaded_.insert(begin);
   // nvparse also loads programs for other units.
@@ -300,7 +448,7 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   Parsed<CombinerState> parsed =
       is_shader ? detail::parse_defined_shader(program, given_, context_.profile(), used_by_shaders)
                 : parse_rc10(program, context_.profile());
-  for (const std::string& name : used_by_shaders) used_.insert(program_.key(normal_path(name)));
+  for (const std::string& name : used_by_shaders) used_.insert(normal_path(name));
   site.is_read = true;
   for (TextFault& fault : parsed.notes) notes_.add(std::move(fault));
   for (TextFault fault : parsed.faults()) {

@@ -1,256 +1,276 @@
-// Declarations of C-like languages.
-#include <algorithm>
-#include <iterator>
+// Declarations.
 #include <utility>
 
 #include "src/language/source_code/code_parser.h"
-#include "src/language/source_code/code_tree_build.h"
-#include "src/language/source_code/code_types.h"
+#include "src/language/source_code/code_type_words.h"
 
 namespace ninebit::code {
-namespace {
 
-bool is_structure(const Token& token) {
-  return token.is("struct") || token.is("class") || token.is("union");
-}
-
-// The last index behind a pair of angle brackets that begins `ahead`; `ahead`: there is none.
-std::size_t behind_angles(const TokenCursor& in, std::size_t ahead) {
-  constexpr std::size_t kLongest = 32;
-  if (!in.peek(ahead).is("<")) return ahead;
-  std::size_t depth = 0;
-  for (std::size_t i = ahead; i < ahead + kLongest; ++i) {
-    const Token& token = in.peek(i);
-    if (token.is("<")) ++depth;
-    if (token.is(">>")) depth -= std::min<std::size_t>(depth, 1);
-    if ((token.is(">") || token.is(">>")) && (depth == 0 || --depth == 0)) return i + 1;
-    if (token.is(";") || token.is("(") || token.is("{") || token.kind == Token::Kind::end) break;
-  }
-  return ahead;
-}
-
-// How many tokens a type has that begins here; 0: none does. `type` is its last word.
-std::size_t type_size(const TokenCursor& in, std::string_view& type, bool& is_constant) {
-  std::size_t i = 0;
-  bool words = false;
-  for (; in.peek(i).is_name() && (is_qualifier(in.peek(i).text) || is_structure(in.peek(i)) || in.peek(i).is("enum"));
-       ++i) {
-    is_constant = is_constant || in.peek(i).is("const") || in.peek(i).is("final") || in.peek(i).is("constexpr");
-  }
-  for (; in.peek(i).is_name() && type_kind(in.peek(i).text) != TypeKind::other; ++i) {
-    type = in.peek(i).text;
-    words = true;
-  }
-  if (!words) {
-    if (!in.peek(i).is_name()) return 0;
-    type = in.peek(i++).text;
-    while ((in.peek(i).is("::") || in.peek(i).is(".")) && in.peek(i + 1).is_name()) {
-      type = in.peek(i + 1).text;
-      i += 2;
-    }
-    i = behind_angles(in, i);
-  }
-  for (;; ++i) {
-    const Token& token = in.peek(i);
-    const bool empty_bounds = token.is("[") && in.peek(i + 1).is("]");
-    if (empty_bounds) ++i;
-    if (!empty_bounds && !token.is("*") && !token.is("&") && !token.is("const") && !token.is("^")) return i;
-  }
-}
-
-bool begins_no_declaration(const Token& token) {
-  for (const std::string_view word : {"return", "else", "new", "delete", "throw", "goto", "case", "default", "sizeof",
-                                      "if", "for", "while", "do", "switch", "break", "continue", "using", "this"}) {
-    if (token.is(word)) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-bool StatementParser::is_declaration() const {
-  if (!in_.peek().is_name() || begins_no_declaration(in_.peek())) return false;
-  std::string_view type;
-  bool is_constant = false;
-  const std::size_t size = type_size(in_, type, is_constant);
-  if (size == 0 || !in_.peek(size).is_name()) return false;
-  const Token& next = in_.peek(size + 1);
-  return next.is("=") || next.is(";") || next.is(",") || next.is("[") || next.is("(") || next.is("{");
-}
-
-Statement StatementParser::declaration() {
-  const std::size_t begin = in_.at();
-  Statement out;
-  out.kind = Statement::Kind::declaration;
-  out.offset = in_.peek().offset;
-  std::string_view type;
-  bool is_constant = false;
-  in_.move_to(begin + type_size(in_, type, is_constant));
-  declarators(out, type, is_constant);
-  if (in_.takes(";") || in_.at_end()) {
-    out.end = in_.last_end();
-    return out;
-  }
-  return unreadable(begin, "a declaration");
-}
-
-// typedef TYPE NAME[bounds];
-void StatementParser::array_type() {
-  in_.take();
-  if (!is_declaration()) return;
-  const Statement typed = declaration();
-  for (const Declared& one : typed.declared) {
-    if (one.is_array) outline_.arrays[std::string(one.name)] = {{}, one.bounds, one.type, true};
-  }
-}
-
-// NAME [bounds] [= value], …
-void StatementParser::declarators(Statement& out, std::string_view type, bool is_constant) {
-  while (in_.peek().is_name() || in_.peek().is("*") || in_.peek().is("&")) {
-    while (in_.peek().is("*") || in_.peek().is("&") || in_.peek().is("const")) in_.take();
-    Declared one;
-    one.name = in_.peek().text;
-    one.offset = in_.take().offset;
-    one.type = type;
-    one.is_constant = is_constant;
-    while (in_.peek().is("[")) {
-      one.is_array = true;
-      in_.take();
-      Expression bound;
-      if (!in_.peek().is("]")) bound = expressions_.expression();
-      if (!in_.takes("]")) return;
-      one.bounds.push_back(std::move(bound));
-    }
-    if (const auto array = outline_.arrays.find(std::string(type)); array != outline_.arrays.end()) {
-      one.is_array = true;
-      one.bounds.insert(one.bounds.end(), array->second.size.begin(), array->second.size.end());
-      one.type = array->second.element;
-    }
-    if (in_.takes("=")) {
-      one.value.push_back(in_.peek().is("{") ? expressions_.list("}") : expressions_.expression());
-      if (failed(one.value[0])) return;
-    } else if (in_.peek().is("{")) {
-      one.value.push_back(expressions_.list("}"));
-      if (failed(one.value[0])) return;
-    } else if (in_.peek().is("(")) {
-      const std::size_t open = in_.at();
-      Expression arguments = expressions_.list(")");
-      if (failed(arguments)) {  // a function's
-        in_.move_to(open);
-        in_.skip_brackets();
-      } else {
-        arguments.text = type;
-        one.value.push_back(std::move(arguments));
-      }
-    }
-    out.declared.push_back(std::move(one));
-    if (!in_.takes(",")) return;
-  }
-}
-
-// A = 1, B, …
-void StatementParser::enumerators(Statement& out) {
-  while (in_.peek().is_name()) {
-    Declared one;
-    const Token name = in_.take();
-    one.name = name.text;
-    one.offset = name.offset;
-    one.is_constant = true;
-    if (in_.takes("=")) {
-      one.value.push_back(expressions_.expression());
-    } else if (out.declared.empty()) {
-      one.value.push_back(made(Expression::Kind::number, "0", name.offset, name.end));
+const Type* Parser::pointers(const Type* base, Declared& out) {
+  while (true) {
+    if (takes("*") || takes("^")) {
+      base = pointer_to(base);
+      out.is_constant = false;
+    } else if (takes("&")) {
+      out.is_reference = true;
+      takes("&");
+    } else if (peek().is("[") && peek(1).is("]") && (peek(2).is_name() || peek(2).is("["))) {
+      at_ += 2;  // float[] name, of Java
+      base = pointer_to(base);
+    } else if (is_one_of(peek(), {"const", "volatile", "__restrict", "restrict", "CONST", "__restrict__", "far"})) {
+      take();
     } else {
-      one.value.push_back(joined(Expression::Kind::binary, "+",
-                                 made(Expression::Kind::name, out.declared.back().name, name.offset, name.end),
-                                 made(Expression::Kind::number, "1", name.offset, name.end)));
+      return base;
     }
-    out.declared.push_back(std::move(one));
-    if (!in_.takes(",")) break;
   }
 }
 
-// The names between the braces of a struct, whose first is the next token; methods are skipped, constants added to
-// `out`.
-Members StatementParser::members(Statement& out) {
-  Members all;
-  in_.take();
-  while (!in_.at_end() && !in_.peek().is("}")) {
-    std::string_view last;
-    bool is_method = false;
-    while (!in_.at_end() && !in_.peek().is(";") && !in_.peek().is("}")) {
-      const Token& token = in_.peek();
-      Statement inner;
-      if (token.is("enum") && type_definition(inner)) {  // its constants are known outside, too
-        std::move(inner.declared.begin(), inner.declared.end(), std::back_inserter(out.declared));
-        break;
-      }
-      if (token.is("(") || token.is("{") || token.is("[")) {
-        is_method = is_method || token.is("(");
-        const bool body = token.is("{");
-        in_.skip_brackets();
-        if (body && is_method) break;
-        continue;
-      }
-      if (token.is(",") && !is_method && !last.empty()) all.push_back(last);
-      if (token.is("=")) {
-        while (!in_.at_end() && !in_.peek().is(";") && !in_.peek().is(",") && !in_.peek().is("}")) in_.take();
-        continue;
-      }
-      if (token.is_name()) last = token.text;
-      in_.take();
-    }
-    if (in_.peek().is(";") && !is_method && !last.empty()) all.push_back(last);
-    in_.takes(";");
+const Type* Parser::declarator(const Type* base, Declared& out, Function* function) {
+  base = pointers(base, out);
+  const bool nested = peek().is("(") && (peek(1).is("*") || peek(1).is("&") ||
+                                         (peek(1).is_name() && (peek(2).is("*") || peek(2).is("::"))));
+  if (nested && ++depth_ < kMostNestedStatements) {
+    const std::size_t inner = at_ + 1;
+    skip_brackets();
+    const Type* const type = suffixes(base, nullptr);
+    const std::size_t behind = at_;
+    at_ = inner;
+    while (peek().is_name() || peek().is("::")) take();  // APIENTRY, Class::
+    const Type* const whole = declarator(type, out, nullptr);
+    at_ = behind;
+    --depth_;
+    return whole;
   }
-  in_.takes("}");
-  return all;
+  if (peek().is_name() && (!is_qualifier(peek()) || peek().is("register"))) {
+    out.offset = peek().offset;
+    out.name = take().text;
+    while (peek().is("::") && peek(1).is_name()) {
+      take();
+      out.scope = out.name;
+      out.name = take().text;
+    }
+  }
+  return suffixes(base, function);
 }
 
-bool StatementParser::type_definition(Statement& out) {
-  const std::size_t begin = in_.at();
-  std::size_t ahead = 0;
-  while (in_.peek(ahead).is("typedef") || (in_.peek(ahead).is_name() && is_qualifier(in_.peek(ahead).text))) ++ahead;
-  const Token keyword = in_.peek(ahead);
-  if (!is_structure(keyword) && !keyword.is("enum")) return false;
-  const std::size_t keyword_at = ahead++;
-  std::string_view name;
-  while (in_.peek(ahead).is_name() || in_.peek(ahead).is(":") || in_.peek(ahead).is("::")) {
-    if (name.empty() && in_.peek(ahead).is_name() && !in_.peek(ahead).is("class")) name = in_.peek(ahead).text;
-    ++ahead;
-  }
-  if (!in_.peek(ahead).is("{")) return false;
-  const bool is_typedef = keyword_at > 0 && in_.peek().is("typedef");
-  in_.move_to(begin + ahead);
-  out.kind = Statement::Kind::declaration;
-  out.offset = keyword.offset;
-  Members found;
-  if (keyword.is("enum")) {
-    in_.take();
-    enumerators(out);
-    while (!in_.at_end() && !in_.peek().is("}")) in_.take();
-    in_.takes("}");
-  } else {
-    found = members(out);
-    if (name.empty()) {
-      outline_.names.push_back("struct at " + std::to_string(keyword.offset));
-      name = outline_.names.back();
+const Type* Parser::suffixes(const Type* base, Function* function) {
+  std::vector<std::int64_t> counts;
+  while (peek().is("[")) {
+    const std::size_t behind = behind_brackets(at_);
+    take();
+    std::int64_t count = Type::kOpen;
+    if (!peek().is("]")) {
+      const Expression bound = expression();
+      const auto number = failed(bound) ? std::nullopt : fold(bound);
+      count = number && !number->may_be_real() && number->integer >= 0 ? number->integer : -2;
     }
+    at_ = behind;
+    counts.push_back(count);
   }
-  const std::size_t constants = out.declared.size();
-  declarators(out, name, false);
-  // What a typedef declares are other names of the type.
-  const auto name_type = [&](std::string_view type) {
-    if (keyword.is("union")) outline_.unions.insert(type);
-    if (keyword.is("struct") || keyword.is("class")) outline_.structs[type] = found;
-  };
-  name_type(name);
-  if (is_typedef) {
-    for (std::size_t i = constants; i < out.declared.size(); ++i) name_type(out.declared[i].name);
-    out.declared.resize(constants);
+  if (counts.empty() && peek().is("(")) {
+    const std::size_t behind = behind_brackets(at_);
+    Function ignored;
+    parameters(function != nullptr ? *function : ignored);
+    at_ = std::min(behind, end_);
+    return type({.kind = TypeKind::function, .of = base});
   }
-  in_.takes(";");
+  for (std::size_t i = counts.size(); i > 0; --i) base = array_of(base, counts[i - 1]);
+  return base;
+}
+
+// What stands between the parentheses, whose first one is the next token.
+void Parser::parameters(Function& out) {
+  const std::size_t close = std::min<std::size_t>(file_.closing[at_], end_);
+  if (++depth_ >= kMostNestedStatements) {
+    --depth_;
+    at_ = close;
+    return;
+  }
+  const std::size_t end = std::exchange(end_, close);
+  take();
+  while (!at_end()) {
+    if (takes("...")) {
+      out.is_variadic = true;
+      break;
+    }
+    Declared one;
+    one.type = unknown_type();
+    const std::size_t begin = at_;
+    Specifiers words;
+    if (specifiers(words, true)) {
+      const bool is_rest = peek().is("...") && peek(1).is_name();  // float... values, of Java
+      if (is_rest) take();
+      one.type = declarator(is_rest ? pointer_to(words.type) : words.type, one, nullptr);
+      if (one.type->is(TypeKind::array)) one.type = pointer_to(one.type->of);
+      if (one.type->is(TypeKind::function)) one.type = pointer_to(one.type);
+      // A name without a type, as C had it before 1989, is read as a type.
+      const bool alone = one.name.empty() && at_ == begin + 1 && words.type->is(TypeKind::unknown);
+      if (alone && words.type->structure == nullptr) one.name = token(begin).text;
+    }
+    const bool is_nothing = one.type->is(TypeKind::nothing) && one.name.empty();
+    if (takes("=")) {
+      Expression value = assignment();
+      if (!failed(value)) one.value.push_back(std::move(value));
+    }
+    if (!at_end() && !peek().is(",")) {  // something else
+      one = {};
+      one.type = unknown_type();
+      while (!at_end() && !peek().is(",")) {
+        if (peek().is_name()) one.name = peek().text;
+        skip_brackets();
+      }
+    }
+    if (!is_nothing) out.parameters.push_back(std::move(one));
+    takes(",");
+  }
+  --depth_;
+  end_ = end;
+}
+
+// Whether a type begins here for sure.
+bool Parser::begins_type(std::size_t at) const {
+  if (at >= end_) return false;
+  const Token& word = token(at);
+  if (is_number_word(word) || is_qualifier(word)) return true;
+  if (is_structure_word(word)) return at + 1 < end_ && (token(at + 1).is_name() || token(at + 1).is("{"));
+  const Symbol* known = word.is_name() ? symbol(word.text) : nullptr;
+  while (known != nullptr && at + 2 < end_ && token(at + 1).is("::")) {
+    at += 2;
+    known = symbol(token(at).text);
+  }
+  return known != nullptr && known->type != nullptr;
+}
+
+// Whether parentheses behind TYPE NAME hold parameters, not arguments of a constructor.
+bool Parser::holds_parameters(std::size_t open) const {
+  return token(open + 1).is(")") || begins_type(open + 1);
+}
+
+bool Parser::is_declaration() const {
+  const Token& first = peek();
+  if (!first.is_name() || is_one_of(first, {"return", "else", "delete", "new", "throw", "goto", "case", "sizeof",
+                                            "this", "using", "typename"})) {
+    return first.is("typename");
+  }
+  if (begins_type(at_)) {
+    if (is_qualifier(first) || is_structure_word(first)) return true;
+    std::size_t next = at_ + 1;
+    while (next + 1 < end_ && token(next).is("::")) next += 2;
+    if (token(next).is("<")) return behind_template(next) != 0;
+    const bool array = token(next).is("[") && next + 1 < end_ && token(next + 1).is("]");
+    const bool pointer = token(next).is("(") && next + 1 < end_ && token(next + 1).is("*");  // float (*p)(float)
+    return token(next).is_name() || token(next).is("*") || token(next).is("&") || array ||
+           (pointer && is_number_word(first)) || token(next).is(";");
+  }
+  if (symbol(first.text) != nullptr) return false;
+  // NAME NAME, NAME::NAME * NAME, NAME<…> NAME, NAME[] NAME
+  std::size_t next = at_ + 1;
+  while (next + 1 < end_ && (token(next).is("::") || token(next).is(".")) && token(next + 1).is_name()) next += 2;
+  if (next < end_ && token(next).is("<")) next = behind_template(next);
+  if (next == 0) return false;
+  while (next + 1 < end_ && token(next).is("[") && token(next + 1).is("]")) next += 2;
+  bool points = false;
+  for (; next < end_ && (token(next).is("*") || token(next).is("&") || token(next).is("const")); ++next) points = true;
+  if (next + 1 >= end_ || !token(next).is_name() || is_one_of(token(next), {"const"})) return false;
+  const Token& behind = token(next + 1);
+  const bool ends = behind.is("=") || behind.is(";") || behind.is(",") || behind.is("[");
+  return points ? ends : ends || behind.is("(") || behind.is("{") || behind.is(":");
+}
+
+bool Parser::initializer(Declared& out) {
+  if (takes("=")) {
+    Expression value = peek().is("{") ? list("}") : assignment();
+    if (failed(value)) return false;
+    out.value.push_back(std::move(value));
+  } else if (peek().is("{")) {
+    Expression value = list("}");
+    if (failed(value)) return false;
+    out.value.push_back(std::move(value));
+  }
   return true;
+}
+
+// From its specifiers to the semicolon; false: it cannot be read.
+bool Parser::declaration(Statement& out) {
+  out.kind = StatementKind::declaration;
+  Specifiers words;
+  if (!specifiers(words, true)) return false;
+  for (Declared& one : words.enumerators) out.declared.push_back(std::move(one));
+  while (!peek().is(";") && !peek().is(":")) {
+    Declared one;
+    Function prototype;
+    one.is_constant = words.is_constant;
+    one.is_static = words.is_static;
+    one.is_extern = words.is_extern;
+    const std::size_t begin = at_;
+    Declared trial;
+    (void)pointers(words.type, trial);
+    // TYPE NAME(arguments): an object, or a function that is declared.
+    const bool constructs = peek().is_name() && peek(1).is("(") && !holds_parameters(at_ + 1) && !words.is_typedef;
+    const Type* const pointed = constructs ? pointers(words.type, one) : nullptr;
+    if (constructs) {
+      one.type = pointed;
+      one.offset = peek().offset;
+      one.name = take().text;
+      Expression value = list(")");
+      if (failed(value)) return false;
+      one.value.push_back(std::move(value));
+      one.is_constructed = true;
+    } else {
+      at_ = begin;
+      one.type = declarator(words.type, one, &prototype);
+    }
+    if (one.name.empty()) return false;
+    if (words.is_typedef) {
+      declare(one.name, {one.type, {}});
+    } else if (one.type->is(TypeKind::function)) {
+      prototype.name = std::string(one.name);
+      prototype.own_name = one.name;
+      prototype.result = one.type->of;
+      outline_.prototypes.push_back(std::move(prototype));
+    } else {
+      if (!constructs && !initializer(one)) return false;
+      // The value of a constant is one for bounds of arrays, too.
+      std::optional<Number> value;
+      if (one.is_constant && one.type->is(TypeKind::number) && !one.value.empty()) value = fold(one.value[0]);
+      if (value) value = convert(*value, one.type->kinds);
+      declare(one.name, {nullptr, value});
+      out.declared.push_back(std::move(one));
+    }
+    if (!takes(",")) break;
+  }
+  return takes(";") || (peek().is(":") && out.declared.size() == 1);
+}
+
+// The value of a constant expression; empty: it is not one.
+std::optional<Number> Parser::fold(const Expression& e) const {
+  switch (e.kind) {
+    case ExpressionKind::number:
+      return e.number;
+    case ExpressionKind::name: {
+      const Symbol* const known = symbol(e.text);
+      return known == nullptr ? std::nullopt : known->constant;
+    }
+    case ExpressionKind::unary: {
+      const auto value = fold(e.parts[0]);
+      return value && e.text.size() == 1 ? calculate(e.text, *value) : std::nullopt;
+    }
+    case ExpressionKind::binary: {
+      const auto left = fold(e.parts[0]), right = fold(e.parts[1]);
+      return left && right && e.text != "&&" && e.text != "||" ? calculate(e.text, *left, *right) : std::nullopt;
+    }
+    case ExpressionKind::conditional: {
+      const auto condition = fold(e.parts[0]), yes = fold(e.parts[1]), no = fold(e.parts[2]);
+      if (!condition || !yes || !no) return std::nullopt;
+      return convert(condition->is_true() ? *yes : *no, common_kinds(yes->kinds, no->kinds));
+    }
+    case ExpressionKind::cast: {
+      const auto value = fold(e.parts[0]);
+      return value && e.type->is(TypeKind::number) ? convert(*value, e.type->kinds) : std::nullopt;
+    }
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace ninebit::code

@@ -1,245 +1,435 @@
-// Evaluates expressions.
+// Executes expressions.
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <utility>
 
+#include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/source_code/code_types.h"
+#include "src/language/xbox/xbox_macros.h"
 
 namespace ninebit::code {
 namespace {
 
-// The place of a member that names one of a vector's numbers; -1: none.
-int component_of(std::string_view member) {
-  constexpr std::array<std::string_view, 3> kLetters{"xyzw", "rgba", "RGBA"};
-  if (member.size() != 1) return -1;
-  for (const std::string_view letters : kLetters) {
-    const std::size_t at = letters.find(member[0]);
-    if (at != std::string_view::npos) return static_cast<int>(at);
-  }
-  return -1;
+bool is_comparison(std::string_view op) {
+  return op == "==" || op == "!=" || op == "<" || op == ">" || op == "<=" || op == ">=";
 }
 
-// 'a' and '\n' as numbers.
-Value character(std::string_view text) {
-  if (text.size() < 3) return {};
-  if (text[1] != '\\') return integer_value(static_cast<unsigned char>(text[1]));
-  const char c = text[2];
-  return integer_value(c == 'n' ? 10 : c == 't' ? 9 : c == 'r' ? 13 : c == '0' ? 0 : c);
+bool is_null(const Value& value) {
+  return value.is_number() && !value.number.is_true() && (value.number.kinds & ~kReals) != 0;
 }
 
-// The elements of an array from an index on, as &array[2] and array + 2 are; unknown: there is none.
-Value elements_from(Value array, const Value& index) {
-  const std::int64_t at = index.integer - array.low;
-  const bool inside = array.kind == Value::Kind::list && index.kind == Value::Kind::integer && at >= 0 &&
-                      at < static_cast<std::int64_t>(array.list.size());
-  if (!inside) return unknown_of(array, index);
-  array.list.erase(array.list.begin(), array.list.begin() + static_cast<std::ptrdiff_t>(at));
-  array.low = 0;
-  return array;
+bool is_address(const Value& value) {
+  return value.is(ValueKind::pointer) || value.is(ValueKind::text) || value.is(ValueKind::function) ||
+         value.is(ValueKind::entry_point);
+}
+
+bool is_upper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+// The types that a value has or may have; 0: not a number, or any.
+Kinds kinds_of(const Value& value) {
+  return value.is_number() || !value.is_known() ? value.number.kinds : Kinds{0};
 }
 
 }  // namespace
 
-Value Machine::number(std::string_view text) const {
-  if (text.empty()) return {};
-  if (text.front() == '\'') return character(text);
-  std::string digits(text);
-  if (digits.front() == '$') digits.replace(0, 1, "0x");  // Pascal's
-  std::erase(digits, '_');
-  std::erase(digits, '\'');
-  // In Java and C#, 1f and 1d are real numbers.
-  const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
-  const bool whole = !hex && digits.find_first_of(".eE") == std::string::npos;
-  const bool java =
-      !hex && digits.size() > 1 &&
-      (digits.back() == 'd' || digits.back() == 'D' || (whole && (digits.back() == 'f' || digits.back() == 'F')));
-  if (java) digits.pop_back();
-  detail::GlArgument read;
-  const bool pascal = program_.file.language == Language::pascal;
-  // In Pascal, 010 is ten.
-  while (pascal && digits.size() > 1 && digits[0] == '0' && detail::is_digit(digits[1])) digits.erase(0, 1);
-  if (!detail::read_gl_number(digits, read)) return {};
-  return read.is_integer && !java ? integer_value(read.integer) : real_value(read.real);
-}
-
 Value Machine::evaluate(const Expression& e) {
-  if (depth_ >= 4 * kMostNestedExpressions + kMostChained || !spend()) return {};
-  ++depth_;
+  if (++depth_ > kMostChained || !spend()) {
+    --depth_;
+    return {};
+  }
   Value out = evaluate_once(e);
   --depth_;
-  return out;
+  if (out.is_known() || definitions_.empty()) return out;
+  const std::string path = normal_path(text_of(e));
+  const Value* const given = defined(path);
+  return given != nullptr ? definition_for(*given, out.type, path) : out;
 }
 
 Value Machine::evaluate_once(const Expression& e) {
   switch (e.kind) {
-    case ExpressionKind::unreadable: {
-      Value out = needed_value(text_of(e));
-      if (const Value* const given = defined(out.symbol)) return *given;
-      return out;
-    }
     case ExpressionKind::number:
-      return number(e.text);
+      return number_value(e.number);
     case ExpressionKind::text: {
       Value out;
-      out.kind = Value::Kind::text;
+      out.kind = ValueKind::text;
       out.begin = e.offset;
       out.end = e.end;
-      if (e.is_pasted) out.symbol = std::string(e.text);
-      return out;
+      if (e.is_made) out.name = std::string(e.text);
+      return e.is_made && e.text.empty() ? Value{} : out;
     }
     case ExpressionKind::name:
-      return value_of(e);
+      return evaluate_name(e);
     case ExpressionKind::unary:
       return evaluate_unary(e);
-    case ExpressionKind::binary: {
-      if (e.text == ",") {
-        evaluate(e.parts[0]);
-        return evaluate(e.parts[1]);
-      }
-      const Value left = evaluate(e.parts[0]);
-      // The right side is not executed where C does not.
-      if ((e.text == "&&" || e.text == "||") && left.is_known() && is_true(left) == (e.text == "||")) {
-        return integer_value(e.text == "||" ? 1 : 0);
-      }
-      const Value right = evaluate(e.parts[1]);
-      if (e.text == "+" && left.kind == Value::Kind::list) return elements_from(left, right);
-      return apply_binary(e.text, left, right);
-    }
+    case ExpressionKind::binary:
+      return evaluate_binary(e);
     case ExpressionKind::assignment:
       return evaluate_assignment(e);
-    case ExpressionKind::conditional: {
-      const Value condition = evaluate(e.parts[0]);
-      if (condition.is_known()) return evaluate(e.parts[is_true(condition) ? 1 : 2]);
-      const Value yes = evaluate(e.parts[1]), no = evaluate(e.parts[2]);
-      const Value same = apply_binary("==", yes, no);
-      return same.is_known() && is_true(same) ? yes : unknown_of(condition, condition);
-    }
+    case ExpressionKind::conditional:
+      return evaluate_conditional(e);
+    case ExpressionKind::comma:
+      (void)evaluate(e.parts[0]);
+      return evaluate(e.parts[1]);
     case ExpressionKind::call:
       return call(e);
     case ExpressionKind::index:
-      return evaluate_index(e);
-    case ExpressionKind::member:
-      return evaluate_member(e);
+    case ExpressionKind::member: {
+      if (auto word = assigned_word(e)) return *std::move(word);
+      if (e.text == "length" && !e.is_arrow && is_java()) {
+        const Value array = evaluate(e.parts[0]);
+        if (array.is(ValueKind::pointer) && array.at == 0) {
+          return integer_value(
+              static_cast<std::int64_t>(objects_[static_cast<std::size_t>(array.object)].cells.size()));
+        }
+      }
+      const ExpressionKind from = e.parts[0].kind;
+      if (e.kind == ExpressionKind::member && !e.is_arrow &&
+          (from == ExpressionKind::call || from == ExpressionKind::conditional || from == ExpressionKind::make)) {
+        const Value object = evaluate(e.parts[0]);
+        if (object.is(ValueKind::record)) return part_of(object, e.text);
+        return needed_value(normal_path(text_of(e)));
+      }
+      const Place at = place(e);
+      if (at.kind != PlaceKind::cell) {
+        if (const auto known = constant(e)) return *known;
+      }
+      return read(at);
+    }
     case ExpressionKind::list:
-      return evaluate_list(e);
+      return converted_list(e, program_.parser->unknown_type());
     case ExpressionKind::cast:
-      return converted(evaluate(e.parts[0]), e.text);
+      return cast(evaluate(e.parts[0]), e.type, text_of(e));
+    case ExpressionKind::size:
+      return evaluate_size(e);
+    case ExpressionKind::make:
+      return evaluate_make(e);
+    default:
+      return {};
   }
-  return {};
+}
+
+// A member of a struct that no variable holds.
+Value Machine::part_of(const Value& record, std::string_view name) {
+  for (const Member& one : record.type->structure->members) {
+    if (one.name != name) continue;
+    if (one.type->is(TypeKind::array)) return needed_value(std::string(name));
+    if (!one.type->is(TypeKind::structure)) return (*record.cells)[one.cell];
+    const auto first = record.cells->begin() + static_cast<std::ptrdiff_t>(one.cell);
+    Value out;
+    out.kind = ValueKind::record;
+    out.type = one.type;
+    out.cells = std::make_shared<const std::vector<Value>>(
+        first, first + static_cast<std::ptrdiff_t>(one.type->structure->cells));
+    return out;
+  }
+  return needed_value(std::string(name));
+}
+
+Value Machine::evaluate_name(const Expression& e) {
+  if (e.text == "this" && e.qualifier.empty()) return frames_.back().self;
+  const Place at = lookup(e);
+  if (at.kind == PlaceKind::outside && at.outside[0] != '#' && !cell({-1, 0, at.outside}).is_known()) {
+    const auto functions = program_.by_name.find(e.text);
+    if (functions != program_.by_name.end() && functions->second.size() == 1) {
+      Value out;
+      out.kind = ValueKind::function;
+      out.function = functions->second[0];
+      return out;
+    }
+    if (const auto known = constant(e)) return *known;
+  }
+  return read(at);
 }
 
 Value Machine::evaluate_unary(const Expression& e) {
   const Expression& operand = e.parts[0];
-  if (!is_pure(operand) && operand.kind == ExpressionKind::index) {
-    Expression once = e;
-    once.parts[0] = settled(operand);
-    if (is_pure(once.parts[0])) return evaluate_unary(once);
-  }
-  if (e.text == "++" || e.text == "--" || e.text == "post++" || e.text == "post--") {
-    const Value before = evaluate(operand);
-    const Value after = apply_binary(e.text.ends_with("++") ? "+" : "-", before, integer_value(1));
-    assign(operand, after);
-    return e.text.starts_with("post") ? before : after;
-  }
   if (e.text == "&") {
-    // &array[0], &color.r and &color are all the array's numbers; &array[2] are those from there.
-    if (const Value* const given = defined(path_of(operand))) return *given;
-    const bool element = operand.kind == ExpressionKind::index;
-    const bool component = operand.kind == ExpressionKind::member && component_of(operand.text) == 0;
-    if (element || component) {
-      Value array = evaluate(operand.parts[0]);
-      if (array.kind == Value::Kind::list && component) return array;
-      const Value index = element ? evaluate(operand.parts[1]) : integer_value(0);
-      Value from = elements_from(std::move(array), index);
-      if (from.is_known()) return from;
+    const bool names_function = operand.kind == ExpressionKind::name && program_.by_name.count(operand.text) != 0;
+    if (names_function) return evaluate(operand);
+    // &color.r of a class of another file is all of it.
+    const bool is_first = operand.kind == ExpressionKind::member && (operand.text == "r" || operand.text == "x");
+    if (is_first) {
+      const Place whole = place(operand.parts[0]);
+      const bool is_vague = whole.type == nullptr || whole.type->is(TypeKind::unknown);
+      if (is_vague && whole.kind != PlaceKind::nowhere) {
+        const Value value = evaluate(operand.parts[0]);
+        if (value.is(ValueKind::pointer) || !value.is_known()) return value;
+      }
     }
-    Value value = evaluate(operand);
-    if (!value.is_number()) return value;
-    Value one;  // of one number
-    one.kind = Value::Kind::list;
-    one.list.push_back(std::move(value));
-    return one;
+    const Place at = place(operand);
+    Value out;
+    out.type = at.type;
+    out.object = at.object;
+    out.at = at.at;
+    if (at.kind == PlaceKind::cell) {
+      out.kind = ValueKind::pointer;
+      return out;
+    }
+    if (at.kind == PlaceKind::outside && at.outside[0] != '#') {
+      const bool element = at.outside.ends_with("[0]");
+      std::string name = at.outside.substr(0, at.outside.size() - (element ? 3 : 0));
+      out.needs = needed_value(name).needs;
+      const bool is_array = at.type != nullptr && at.type->is(TypeKind::array);
+      if (element || is_array) out.name = name;
+      if (is_array) out.type = at.type->of;
+      if (!out.name.empty()) {
+        if (const Value* const given = defined(out.name)) return definition_for(*given, nullptr, out.name);
+      }
+      return out;
+    }
+    out.needs = needed_value(at.path).needs;
+    return out;
   }
-  Value value = evaluate(operand);
   if (e.text == "*") {
-    if (value.kind == Value::Kind::list && value.type.empty() && !value.list.empty()) return value.list[0];
-    return value;
+    const Value pointer = evaluate(operand);
+    if (pointer.is(ValueKind::function) || pointer.is(ValueKind::entry_point)) return pointer;
+    return read(deref(pointer, integer_value(0), normal_path(text_of(e))));
   }
-  return apply_unary(e.text, value);
+  const bool steps = e.text == "++" || e.text == "--" || e.text == "post++" || e.text == "post--";
+  if (steps) {
+    const Place at = place(operand);
+    const Value before = read(at);
+    const bool up = e.text.ends_with("++");
+    const Value after = combine(up ? "+" : "-", before, integer_value(1));
+    store(at, after);
+    return e.text.starts_with("post") ? before : load(at);
+  }
+  const Value value = evaluate(operand);
+  if (e.text == "!") {
+    const auto is_true = truth(value);
+    if (!is_true) return unknown_of(value, value, kInt32);
+    return with_origins(integer_value(*is_true ? 0 : 1), value);
+  }
+  if (!value.is_number()) return unknown_of(value, value, promoted_kinds(kinds_of(value)));
+  const auto number = calculate(e.text, value.number);
+  return number ? with_origins(number_value(*number), value) : needed_value({}, promoted_kinds(value.number.kinds));
+}
+
+Value Machine::compare_pointers(std::string_view op, const Value& left, const Value& right) const {
+  const bool equality = op == "==" || op == "!=";
+  if (equality && (is_null(left) || is_null(right))) return integer_value(op == "!=" ? 1 : 0);
+  const bool pointers = left.is(ValueKind::pointer) && right.is(ValueKind::pointer);
+  if (pointers && left.object == right.object) {
+    return number_value(*calculate(op, int_number(left.at, kInt64), int_number(right.at, kInt64)));
+  }
+  if (pointers && equality) return integer_value(op == "!=" ? 1 : 0);
+  const bool functions = left.is(ValueKind::function) && right.is(ValueKind::function) && equality;
+  if (functions) return integer_value((left.function == right.function) == (op == "==") ? 1 : 0);
+  return needed_value({}, kInt32);
+}
+
+Value Machine::combine(std::string_view op, const Value& left, const Value& right) {
+  const Kinds kinds =
+      is_comparison(op) ? kInt32
+      : op == "<<" || op == ">>"
+          ? promoted_kinds(kinds_of(left))
+          : (kinds_of(left) != 0 && kinds_of(right) != 0 ? common_kinds(kinds_of(left), kinds_of(right)) : Kinds{0});
+  // A name that a definition gives as a value is equal to itself alone.
+  for (const auto* const pair : {&left, &right}) {
+    const Value& other = pair == &left ? right : left;
+    if (!pair->is(ValueKind::symbol) || (op != "==" && op != "!=")) continue;
+    const bool is_name = other.is(ValueKind::symbol) || (!other.is_known() && !other.name.empty());
+    if (is_name) return integer_value((other.name == pair->name) == (op == "==") ? 1 : 0);
+  }
+  if (!left.is_known() || !right.is_known()) {
+    // A constant of another file is not what is asked for.
+    const auto is_foreign = [](const Value& one) {
+      return !one.is_known() && !one.name.empty() &&
+             std::none_of(one.name.begin(), one.name.end(), [](char c) { return c >= 'a' && c <= 'z'; }) &&
+             is_upper(one.name[0]) && one.name.size() > 1;
+    };
+    Value out = unknown_of(left, right, kinds);
+    if (is_comparison(op) && !left.is_known() && is_foreign(right)) out = unknown_of(left, left, kinds);
+    if (is_comparison(op) && !right.is_known() && is_foreign(left)) out = unknown_of(right, right, kinds);
+    const Value& pointer = left.object >= 0 ? left : right;
+    if (pointer.object >= 0 && (op == "+" || op == "-")) {
+      out.object = pointer.object;
+      out.type = pointer.type;
+    }
+    return out;
+  }
+  Value out;
+  if (left.is_number() && right.is_number()) {
+    const auto number = calculate(op, left.number, right.number);
+    out = number ? number_value(*number) : needed_value({}, kinds);
+    return with_origins(with_origins(std::move(out), left), right);
+  }
+  if (is_comparison(op) && (is_address(left) || is_address(right))) return compare_pointers(op, left, right);
+  const bool moves = (left.is(ValueKind::pointer) && right.is_number()) ||
+                     (op == "+" && right.is(ValueKind::pointer) && left.is_number());
+  if ((op == "+" || op == "-") && moves) {
+    out = left.is(ValueKind::pointer) ? left : right;
+    const auto by = convert((left.is_number() ? left : right).number, kInt64);
+    const bool is_vague = out.type == nullptr || out.type->is(TypeKind::nothing);
+    if (by && !is_vague) {
+      out.at += (op == "+" ? by->integer : -by->integer) * static_cast<std::int64_t>(cells_of(out.type));
+      return out;
+    }
+    out.kind = ValueKind::unknown;
+    return out;
+  }
+  const bool distance = op == "-" && left.is(ValueKind::pointer) && right.is(ValueKind::pointer);
+  if (distance && left.object == right.object && left.type != nullptr && cells_of(left.type) > 0) {
+    return number_value(int_number((left.at - right.at) / static_cast<std::int64_t>(cells_of(left.type)), kInt64));
+  }
+  if (left.is(ValueKind::text) && right.is(ValueKind::text) && op == "+" && left.name.empty() && right.name.empty()) {
+    out = left;
+    out.begin = std::min(left.begin, right.begin);
+    out.end = std::max(left.end, right.end);
+    return out;
+  }
+  // An operator of a class may change what it is given.
+  if (!is_address(left) && !is_address(right)) {
+    forget_pointed(left);
+    forget_pointed(right);
+    if (left.is(ValueKind::record) || right.is(ValueKind::record)) forget_all();
+  }
+  return needed_value({}, kinds);
+}
+
+Value Machine::evaluate_binary(const Expression& e) {
+  const Value left = evaluate(e.parts[0]);
+  if (e.text != "&&" && e.text != "||") {
+    const Value right = evaluate(e.parts[1]);
+    return combine(e.text, left, right);
+  }
+  const bool decides = e.text == "||";
+  const auto first = truth(left);
+  if (first && *first == decides) return with_origins(integer_value(decides ? 1 : 0), left);
+  Value right;
+  if (first) {
+    right = evaluate(e.parts[1]);
+  } else {
+    (void)fork(left, &e.parts[0],
+               {[&] {
+                  right = evaluate(e.parts[1]);
+                  return Flow::normal;
+                },
+                [] { return Flow::normal; }});
+  }
+  const auto second = truth(right);
+  if (second && *second == decides) return with_origins(integer_value(decides ? 1 : 0), right);
+  if (!first || !second) return unknown_of(left, right, kInt32);
+  return with_origins(with_origins(integer_value(decides ? 0 : 1), left), right);
+}
+
+Value Machine::evaluate_conditional(const Expression& e) {
+  const Value condition = evaluate(e.parts[0]);
+  const auto is_true = truth(condition);
+  Value yes, no;
+  if (is_true) {
+    // What is not evaluated gives the result its type.
+    yes = *is_true ? evaluate(e.parts[1]) : quietly([&] { return evaluate(e.parts[1]); });
+    no = *is_true ? quietly([&] { return evaluate(e.parts[2]); }) : evaluate(e.parts[2]);
+  } else {
+    (void)fork(condition, &e.parts[0],
+               {[&] {
+                  yes = evaluate(e.parts[1]);
+                  return Flow::normal;
+                },
+                [&] {
+                  no = evaluate(e.parts[2]);
+                  return Flow::normal;
+                }});
+  }
+  const Kinds a = kinds_of(yes), b = kinds_of(no);
+  const auto with_type = [&](Value value) {
+    if (!value.is_number()) {
+      value.number.kinds = a != 0 && b != 0 ? common_kinds(a, b) : Kinds{0};
+      return value;
+    }
+    const bool both_numbers = a != 0 && b != 0;
+    if (!both_numbers && yes.is_known() && no.is_known()) return value;
+    const auto number = both_numbers ? convert(value.number, common_kinds(a, b)) : loosen(value.number);
+    return number ? with_origins(number_value(*number), value) : needed_value({}, a);
+  };
+  if (is_true) return with_origins(with_type(*is_true ? yes : no), condition);
+  yes = with_type(yes);
+  no = with_type(no);
+  if (yes.is_known() && same(yes, no)) return yes;
+  return unknown_of(condition, yes.is_known() ? no : yes, kinds_of(yes));
 }
 
 Value Machine::evaluate_assignment(const Expression& e) {
-  if (!is_pure(e.parts[0])) {
-    Expression once = e;
-    once.parts[0] = settled(e.parts[0]);
-    if (is_pure(once.parts[0])) return evaluate_assignment(once);
-  }
   if (const NamedWord word = named_word(e.parts[0]); word.field != nullptr) return assign_word(word, e);
   look_for_misspelled_member(e.parts[0]);
+  const bool is_list = e.parts[1].kind == ExpressionKind::list;
   Value value = evaluate(e.parts[1]);
+  Place at = place(e.parts[0]);
   if (e.text != "=") {
-    value = apply_binary(e.text.substr(0, e.text.size() - 1), evaluate(e.parts[0]), value);
+    const Value before = read(at);
+    value = combine(e.text.substr(0, e.text.size() - 1), before, value);
+  } else if (frames_.size() == 1) {
+    if (const Value* const given = defined(at.path)) value = definition_for(*given, at.type, at.path);
   }
-  // Integers stay integers, and floats floats.
-  if (const Value* const target = place(e.parts[0])) {
-    if (target->kind == Value::Kind::integer && value.kind == Value::Kind::real) value = converted(value, "int");
+  const bool is_struct = at.type != nullptr && at.type->is(TypeKind::structure);
+  if (is_struct && is_list && at.kind == PlaceKind::cell) {
+    fill(at, e.parts[1]);
+    return load(at);
   }
-  assign(e.parts[0], value);
-  return value;
+  // A class's own operator may do anything.
+  if (is_struct && at.type->structure->is_special) {
+    forget_all();
+    value = {};
+  }
+  store(at, std::move(value));
+  return load(at);
 }
 
-Value Machine::evaluate_index(const Expression& e) {
-  if (!is_pure(e)) {
-    const Expression once = settled(e);
-    if (is_pure(once)) return evaluate_index(once);
+Value Machine::cast(const Value& value, const Type* type, const std::string& path) const {
+  if (type == nullptr || type->is(TypeKind::nothing)) return value;
+  if (type->is(TypeKind::pointer)) {
+    const bool is_number = value.is_number() && value.number.is_true();
+    return is_number ? needed_value({}) : converted(value, type, path);
   }
-  if (const auto word = assigned_word(e)) return *word;
-  const Value index = evaluate(e.parts[1]);
-  const std::string path = path_of(e);
-  if (const Value* const given = defined(path)) return *given;
-  // An array that is stored is not copied for one of its elements.
-  const Value* const stored_array = place(e.parts[0]);
-  const Value array =
-      stored_array != nullptr && stored_array->kind == Value::Kind::list ? Value{} : evaluate(e.parts[0]);
-  const Value& from = stored_array != nullptr && stored_array->kind == Value::Kind::list ? *stored_array : array;
-  if (from.kind == Value::Kind::list) {
-    if (!index.is_known()) return unknown_of(index, index);
-    const std::int64_t at = index.integer - from.low;
-    const bool inside =
-        index.kind == Value::Kind::integer && at >= 0 && at < static_cast<std::int64_t>(from.list.size());
-    return inside ? from.list[static_cast<std::size_t>(at)] : Value{};
-  }
-  if (const Value* const known = stored(path)) return *known;
-  if (!array.is_known() && !array.symbol.empty() && index.is_known()) return needed_value(path);
-  return unknown_of(array, index);
+  return converted(value, type, path);
 }
 
-Value Machine::evaluate_member(const Expression& e) {
-  if (const auto word = assigned_word(e)) return *word;
-  const std::string path = path_of(e);
-  if (const Value* const given = defined(path)) return *given;
-  if (const Value* const known = stored(path)) return *known;
-  if (const auto known = constant(e)) return *known;
-  Value object = evaluate(e.parts[0]);
-  if (points_to_struct(object)) object = Value(object.list[0]);
-  if (object.kind == Value::Kind::list) {
-    const auto members = program_.outline.structs.find(object.type);
-    std::size_t at = object.list.size();
-    if (members != program_.outline.structs.end() && !object.type.empty()) {
-      const auto found = std::find(members->second.begin(), members->second.end(), e.text);
-      at = static_cast<std::size_t>(found - members->second.begin());
-    } else if (const int component = component_of(e.text); component >= 0) {
-      at = static_cast<std::size_t>(component);
-    } else if (e.text == "length" || e.text == "Length") {
-      return integer_value(static_cast<std::int64_t>(object.list.size()));
-    } else {
-      return object;  // .v, .data: the numbers
+Value Machine::evaluate_size(const Expression& e) {
+  const Type* type = e.type;
+  if (type == nullptr) {
+    const Place at = quietly([&] { return place(e.parts[0]); });
+    type = at.type;
+    if (type == nullptr) {
+      const Kinds kinds = kinds_of(quietly([&] { return evaluate(e.parts[0]); }));
+      if (kinds != 0) type = program_.parser->number_type(kinds);
     }
-    return at < object.list.size() ? std::move(object.list[at]) : Value{};
   }
-  return !object.is_known() && object.symbol.empty() && !object.needs.empty() ? object : needed_value(path);
+  const std::int64_t bytes = type == nullptr ? 0 : bytes_of(type);
+  if (bytes == 0) return needed_value(normal_path(text_of(e)), kUint32 | kUint64);
+  return number_value(int_number(bytes, kUint32 | kUint64));
+}
+
+Value Machine::evaluate_make(const Expression& e) {
+  const Expression& list = e.parts[0];
+  const Type* type = e.type;
+  if (e.text == "call" && !type->is(TypeKind::structure)) {
+    if (list.parts.size() == 1) return cast(evaluate(list.parts[0]), type, text_of(e));
+    if (list.parts.empty() && type->is(TypeKind::number)) return number_value(*convert(int_number(0), type->kinds));
+    for (const Expression& one : list.parts) forget_pointed(evaluate(one));
+    return needed_value(normal_path(text_of(e)));
+  }
+  if (type->is(TypeKind::array) && type->count == Type::kOpen) {
+    type = program_.parser->array_of(type->of, static_cast<std::int64_t>(list.parts.size()));
+  }
+  Place at{.kind = PlaceKind::cell, .object = new_object(type, text_of(e)), .type = type, .path = text_of(e)};
+  const bool is_plain = type->is(TypeKind::array) || (type->is(TypeKind::structure) && !type->structure->is_special);
+  if (e.text == "empty") {
+    if (is_java()) fill(at, list);
+  } else if (is_plain || !e.is_new) {
+    fill(at, list);
+  } else {
+    for (const Expression& one : list.parts) forget_pointed(evaluate(one));
+    if (type->is(TypeKind::structure)) forget_shared();
+  }
+  if (e.is_new && type->is(TypeKind::unknown)) return needed_value(normal_path(text_of(e)));
+  if (!e.is_new) return load(at);
+  Value out;
+  out.kind = ValueKind::pointer;
+  out.object = at.object;
+  out.type = type->is(TypeKind::array) ? type->of : type;
+  return out;
 }
 
 }  // namespace ninebit::code

@@ -1,92 +1,17 @@
 #include "src/language/source_code/code_file.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <unordered_map>
 
+#include "src/language/c_like/c_preprocessor.h"
+#include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/gl_calls/gl_calls_spelling.h"
-#include "src/language/source_code/code_conditions.h"
-#include "src/language/source_code/code_lexer.h"
-#include "src/language/source_code/code_macros.h"
 #include "src/language/source_code/code_xbox.h"
 
 namespace ninebit::code {
 namespace {
-
-// Reads the tokens of a C-like file, obeying its directives.
-class Preprocessor {
- public:
-  Preprocessor(File& file, const std::vector<Definition>& definitions, detail::SourceFaults& faults,
-               detail::SourceFaults& notes)
-      : file_(file),
-        faults_(faults),
-        lexer_(file.text, Language::c, 0, file.text.size()),
-        expander_([this] { return next(); }, file.pasted),
-        conditions_(file, definitions, expander_, notes) {}
-
-  void read() {
-    while (true) {
-      Token token = expander_.take(kMostTokens);
-      if (expander_.too_many() || file_.tokens.size() >= kMostTokens) {
-        faults_.add(token.offset, "more than " + std::to_string(kMostTokens) + " tokens, macros expanded");
-        token = {};
-      }
-      file_.tokens.push_back(token);
-      if (token.kind == Token::Kind::end) return;
-    }
-  }
-
- private:
-  // The next token that is neither in a directive nor in a part that is left out.
-  Token next() {
-    while (true) {
-      const Token token = held_ ? *held_ : lexer_.next();
-      held_.reset();
-      if (token.kind == Token::Kind::end) return token;
-      if (token.is("#") && token.begins_line) {
-        directive();
-      } else if (conditions_.reads()) {
-        return token;
-      }
-    }
-  }
-
-  // Reads the rest of the line. The first token of the next line is held.
-  void directive() {
-    std::vector<Token> line;
-    Token token = lexer_.next();
-    for (; token.kind != Token::Kind::end && !token.begins_line; token = lexer_.next()) line.push_back(token);
-    held_ = token;
-    if (line.empty() || !line[0].is_name()) return;
-    const std::vector<Token> rest(line.begin() + 1, line.end());
-    if (conditions_.obey(line[0], rest) || !conditions_.reads()) return;
-    if (line[0].is("define")) define(rest);
-    if (line[0].is("undef") && !rest.empty()) expander_.undefine(rest[0].text);
-  }
-
-  void define(const std::vector<Token>& line) {
-    if (line.empty() || !line[0].is_name()) return;
-    Macro macro;
-    std::size_t at = 1;
-    macro.has_parameters = line.size() > 1 && line[1].is("(") && !line[1].after_blank;
-    if (macro.has_parameters) {
-      for (at = 2; at < line.size() && !line[at].is(")"); ++at) {
-        macro.is_variadic = macro.is_variadic || line[at].is("...");
-        if (line[at].is_name()) macro.parameters.push_back(line[at].text);
-        if (line[at].is("...")) macro.parameters.push_back("__VA_ARGS__");
-      }
-      ++at;
-    }
-    if (at < line.size()) macro.body.assign(line.begin() + static_cast<std::ptrdiff_t>(at), line.end());
-    expander_.define(line[0].text, std::move(macro));
-  }
-
-  File& file_;
-  detail::SourceFaults& faults_;
-  Lexer lexer_;
-  MacroExpander expander_;
-  Conditions conditions_;
-  std::optional<Token> held_;
-};
 
 // Whether a name that ends here is called: "(" follows, or ")(".
 bool is_called(std::string_view text, std::size_t end) {
@@ -127,24 +52,127 @@ std::vector<std::uint32_t> closing_brackets(const std::vector<Token>& tokens) {
   return closing;
 }
 
+bool opens_group(const Token& directive) {
+  return directive.is("if") || directive.is("ifdef") || directive.is("ifndef");
+}
+
+// A whole #if … #endif: where it begins, each further branch begins, and it ends.
+struct Group {
+  std::vector<std::uint32_t> branches{};
+  std::uint32_t end = 0;
+};
+
+// Which parts of a file are read, where C's answer would leave no combiners.
+class Conditions {
+ public:
+  Conditions(File& file, detail::SourceFaults& notes) : file_(file), notes_(notes) { find_groups(); }
+
+  // Whether a branch is read, and none before it was.
+  bool reads(const Token& directive, const std::vector<Token>& line, Answer answer) const {
+    const auto of_branch = groups_of_.find(directive.offset);
+    if (of_branch == groups_of_.end()) return answer.value;
+    const Group* const group = &groups_[of_branch->second];
+    constexpr std::size_t kMost = 256;
+    if (group->branches.size() > kMost) return answer.value;
+    const auto found = std::lower_bound(group->branches.begin(), group->branches.end(), directive.offset);
+    std::size_t with_calls = 0;
+    for (std::size_t i = 0; i < group->branches.size(); ++i) with_calls += has_calls(*group, i) ? std::size_t{1} : 0;
+    const bool here = has_calls(*group, static_cast<std::size_t>(found - group->branches.begin()));
+    const std::string condition =
+        "#" + std::string(directive.text) +
+        (line.empty() ? "" : " " + std::string(file_.text.substr(line[0].offset, line.back().end - line[0].offset)));
+    if (!answer.is_sure && with_calls == 1 && holds_all_calls(*group)) {
+      if (here && !answer.value) {
+        notes_.add(directive.offset,
+                   "read the part of " + condition + " as if it were true: only there are combiners set");
+      }
+      return here;
+    }
+    if (!answer.unknown.empty() && with_calls > 0) {
+      file_.open_conditions.push_back({group->branches[0], group->end, directive.offset, answer.unknown});
+    } else if (here && !answer.value) {
+      notes_.add(directive.offset, "skipped calls of combiners: " + condition + " is false");
+    }
+    return answer.value;
+  }
+
+ private:
+  void find_groups() {
+    std::vector<std::size_t> open;
+    Lexer lexer(file_.text);
+    for (Token token = lexer.next(); token.kind != Token::Kind::end;) {
+      if (!token.is("#") || !token.begins_line) {
+        token = lexer.next();
+        continue;
+      }
+      const Token directive = lexer.next();
+      if (opens_group(directive)) {
+        groups_of_[directive.offset] = groups_.size();
+        open.push_back(groups_.size());
+        groups_.push_back({{directive.offset}, static_cast<std::uint32_t>(file_.text.size())});
+      } else if ((directive.is("else") || directive.is("elif")) && !open.empty()) {
+        groups_of_[directive.offset] = open.back();
+        groups_[open.back()].branches.push_back(directive.offset);
+      } else if (directive.is("endif") && !open.empty()) {
+        groups_[open.back()].end = directive.offset;
+        open.pop_back();
+      }
+      token = directive.kind == Token::Kind::end ? directive : lexer.next();
+    }
+  }
+
+  bool has_calls(const Group& group, std::size_t branch) const {
+    const std::uint32_t end = branch + 1 < group.branches.size() ? group.branches[branch + 1] : group.end;
+    return file_.calls_between(group.branches[branch], end);
+  }
+
+  // Whether no combiners are set outside of a group and of others with the same condition.
+  bool holds_all_calls(const Group& group) const {
+    constexpr std::size_t kMostCalls = 4096;
+    if (file_.calls.size() > kMostCalls || groups_.size() > kMostCalls) return false;
+    const auto line_of = [&](const Group& one) {
+      const std::string_view rest = file_.text.substr(one.branches[0]);
+      return rest.substr(0, rest.find('\n'));
+    };
+    std::size_t inside = 0;
+    std::uint32_t end = 0;  // of the group before, as groups inside of groups count once
+    for (const Group& one : groups_) {
+      if (one.branches[0] < end || line_of(one) != line_of(group)) continue;
+      end = one.end;
+      const auto first = std::lower_bound(file_.calls.begin(), file_.calls.end(), one.branches[0]);
+      inside += static_cast<std::size_t>(std::lower_bound(first, file_.calls.end(), end) - first);
+    }
+    return inside == file_.calls.size();
+  }
+
+  File& file_;
+  detail::SourceFaults& notes_;
+  std::vector<Group> groups_;                                 // in the order of their first lines
+  std::unordered_map<std::uint32_t, std::size_t> groups_of_;  // by the places of their branches
+};
+
+// Headers of the time define the names of calls as function pointers; such a macro says nothing.
+bool is_pointer_of_call(std::string_view name, const Macro& macro) {
+  if (macro.has_parameters || detail::find_gl_call(name) == nullptr) return false;
+  return macro.body.size() != 1 || detail::find_gl_call(macro.body[0].text) != nullptr;
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> calls_of(std::string_view text, Language language) {
-  constexpr std::string_view kPart = "ombiner", kPascalsPart = "OMBINER";
+std::vector<std::uint32_t> calls_of(std::string_view text) {
+  constexpr std::string_view kPart = "ombiner";
   std::vector<std::uint32_t> found;
-  const auto letters = language == Language::pascal ? detail::NameCase::any : detail::NameCase::exact;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool starts = (text[at] == 'o' || text[at] == 'O') &&
-                        (text.substr(at).starts_with(kPart) || text.substr(at).starts_with(kPascalsPart));
+    const bool starts = text[at] == 'o' && text.substr(at).starts_with(kPart);
     const bool parses = text[at] == 'n' && text.substr(at).starts_with("nvparse");
-    const bool is_word = text[at] == 'P' && text.substr(at).starts_with("PS") && language == Language::c;
+    const bool is_word = text[at] == 'P' && text.substr(at).starts_with("PS");
     if (!starts && !parses && !is_word) continue;
     std::size_t begin = at, end = at;
     while (begin > 0 && detail::is_word(text[begin - 1]) && at - begin < 64) --begin;
     while (end < text.size() && detail::is_word(text[end]) && end - at < 64) ++end;
     if (is_word && begin == at && assigns_word(text, begin, end)) found.push_back(static_cast<std::uint32_t>(begin));
     const bool names = text.substr(begin, end - begin) == "nvparse" ||
-                       detail::find_gl_call(text.substr(begin, end - begin), letters) != nullptr;
+                       detail::find_gl_call(text.substr(begin, end - begin)) != nullptr;
     if (names && is_called(text, end)) {
       found.push_back(static_cast<std::uint32_t>(begin));
     }
@@ -153,33 +181,48 @@ std::vector<std::uint32_t> calls_of(std::string_view text, Language language) {
   return found;
 }
 
+void read_file(File& file, const SourceText& source, const SourceSelection& selection, detail::SourceFaults& faults,
+               detail::SourceFaults& notes) {
+  file.text = source.text;
+  file.calls = calls_of(source.text);
+  const Conditions conditions(file, notes);
+  file.macros.is_reserved = is_pointer_of_call;
+  PreprocessorOptions options;
+  options.value_of = [&](std::string_view name) -> std::optional<std::string_view> {
+    const auto& all = selection.definitions;
+    const auto found = std::find_if(all.rbegin(), all.rend(), [&](const Definition& one) { return one.name == name; });
+    // OpenGL's headers define the names of versions and extensions as 1.
+    if (found == all.rend()) {
+      if (!name.starts_with("GL_")) return std::nullopt;
+      const auto known = detail::value_of_name(name);
+      return known ? file.macros.kept.emplace_back(std::to_string(*known)) : std::string_view("1");
+    }
+    file.used_by_conditions.insert(found->name);
+    return found->value;
+  };
+  options.reads = [&](const Token& directive, const std::vector<Token>& line, Answer answer) {
+    return conditions.reads(directive, line, answer);
+  };
+  options.include = [&](std::string_view name) -> const std::string* {
+    auto text = selection.include ? selection.include(name) : std::nullopt;
+    return text && text->size() <= kMaxSourceBytes ? &file.included.emplace_back(*std::move(text)) : nullptr;
+  };
+  Preprocessor preprocessor(source.text, file.macros, std::move(options));
+  while (true) {
+    Token token = preprocessor.take();
+    if (preprocessor.too_many() || file.tokens.size() >= kMostTokens) {
+      faults.add(token.offset, "more than " + std::to_string(kMostTokens) + " tokens, macros expanded");
+      token = {};
+    }
+    file.tokens.push_back(token);
+    if (token.kind == Token::Kind::end) break;
+  }
+  file.closing = closing_brackets(file.tokens);
+}
+
 bool File::calls_between(std::size_t begin, std::size_t end) const {
   const auto first = std::lower_bound(calls.begin(), calls.end(), begin);
   return first != calls.end() && *first < end;
-}
-
-void read_tokens(File& file) {
-  Lexer lexer(file.text, file.language, 0, file.text.size());
-  for (bool end = false; !end;) {
-    const Token token = file.tokens.size() < kMostTokens ? lexer.next() : Token{};
-    file.tokens.push_back(token);
-    end = token.kind == Token::Kind::end;
-  }
-  file.closing = closing_brackets(file.tokens);
-}
-
-File read_file(const SourceText& source, const std::vector<Definition>& definitions, detail::SourceFaults& faults,
-               detail::SourceFaults& notes) {
-  File file{.text = source.text, .language = language_of(source.text)};
-  file.calls = calls_of(source.text, file.language);
-  if (file.language == Language::pascal) {
-    read_tokens(file);
-    if (file.tokens.size() > kMostTokens) faults.add(0, "more than " + std::to_string(kMostTokens) + " tokens");
-    return file;
-  }
-  Preprocessor(file, definitions, faults, notes).read();
-  file.closing = closing_brackets(file.tokens);
-  return file;
 }
 
 }  // namespace ninebit::code

@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "ninebit/language/source_code.h"
+#include "src/language/c_like/c_macros.h"
 #include "src/language/source/source_faults.h"
-#include "src/language/source_code/code_token.h"
 
 namespace ninebit::code {
-
-// The most tokens of a file, macros expanded.
-inline constexpr std::size_t kMostTokens = std::size_t{1} << 22;
 
 // A whole #if … #endif that sets combiners and has a condition that depends on a name without a value.
 struct OpenCondition {
@@ -26,13 +23,12 @@ struct OpenCondition {
 
 struct File {
   std::string_view text;
-  Language language = Language::c;
   std::vector<Token> tokens{};  // the last is Token::Kind::end
   std::vector<std::uint32_t>
       closing{};  // of each bracket that opens, the index of the one that closes it; else its own
-  mutable std::deque<std::string> pasted{};  // texts that macros made
-  std::vector<std::uint32_t> calls{};        // where the text names a combiner call, ascending
-
+  Macros macros{};
+  std::deque<std::string> included{};                       // texts of included files
+  std::vector<std::uint32_t> calls{};                       // where the text names a combiner call, ascending
   std::set<std::string, std::less<>> used_by_conditions{};  // names that the caller defined
   std::vector<OpenCondition> open_conditions{};             // read as if their names were 0
 
@@ -42,16 +38,13 @@ struct File {
 
 // The places of all names that mean calls of combiners or of nvparse and are called, and of the members of an Xbox's
 // definition that are assigned to; also in comments.
-[[nodiscard]] std::vector<std::uint32_t> calls_of(std::string_view text, Language language);
+[[nodiscard]] std::vector<std::uint32_t> calls_of(std::string_view text);
 
-// Reads the tokens of a text without directives or macros.
-void read_tokens(File& file);
-
-// Reads a file. Names that neither the file nor `definitions` define are not defined in #ifdef and 0 in #if, as in C,
+// Reads a file. Names that neither the file nor the selection defines are not defined in #ifdef and 0 in #if, as in C,
 // with these exceptions: names of OpenGL's extensions are defined; if just one branch sets combiners, that one is read,
 // with a note; and a condition of #if that then depends on such a name is one of File::open_conditions. A skipped
 // branch that sets combiners is noted, too.
-[[nodiscard]] File read_file(const SourceText& source, const std::vector<Definition>& definitions,
-                             detail::SourceFaults& faults, detail::SourceFaults& notes);
+void read_file(File& file, const SourceText& source, const SourceSelection& selection, detail::SourceFaults& faults,
+               detail::SourceFaults& notes);
 
 }  // namespace ninebit::code

@@ -1,4 +1,4 @@
-// Functions whose results are known: of OpenGL, of mathematics, constructors of types.
+// Functions whose results are known: of OpenGL, of mathematics, of memory, of Java's buffers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/source_code/code_types.h"
 
 namespace ninebit::code {
 namespace {
@@ -15,18 +14,48 @@ namespace {
 struct RealFunction {
   std::string_view name;
   double (*function)(double);
+  float (*single)(float);
+  bool is_exact;  // rounding apart, every library gives the same
 };
-constexpr std::array kRealFunctions{RealFunction{"sin", [](double x) { return std::sin(x); }},
-                                    RealFunction{"cos", [](double x) { return std::cos(x); }},
-                                    RealFunction{"tan", [](double x) { return std::tan(x); }},
-                                    RealFunction{"sqrt", [](double x) { return std::sqrt(x); }},
-                                    RealFunction{"exp", [](double x) { return std::exp(x); }},
-                                    RealFunction{"log", [](double x) { return std::log(x); }},
-                                    RealFunction{"fabs", [](double x) { return std::abs(x); }},
-                                    RealFunction{"abs", [](double x) { return std::abs(x); }},
-                                    RealFunction{"floor", [](double x) { return std::floor(x); }},
-                                    RealFunction{"ceil", [](double x) { return std::ceil(x); }},
-                                    RealFunction{"round", [](double x) { return std::nearbyint(x); }}};
+constexpr std::array kRealFunctions{
+    RealFunction{"sin", [](double x) { return std::sin(x); }, [](float x) { return std::sin(x); }, false},
+    RealFunction{"cos", [](double x) { return std::cos(x); }, [](float x) { return std::cos(x); }, false},
+    RealFunction{"tan", [](double x) { return std::tan(x); }, [](float x) { return std::tan(x); }, false},
+    RealFunction{"exp", [](double x) { return std::exp(x); }, [](float x) { return std::exp(x); }, false},
+    RealFunction{"log", [](double x) { return std::log(x); }, [](float x) { return std::log(x); }, false},
+    RealFunction{"sqrt", [](double x) { return std::sqrt(x); }, [](float x) { return std::sqrt(x); }, true},
+    RealFunction{"fabs", [](double x) { return std::abs(x); }, [](float x) { return std::abs(x); }, true},
+    RealFunction{"floor", [](double x) { return std::floor(x); }, [](float x) { return std::floor(x); }, true},
+    RealFunction{"ceil", [](double x) { return std::ceil(x); }, [](float x) { return std::ceil(x); }, true},
+    RealFunction{"trunc", [](double x) { return std::trunc(x); }, [](float x) { return std::trunc(x); }, true},
+    RealFunction{"round", [](double x) { return std::round(x); }, [](float x) { return std::round(x); }, true}};
+
+// A function of floats has an f at its end; in C++, the other name has floats, too.
+std::optional<Number> real_result(const RealFunction& known, bool is_single, const Number& argument) {
+  const auto of_double = convert(argument, kFloat64), of_float = convert(argument, kFloat32);
+  if (!of_double || !of_float) return std::nullopt;
+  const double exact = known.function(of_double->real);
+  const Number whole = real_number(exact);
+  const Number single = real_number(static_cast<double>(known.single(static_cast<float>(of_float->real))), kFloat32);
+  if (!known.is_exact) {
+    // Libraries differ in the last bit of a double: a float that it could change is not known.
+    const double slack = std::abs(exact) * 4e-16;
+    if (static_cast<float>(exact - slack) != static_cast<float>(exact + slack)) return std::nullopt;
+    if (argument.kinds == kFloat32 && single.real != static_cast<double>(static_cast<float>(exact)))
+      return std::nullopt;
+  }
+  if (is_single) return single;
+  // An inexact double is known as a float alone.
+  if (!known.is_exact) return Number{kReals, 0, exact};
+  return argument.kinds == kFloat32 ? either(single, whole) : std::optional(whole);
+}
+
+bool asks_for_extension(std::string_view lower) {
+  for (const std::string_view part : {"support", "ext", "strstr", "has", "init", "check", "find", "avail"}) {
+    if (lower.find(part) != std::string_view::npos) return true;
+  }
+  return false;
+}
 
 std::string lower_name(std::string_view name) {
   std::string out;
@@ -34,63 +63,178 @@ std::string lower_name(std::string_view name) {
   return out;
 }
 
-bool is_real_function(std::string_view name) {
-  return std::any_of(kRealFunctions.begin(), kRealFunctions.end(),
-                     [&](const RealFunction& one) { return one.name == name; });
-}
-
-// The function's name in lower case, without the f of C's functions of floats.
-std::string plain_name(std::string_view called) {
-  std::string name = lower_name(called);
-  if (name.ends_with('f') && is_real_function(name.substr(0, name.size() - 1))) name.pop_back();
-  return name;
-}
-
-// How many numbers and pointers a value holds.
-std::int64_t numbers_in(const Value& value) {
-  if (value.kind != Value::Kind::list) return 1;
-  std::int64_t numbers = 0;
-  for (const Value& one : value.list) numbers += numbers_in(one);
-  return numbers;
-}
-
-bool is_of_two(std::string_view name) {
-  return name == "pow" || name == "powf" || name == "min" || name == "max" || name == "fmin" || name == "fmax";
-}
-
-bool is_of_numbers(std::string_view called) {
-  const std::string name = plain_name(called);
-  return type_kind(called) != TypeKind::other || is_real_function(name) || is_of_two(name) || is_vector_type(called);
-}
-
 }  // namespace
 
 // A function of numbers alone.
-std::optional<Value> Machine::call_of_numbers(std::string_view called, const std::vector<Value>& arguments) const {
-  const bool numbers = !arguments.empty() && std::all_of(arguments.begin(), arguments.end(),
-                                                         [](const Value& one) { return one.is_number(); });
-  const std::string name = plain_name(called);
-  if (numbers && arguments.size() == 1 && type_kind(called) != TypeKind::other) return converted(arguments[0], called);
-  if (numbers && arguments.size() == 1 && is_real_function(name)) {
-    const auto* const found = std::find_if(kRealFunctions.begin(), kRealFunctions.end(),
-                                           [&](const RealFunction& one) { return one.name == name; });
-    const double result = found->function(arguments[0].real);
-    const bool whole = arguments[0].kind == Value::Kind::integer && name == "abs";
-    return whole ? integer_value(static_cast<std::int64_t>(result)) : real_value(result);
+std::optional<Value> Machine::call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const {
+  Value origins;
+  for (const Value& one : arguments) {
+    if (!one.is_number()) return std::nullopt;
+    origins = with_origins(origins, one);
   }
-  if (numbers && arguments.size() == 2 && is_of_two(name)) {
-    if (name.starts_with("pow")) return real_value(std::pow(arguments[0].real, arguments[1].real));
-    const bool first = (arguments[0].real < arguments[1].real) == name.ends_with("min");
-    return arguments[first ? 0 : 1];
+  const auto result = [&](const std::optional<Number>& number) {
+    return with_origins(number ? number_value(*number) : needed_value({}), origins);
+  };
+  if (arguments.size() == 1) {
+    const Number& x = arguments[0].number;
+    for (const RealFunction& one : kRealFunctions) {
+      const bool single = name.size() == one.name.size() + 1 && name.ends_with('f') && name.starts_with(one.name);
+      if (name == one.name || single) return result(real_result(one, single, x));
+    }
+    // C converts the argument to int, C++ does not.
+    if (name == "abs") {
+      if (!x.may_be_real()) return result(x.integer < 0 ? calculate("-", x) : calculate("+", x));
+      const auto whole = convert(x, kInt32);
+      const bool same_in_both = whole && static_cast<double>(whole->integer) == x.real;
+      return result(same_in_both ? loosen(int_number(std::abs(whole->integer))) : std::nullopt);
+    }
   }
-  // Vec4(1, 0, 0, 1)
-  if (numbers && (arguments.size() == 3 || arguments.size() == 4) && is_vector_type(called)) {
-    Value out;
-    out.kind = Value::Kind::list;
-    out.list = arguments;
-    return out;
+  if (arguments.size() == 2) {
+    const Number &x = arguments[0].number, &y = arguments[1].number;
+    const auto a = convert(x, kFloat64), b = convert(y, kFloat64);
+    const bool reals = a && b && x.may_be_real() && y.may_be_real();
+    if ((name == "fmod" || name == "fmodf") && reals && b->real != 0) {
+      const bool floats = x.kinds == kFloat32 && y.kinds == kFloat32;
+      const double rest = std::fmod(a->real, b->real);
+      return result(Number{name == "fmodf" ? kFloat32 : floats ? kReals : kFloat64, 0, rest});
+    }
+    if ((name == "pow" || name == "powf") && a && b) {
+      const double power = std::pow(a->real, b->real), slack = std::abs(power) * 4e-16;
+      const bool sure = static_cast<float>(power - slack) == static_cast<float>(power + slack);
+      const bool exact = name == "pow" || x.kinds == kFloat32;
+      return result(sure && exact ? std::optional(Number{kReals, 0, power}) : std::nullopt);
+    }
+    const bool least = name == "min" || name == "fmin" || name == "fminf" || name == "MIN";
+    const bool most = name == "max" || name == "fmax" || name == "fmaxf" || name == "MAX";
+    if (least || most) {
+      const auto less = calculate("<", x, y);
+      if (!less) return result(std::nullopt);
+      return result(convert(less->is_true() == least ? x : y, common_kinds(x.kinds, y.kinds)));
+    }
   }
   return std::nullopt;
+}
+
+// memset, memcpy and their kin.
+std::optional<Value> Machine::call_of_memory(std::string_view name, const Expression& e) {
+  const std::size_t count = e.parts.size() - 1;
+  const bool zeroes = name == "ZeroMemory" || name == "bzero";
+  const bool copies = (name == "memcpy" || name == "memmove" || name == "CopyMemory") && count == 3;
+  const bool sets = name == "memset" && count == 3;
+  if (!copies && !sets && !(zeroes && count == 2)) return std::nullopt;
+  const Value to = evaluate(e.parts[1]);
+  const Value from = zeroes ? integer_value(0) : evaluate(e.parts[2]);
+  const Value bytes = evaluate(e.parts[count]);
+  const auto size = bytes.is_number() ? convert(bytes.number, kInt64) : std::nullopt;
+  const auto give_up = [&] {
+    if (to.object < 0 && to.name.empty()) {
+      forget_all();
+    } else if (to.object >= 0) {
+      forget_object(to.object);
+    } else {
+      store(deref(to, Value{}, ""), Value{});
+    }
+    return to;
+  };
+  if (!to.is(ValueKind::pointer) || !size || size->integer < 0) return give_up();
+  const Object& object = objects_[static_cast<std::size_t>(to.object)];
+  // As many cells as the bytes cover.
+  std::int64_t cells = 0;
+  const Type* const whole = to.type;
+  if (whole != nullptr && bytes_of(whole) == size->integer && size->integer > 0) {
+    cells = static_cast<std::int64_t>(cells_of(whole));
+  } else {
+    const auto first = static_cast<std::size_t>(std::max<std::int64_t>(to.at, 0));
+    const std::int64_t each = first < object.types.size() ? bytes_of(object.types[first]) : 0;
+    if (each == 0 || size->integer % each != 0) return give_up();
+    cells = size->integer / each;
+    for (std::int64_t i = 0; i < cells; ++i) {
+      const auto at = static_cast<std::size_t>(to.at + i);
+      if (to.at + i < 0 || at >= object.types.size() || bytes_of(object.types[at]) != each) return give_up();
+    }
+  }
+  if (to.at < 0 || static_cast<std::size_t>(to.at + cells) > object.cells.size()) return give_up();
+  const bool clears = (zeroes || sets) && from.is_number() && !from.number.may_be_real() && from.number.integer == 0;
+  if (!copies && !clears) return give_up();
+  std::vector<Value> values;
+  for (std::int64_t i = 0; i < cells; ++i) {
+    const Type* const type = objects_[static_cast<std::size_t>(to.object)].types[static_cast<std::size_t>(to.at + i)];
+    if (copies) {
+      Value source = from;
+      source.type = nullptr;
+      const Place at = deref(source, integer_value(i), "");
+      if (at.kind != PlaceKind::cell || at.type != type) return give_up();
+      values.push_back(load_cell(at));
+    } else {
+      const bool number = type->is(TypeKind::number) || type->is(TypeKind::pointer);
+      const auto zero = number && type->kinds != 0 ? convert(int_number(0), type->kinds) : std::optional(int_number(0));
+      values.push_back(number && zero ? number_value(*zero) : Value{});
+    }
+  }
+  for (std::int64_t i = 0; i < cells; ++i) {
+    set_cell({to.object, to.at + i, {}}, std::move(values[static_cast<std::size_t>(i)]));
+  }
+  (void)spend(static_cast<std::size_t>(cells) / 8);
+  return to;
+}
+
+// Java's buffers of numbers, which its bindings of OpenGL take in place of arrays: the last cell is the place of the
+// next put. Empty: the call is none of a buffer's.
+std::optional<Value> Machine::call_buffer(std::string_view name, const Expression& e) {
+  const std::size_t count = e.parts.size() - 1;
+  const Expression& callee = e.parts[0];
+  const bool makes = name.ends_with("FloatBuffer") || name.ends_with("IntBuffer") || name == "allocate";
+  if (makes && count == 0 && callee.kind == ExpressionKind::member) return evaluate(callee.parts[0]);
+  if ((makes || name == "allocateDirect") && count == 1) {
+    const Value size = evaluate(e.parts[1]);
+    constexpr std::int64_t kMost = 4096;
+    if (!size.is_number() || size.number.may_be_real()) return std::nullopt;
+    if (size.number.integer < 0 || size.number.integer > kMost) return std::nullopt;
+    const std::int64_t numbers = size.number.integer / (name == "allocateDirect" ? 4 : 1);
+    const Type* const number =
+        program_.parser->number_type(name.find("Int") != std::string_view::npos ? kInt32 : kFloat32);
+    Value out;
+    out.kind = ValueKind::pointer;
+    out.object = new_object(program_.parser->array_of(number, numbers + 1), "a buffer");
+    out.type = number;
+    Object& made = objects_[static_cast<std::size_t>(out.object)];
+    made.name = "a buffer";
+    for (Value& one : made.cells) one = number_value(*convert(int_number(0), number->kinds));
+    return out;
+  }
+  if (callee.kind != ExpressionKind::member) return std::nullopt;
+  const bool puts = name == "put" && (count == 1 || count == 2);
+  const bool rewinds = (name == "flip" || name == "rewind" || name == "order") && count <= 1;
+  if (!puts && !rewinds) return std::nullopt;
+  const Value buffer = evaluate(callee.parts[0]);
+  if (!buffer.is(ValueKind::pointer) || objects_[static_cast<std::size_t>(buffer.object)].name != "a buffer") {
+    return std::nullopt;
+  }
+  const auto last = static_cast<std::int64_t>(objects_[static_cast<std::size_t>(buffer.object)].cells.size()) - 1;
+  const Place next{.kind = PlaceKind::cell, .object = buffer.object, .at = last, .type = buffer.type};
+  if (name == "order") return buffer;
+  if (rewinds) {
+    store(next, integer_value(0));
+    return buffer;
+  }
+  const Value value = evaluate(e.parts[count]);
+  std::vector<Value> values{value};
+  if (value.is(ValueKind::pointer)) values = objects_[static_cast<std::size_t>(value.object)].cells;
+  const Value at = count == 2 ? evaluate(e.parts[1]) : load(next);
+  const auto index = at.is_number() ? convert(at.number, kInt64) : std::nullopt;
+  if (!index || index->integer < 0 || index->integer + static_cast<std::int64_t>(values.size()) > last) {
+    forget_object(buffer.object);
+    return buffer;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    store({.kind = PlaceKind::cell,
+           .object = buffer.object,
+           .at = index->integer + static_cast<std::int64_t>(i),
+           .type = buffer.type},
+          values[i]);
+  }
+  if (count == 1) store(next, integer_value(index->integer + static_cast<std::int64_t>(values.size())));
+  return buffer;
 }
 
 // Empty: nobody knows what the function does.
@@ -98,76 +242,62 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
   const std::string lower = lower_name(name);
   if (lower.ends_with("glgeterror")) return integer_value(0);
   const std::size_t count = e.parts.size() - 1;
-  if (lower.ends_with("glgetintegerv") && count == 2) {
+  const Expression& callee = e.parts[0];
+  if (lower.ends_with("getintegerv") && count == 2) {
     const Value what = evaluate(e.parts[1]);
     constexpr std::int64_t kMaxTextureUnits = 0x84E2;
     const HardwareProfile& profile = context_.profile();
-    if (what.kind == Value::Kind::integer && what.integer == gl::GL_MAX_GENERAL_COMBINERS_NV) {
-      assign(e.parts[2], integer_value(profile.general_combiners.value));
-      return Value{};
-    }
-    const bool units = e.parts[1].text.find("MAX_TEXTURE_UNITS") != std::string_view::npos;
-    if (units || (what.kind == Value::Kind::integer && what.integer == kMaxTextureUnits)) {
-      assign(e.parts[2], integer_value(profile.texture_units.value));
-      return Value{};
-    }
-    return std::nullopt;
-  }
-  if (lower == "sizeof" && count == 1) {
-    const Value value = evaluate(e.parts[1]);
-    constexpr std::int64_t kSizeOfNumber = 4;
-    const bool is_element = e.parts[1].kind == ExpressionKind::index && place(e.parts[1]) != nullptr;
-    if (!value.is_known() && !is_element) return std::nullopt;
-    return integer_value(kSizeOfNumber * numbers_in(value));
+    const bool known = what.is_number();
+    const bool combiners = known && what.number.integer == gl::GL_MAX_GENERAL_COMBINERS_NV;
+    const bool units = e.parts[1].text.find("MAX_TEXTURE_UNITS") != std::string_view::npos ||
+                       (known && what.number.integer == kMaxTextureUnits);
+    if (!combiners && !units) return std::nullopt;
+    store(deref(evaluate(e.parts[2]), integer_value(0), normal_path(text_of(e.parts[2]))),
+          integer_value(combiners ? profile.general_combiners.value : profile.texture_units.value));
+    return Value{};
   }
   // Whether an extension is there, by its name in a string.
   for (std::size_t i = 1; i <= count; ++i) {
-    if (e.parts[i].kind != Expression::Kind::text) continue;
+    if (e.parts[i].kind != ExpressionKind::text) continue;
     const std::string_view text = program_.source.text.substr(e.parts[i].offset, e.parts[i].end - e.parts[i].offset);
-    const bool asks = lower.find("support") != std::string::npos || lower.find("ext") != std::string::npos ||
-                      lower.find("strstr") != std::string::npos || lower.find("has") != std::string::npos ||
-                      lower.find("init") != std::string::npos || lower.find("check") != std::string::npos ||
-                      lower.find("find") != std::string::npos || lower.find("avail") != std::string::npos;
-    if (!asks || text.find("GL_NV_register_combiners") == std::string_view::npos) continue;
+    if (!asks_for_extension(lower) || text.find("GL_NV_register_combiners") == std::string_view::npos) continue;
     const bool second = text.find("GL_NV_register_combiners2") != std::string_view::npos;
     return integer_value(!second || context_.profile().per_stage_constants ? 1 : 0);
   }
-  if (program_.file.language == Language::pascal && (lower == "inc" || lower == "dec") && count > 0) {
-    const Value step = count > 1 ? evaluate(e.parts[2]) : integer_value(1);
-    assign(e.parts[1], apply_binary(lower == "inc" ? "+" : "-", evaluate(e.parts[1]), step));
-    return Value{};
-  }
-  if (program_.file.language == Language::pascal && count == 1) {
-    const bool is_bound = lower == "low" || lower == "high" || lower == "length";
-    const Value value = is_bound || lower == "pchar" || lower == "pansichar" ? evaluate(e.parts[1]) : Value{};
-    if (value.kind == Value::Kind::text) return value;
-    if (is_bound && value.kind == Value::Kind::list) {
-      const auto size = static_cast<std::int64_t>(value.list.size());
-      return integer_value(lower == "length" ? size : value.low + (lower == "low" ? 0 : size - 1));
-    }
-  }
   if (auto of_xbox = call_of_xbox(name, e)) return of_xbox;
+  if (auto memory = call_of_memory(name, e)) return memory;
   if (auto buffer = call_buffer(name, e)) return buffer;
-  if (e.parts[0].kind == Expression::Kind::member) {
-    const Expression& object = e.parts[0].parts[0];
-    Value* const vector = place(object);
-    const bool is_text = vector != nullptr && vector->kind == Value::Kind::text;
-    if (is_text && count == 0 && (lower == "c_str" || lower == "data")) return *vector;
-    if (vector != nullptr && vector->kind == Value::Kind::list) {
-      // A vector's own function gives its numbers, or may change them.
-      const bool gives = lower.find("ptr") != std::string::npos || lower.find("data") != std::string::npos ||
-                         lower.find("array") != std::string::npos || lower.find("value") != std::string::npos;
-      if (gives && count == 0) return *vector;
-      *vector = needed_value(path_of(object));
+  if (callee.kind == ExpressionKind::member && count == 0) {
+    // A vector's own function gives its numbers.
+    const bool gives = lower.find("ptr") != std::string::npos || lower.find("data") != std::string::npos ||
+                       lower.find("array") != std::string::npos || lower.find("value") != std::string::npos ||
+                       lower == "c_str";
+    const Value object = gives ? evaluate(callee.parts[0]) : Value{};
+    if (object.is(ValueKind::text) || (object.is(ValueKind::pointer) && callee.parts[0].kind == ExpressionKind::name)) {
+      return object;
     }
   }
-  if (count == 1 && detail::is_conversion(name) && program_.by_name.count(program_.key(name)) == 0) {
-    return converted(evaluate(e.parts[1]), name);
+  if (callee.kind != ExpressionKind::name) {
+    const bool wraps = callee.kind == ExpressionKind::member && name == "wrap" && count == 1;
+    return wraps ? std::optional(evaluate(e.parts[1])) : std::nullopt;
   }
-  if (count == 0 || count > 4 || !is_of_numbers(name)) return std::nullopt;
+  if (count == 1 && detail::is_conversion(name)) return evaluate(e.parts[1]);
+  if (names_vector(name, count) && program_.prototypes.count(name) == 0) {
+    Expression list = e;
+    list.kind = ExpressionKind::list;
+    list.parts.erase(list.parts.begin());
+    return converted_list(list, program_.parser->unknown_type());
+  }
+  if (count == 0 || count > 2 || !callee.qualifier.empty()) return std::nullopt;
+  const auto quiet = quietly([&] {
+    std::vector<Value> values(count, number_value(real_number(0.5)));
+    return call_of_numbers(name, values).has_value();
+  });
+  if (!quiet) return std::nullopt;
   std::vector<Value> arguments;
   for (std::size_t i = 1; i <= count; ++i) arguments.push_back(evaluate(e.parts[i]));
-  return call_of_numbers(name, arguments);
+  if (auto known = call_of_numbers(name, arguments)) return known;
+  return unknown_of(arguments[0], arguments.back());
 }
 
 }  // namespace ninebit::code

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/language/source_code/code_types.h"
-
 namespace ninebit::code {
 namespace {
 
-// How many statements a function executes at most, and all functions together, and how often an endless loop goes
-// round.
-constexpr std::size_t kMostSteps = 200'000, kMostStepsOfFile = 2'000'000, kMostRounds = 500;
+// How many statements and expressions a function executes at most, and all functions together; how often a loop that
+// sets no combiners goes round before what it changes is no longer followed.
+constexpr std::size_t kMostSteps = 200'000, kMostStepsOfFile = 2'000'000, kMostRounds = 4096;
 
 bool ends_function(const std::vector<Statement>& statements) {
   if (statements.empty()) return false;
@@ -20,7 +18,21 @@ bool ends_function(const std::vector<Statement>& statements) {
          (last.kind == StatementKind::block && ends_function(last.body));
 }
 
+// Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
+bool is_vector_type(std::string_view word) {
+  std::string lower;
+  for (const char c : word) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const std::string_view part : {"vec", "color", "colour", "rgba", "float4", "float3", "quat", "plane", "tuple"}) {
+    if (lower.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+bool names_vector(std::string_view word, std::size_t numbers) {
+  return (numbers == 3 || numbers == 4) && is_vector_type(word);
+}
 
 bool Machine::spend(std::size_t steps) {
   if (out_of_steps_) return false;
@@ -37,37 +49,67 @@ std::string Machine::too_many_steps() const {
 }
 
 void Machine::run(const Function& function) {
-  Frame frame{.function = &function};
-  for (const Parameter& parameter : function.parameters) {
+  frames_.assign(1, Frame{.function = &function});
+  frames_[0].mark = log_.size();
+  exits_.clear();
+  for (const Declared& parameter : function.parameters) {
     if (parameter.name.empty()) continue;
-    Value value = needed_value(program_.key(parameter.name));
-    if (!parameter.value.empty()) {
-      Value given = evaluate(parameter.value[0]);
-      if (given.is_known()) {
-        value = std::move(given);
+    const std::string name(parameter.name);
+    const int object = new_object(parameter.type, name);
+    Place at = place_of(object);
+    at.type = parameter.type;
+    frames_[0].variables.push_back({parameter.name, at});
+    if (at.type->is(TypeKind::array) || at.type->is(TypeKind::structure) || at.type->is(TypeKind::opaque)) continue;
+    Value value = needed_value(name, parameter.type->kinds);
+    if (const Value* const given = defined(name)) {
+      value = definition_for(*given, parameter.type, name);
+    } else if (!parameter.value.empty()) {
+      Value usual = evaluate(parameter.value[0]);
+      if (usual.is_known()) {
+        value = std::move(usual);
         notes_.add(parameter.value[0].offset, "took the default of parameter " + detail::quoted(parameter.name));
       }
     }
-    frame.values.emplace(program_.key(parameter.name), std::move(value));
+    store(at, std::move(value));
   }
-  frames_.assign(1, std::move(frame));
+  frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
   need_conditions(&function);
-  execute(body_of(function));
+  (void)execute(program_.body_of(function));
+  exits_.clear();
   frames_.clear();
 }
 
 void Machine::run_code() {
   frames_.assign(1, Frame{});
+  frames_[0].mark = log_.size();
+  frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
   need_conditions(nullptr);
-  execute(program_.outline.code);
+  (void)execute(program_.outline.code);
+  exits_.clear();
   frames_.clear();
 }
 
-Machine::Flow Machine::execute(const std::vector<Statement>& statements) {
-  for (const Statement& one : statements) {
-    if (const Flow flow = execute(one); flow != Flow::normal) return flow;
+Machine::Flow Machine::execute(const std::vector<Statement>& statements, std::size_t from) {
+  const std::size_t variables = frames_.back().variables.size();
+  Flow flow = Flow::normal;
+  for (std::size_t i = from; i < statements.size() && flow == Flow::normal; ++i) {
+    flow = execute(statements[i]);
+    if (is_thrown_) flow = Flow::give_back;
+    if (flow != Flow::jump) continue;
+    for (std::size_t to = 0; to < statements.size() && spend(); ++to) {
+      if (statements[to].kind != StatementKind::mark || statements[to].message != jump_label_) continue;
+      flow = Flow::normal;
+      i = to;
+      resolve(Flow::jump, frames_.back().mark, jump_label_);
+      break;
+    }
   }
-  return Flow::normal;
+  for (std::size_t i = frames_.back().variables.size(); i > variables; --i) {
+    const Type* const type = frames_.back().variables[i - 1].place.type;
+    if (type != nullptr && type->structure != nullptr && type->structure->is_destroyed) forget_all();
+  }
+  frames_.back().variables.resize(variables);
+  return flow;
 }
 
 Machine::Flow Machine::execute(const Statement& s) {
@@ -76,14 +118,26 @@ Machine::Flow Machine::execute(const Statement& s) {
     case StatementKind::nothing:
     case StatementKind::label:
       return Flow::normal;
+    case StatementKind::mark:
+      resolve(Flow::jump, frames_.back().mark, s.message);
+      return Flow::normal;
     case StatementKind::expression:
-      evaluate(s.value[0]);
+      (void)evaluate(s.value[0]);
       return Flow::normal;
     case StatementKind::declaration:
       for (const Declared& one : s.declared) declare(one);
       return Flow::normal;
-    case StatementKind::block:
-      return execute(s.body);
+    case StatementKind::block: {
+      tries_ += s.message == "try" ? 1 : 0;
+      const Flow flow = execute(s.body);
+      tries_ -= s.message == "try" ? 1 : 0;
+      if (s.message != "try" || !is_thrown_) return flow;
+      // What catches it is not executed.
+      is_thrown_ = false;
+      forget_all();
+      add_exit(Flow::give_back, {}, {}, nullptr);
+      return Flow::normal;
+    }
     case StatementKind::branch:
       return branch(s);
     case StatementKind::loop:
@@ -93,21 +147,31 @@ Machine::Flow Machine::execute(const Statement& s) {
     case StatementKind::choice:
       return choice(s);
     case StatementKind::jump:
-      return jump(s);
+      // One to where no calls follow needs no word.
+      if (!is_conditional() && leads_to_calls(s) && reported_.insert(s.offset).second) {
+        faults_.add(s.offset, "goto is not followed, and calls of the combiners stand behind its label");
+      }
+      jump_label_ = s.message;
+      return Flow::jump;
     case StatementKind::leave:
       return Flow::leave;
     case StatementKind::next:
       return Flow::next;
     case StatementKind::give_back:
-      if (!s.value.empty()) {
-        frames_.back().result = evaluate(s.value[0]);
-        frames_.back().has_result = true;
+      if (!s.value.empty() && s.value[0].kind == ExpressionKind::list) {
+        fill(frames_.back().result, s.value[0]);
+      } else if (!s.value.empty()) {
+        Value value = evaluate(s.value[0]);
+        if (frames_.back().result.type != nullptr && s.message.empty()) store(frames_.back().result, std::move(value));
       }
+      is_thrown_ = is_thrown_ || (s.message == "throw" && (frames_.size() > 1 || tries_ > 0));
       return Flow::give_back;
     case StatementKind::unreadable:
-      if (program_.file.calls_between(s.offset, s.end)) {
+      if (program_.file.calls_between(s.offset, s.end) && reported_.insert(s.offset).second) {
         faults_.add(s.offset, "a call of the combiners cannot be read here: " + s.message);
       }
+      forget_all();
+      if (s.may_jump) add_exit(Flow::give_back, {}, {}, nullptr);
       return Flow::normal;
   }
   return Flow::normal;
@@ -115,96 +179,161 @@ Machine::Flow Machine::execute(const Statement& s) {
 
 Machine::Flow Machine::branch(const Statement& s) {
   const Value condition = evaluate(s.value[0]);
-  const bool yes = may_set(s.body), no = may_set(s.otherwise);
+  const bool yes = program_.sets(s.body), no = program_.sets(s.otherwise);
   if (yes || no) use(condition);
-  if (condition.is_known()) return execute(is_true(condition) ? s.body : s.otherwise);
-  const std::uint32_t end = frames_.back().function != nullptr
-                                ? frames_.back().function->end
-                                : static_cast<std::uint32_t>(program_.source.text.size());
-  const bool more_follow = program_.file.calls_between(s.end, end);
+  if (const auto is_true = truth(condition)) {
+    // What a condition assumes, all that it leads to assumes, too.
+    if (condition.origins) used_origins_.insert(condition.origins->begin(), condition.origins->end());
+    return execute(*is_true ? s.body : s.otherwise);
+  }
+  const auto either = [&] {
+    return fork(condition, &s.value[0], {[&] { return execute(s.body); }, [&] { return execute(s.otherwise); }});
+  };
+  const Function* const inside = frames_.back().function;
+  const bool more_follow =
+      program_.file.calls_between(s.end, inside != nullptr ? inside->end : program_.source.text.size());
   const std::string text = text_of(s.value[0]);
   if (const auto before = assumed_.find(text); before != assumed_.end()) {
     return execute(before->second ? s.body : s.otherwise);
   }
   if (!yes && !no) {
     const bool guard = ends_function(s.body) && s.otherwise.empty();
-    if (!guard || jumps_to_calls(s.body)) return either(condition, s);
-    if (!more_follow) return Flow::normal;
-    if (calls_made_ > 0) return either(condition, s);
+    if (!guard || jumps_to_calls(s.body) || !more_follow || calls_made_ > 0 || is_conditional()) return either();
     assumed_[text] = false;
     notes_.add(s.offset, "assumed that " + text + " is false: else no combiners are set");
     return Flow::normal;
   }
   // Which way it goes decides whether there is a program at all.
-  if (yes != no && calls_made_ == 0 && !more_follow && frames_.size() == 1) {
+  if (yes != no && calls_made_ == 0 && !more_follow && frames_.size() == 1 && !is_conditional()) {
     assumed_[text] = yes;
     notes_.add(s.offset, "assumed that " + text + (yes ? " is true" : " is false") + ": only then are combiners set");
     return execute(yes ? s.body : s.otherwise);
   }
-  return either(condition, s);
-}
-
-// Nobody knows which way it goes: if that matters, the condition is needed, and both ways are looked through for what
-// else is needed.
-Machine::Flow Machine::either(const Value& condition, const Statement& s) {
-  const bool guard = ends_function(s.body) && s.otherwise.empty();
-  if (may_set(s.body) || may_set(s.otherwise) || guard) {
-    need(condition, s.value[0]);
-    ++guesses_;
-    execute(s.body);
-    execute(s.otherwise);
-    --guesses_;
-  }
-  forget(s.body, condition);
-  forget(s.otherwise, condition);
-  return Flow::normal;
+  return either();
 }
 
 Machine::Flow Machine::loop(const Statement& s) {
-  execute(s.first);
-  const bool sets = may_set(s.body);
-  const bool endless = s.value.empty() || s.value[0].kind == Expression::Kind::number;
+  const std::size_t variables = frames_.back().variables.size();
+  for (const Statement& one : s.first) (void)execute(one);
+  frames_.back().loops.push_back({.mark = log_.size()});
+  const Flow flow = rounds(s);
+  resolve(Flow::leave, frames_.back().loops.back().mark);
+  frames_.back().loops.pop_back();
+  frames_.back().variables.resize(variables);
+  return flow;
+}
+
+Machine::Flow Machine::rounds(const Statement& s) {
+  const bool sets = program_.sets(s.body) || (!s.value.empty() && program_.sets(s.value[0]));
   for (std::size_t round = 0;; ++round) {
-    if (out_of_steps_ || (endless && round == kMostRounds)) return Flow::normal;
+    if (out_of_steps_) return Flow::normal;
+    Value goes_on = integer_value(1);
     if (!s.value.empty() && (!s.tests_last || round > 0)) {
-      const Value goes_on = evaluate(s.value[0]);
-      if (!goes_on.is_known()) {
-        if (sets) {
-          need(goes_on, s.value[0]);
-          execute(s.body);
-        }
-        forget(s.body, goes_on);
-        return Flow::normal;
-      }
-      if (is_true(goes_on) == s.is_repeated_until) return Flow::normal;
+      goes_on = evaluate(s.value[0]);
+      if (sets) use(goes_on);
+      if (truth(goes_on) == false) return Flow::normal;
+    }
+    if (!truth(goes_on) || (!sets && (round >= kMostRounds || steps_ > kMostSteps / 2))) {
+      widen(s, goes_on);
+      return Flow::normal;
     }
     const Flow flow = execute(s.body);
     if (flow == Flow::leave) return Flow::normal;
-    if (flow == Flow::give_back) return flow;
-    if (!s.step.empty()) evaluate(s.step[0]);
+    if (flow == Flow::give_back || flow == Flow::jump) return flow;
+    resolve(Flow::next, frames_.back().loops.back().mark);
+    if (!s.step.empty()) (void)evaluate(s.step[0]);
   }
+}
+
+// How often it goes round is not known: what the rounds leave different is not known, until a further round changes
+// nothing.
+void Machine::widen(const Statement& s, const Value& why) {
+  constexpr int kMostTries = 60;
+  const Expression* const condition = s.value.empty() ? nullptr : &s.value[0];
+  for (int i = 0; i < kMostTries && !out_of_steps_; ++i) {
+    const std::size_t base = log_.size(), objects = objects_.size();
+    guards_.push_back({why, condition});
+    const std::size_t variables = frames_.back().variables.size();
+    const Flow flow = execute(s.body);
+    frames_.back().variables.resize(variables);
+    const bool goes_on = flow == Flow::normal || flow == Flow::next;
+    resolve(Flow::next, frames_.back().loops.back().mark);
+    if (goes_on) {
+      if (!s.step.empty()) (void)evaluate(s.step[0]);
+      if (condition != nullptr) (void)evaluate(*condition);
+    }
+    guards_.pop_back();
+    const Changes changes = changes_since(base);
+    const std::string label = flow == Flow::jump ? jump_label_ : "";
+    roll_back(base);
+    if (!goes_on) {
+      add_exit(flow, changes, why, condition);
+      exits_.back().label = label;
+      return;
+    }
+    bool changed = false;
+    for (const auto& [key, value] : changes) {
+      // A variable of a round is another one in the next.
+      const int object = std::get<0>(key);
+      if (object >= static_cast<int>(objects) && statics_types_.count(object) == 0) continue;
+      const Value& now = cell(key);
+      if (same(now, value) || (!now.is_known() && now.name.empty() && now.object < 0 && !value.is_known())) continue;
+      changed = true;
+      set_cell(key, unknown_of(why, now.is_known() ? value : now, now.number.kinds));
+    }
+    if (!changed) return;
+  }
+  forget_all();
 }
 
 Machine::Flow Machine::each(const Statement& s) {
   const Value range = evaluate(s.value[0]);
-  const std::string name = program_.key(s.declared[0].name);
-  if (range.kind != Value::Kind::list) {
-    if (may_set(s.body)) {
-      need(range, s.value[0]);
-      frames_.back().values[name] = needed_value(name);
-      execute(s.body);
+  const bool known = range.is(ValueKind::pointer) && range.at == 0 && range.type != nullptr;
+  const std::size_t variables = frames_.back().variables.size();
+  frames_.back().loops.push_back({.mark = log_.size()});
+  Flow flow = Flow::normal;
+  const Declared& declared = s.declared[0];
+  const Type* const element = known ? range.type : declared.type;
+  Declared one = declared;
+  if (declared.type->is(TypeKind::unknown)) one.type = element;
+  const std::size_t step = known ? std::max<std::size_t>(cells_of(element), 1) : 1;
+  const std::size_t size = known ? objects_[static_cast<std::size_t>(range.object)].cells.size() / step : 0;
+  const auto bind = [&](const Place& from) {
+    if (declared.is_reference) {
+      frames_.back().variables.push_back({declared.name, from});
+      return;
     }
-    forget(s.body, range);
-    return Flow::normal;
+    Place at = place_of(new_object(one.type, std::string(declared.name)));
+    at.type = one.type;
+    frames_.back().variables.push_back({declared.name, at});
+    if (known) store(at, load(from));
+  };
+  for (std::size_t i = 0; i < size && flow == Flow::normal && spend(); ++i) {
+    bind(deref(range, integer_value(static_cast<std::int64_t>(i)), std::string(declared.name)));
+    flow = execute(s.body);
+    frames_.back().variables.resize(variables);
+    if (flow == Flow::next) flow = Flow::normal;
+    resolve(Flow::next, frames_.back().loops.back().mark);
   }
-  for (const Value& element : range.list) {
-    if (out_of_steps_) return Flow::normal;
-    frames_.back().values[name] = element.is_known() || !element.needs.empty() ? element : needed_value(name);
-    const Flow flow = execute(s.body);
-    if (flow == Flow::leave) return Flow::normal;
-    if (flow == Flow::give_back) return flow;
+  if (!known) {
+    if (program_.sets(s.body)) need(range, s.value[0]);
+    const Value why = unknown_of(range, range);
+    Statement body;
+    body.kind = StatementKind::loop;
+    body.body = s.body;
+    body.value = s.value;
+    if (declared.is_reference) {
+      bind({.path = std::string(declared.name)});
+    } else {
+      bind({});
+    }
+    widen(body, why);
   }
-  return Flow::normal;
+  if (flow == Flow::leave) flow = Flow::normal;
+  resolve(Flow::leave, frames_.back().loops.back().mark);
+  frames_.back().loops.pop_back();
+  frames_.back().variables.resize(variables);
+  return flow;
 }
 
 // Whether statements end with a goto behind whose label calls of the combiners stand.
@@ -218,6 +347,7 @@ bool Machine::jumps_to_calls(const std::vector<Statement>& statements) const {
 bool Machine::leads_to_calls(const Statement& jump) const {
   const Function* const function = frames_.back().function;
   const std::size_t end = function != nullptr ? function->end : program_.source.text.size();
+  if (jump.end >= end) return false;
   const std::string_view behind = program_.source.text.substr(jump.end, end - jump.end);
   for (std::size_t at = behind.find(jump.message); at != std::string_view::npos;
        at = behind.find(jump.message, at + 1)) {
@@ -226,51 +356,48 @@ bool Machine::leads_to_calls(const Statement& jump) const {
     const bool is_label = is_word && next != std::string_view::npos && behind[next] == ':';
     if (is_label) return program_.file.calls_between(jump.end + at, end);
   }
-  return true;  // it leads back
-}
-
-// A goto to where no calls follow is a return.
-Machine::Flow Machine::jump(const Statement& s) {
-  if (guesses_ == 0 && leads_to_calls(s) && misspelled_.insert(s.offset).second) {
-    faults_.add(s.offset, "goto is not followed, and calls of the combiners stand behind its label");
-  }
-  return Flow::give_back;
+  return function == nullptr || program_.file.calls_between(function->begin, end);  // it leads back
 }
 
 Machine::Flow Machine::choice(const Statement& s) {
   const Value chosen = evaluate(s.value[0]);
-  std::size_t start = s.body.size();
-  bool sure = chosen.is_known();
-  for (std::size_t i = 0; i < s.body.size() && sure; ++i) {
+  const bool sets = program_.sets(s.body);
+  if (sets) use(chosen);
+  std::optional<std::size_t> usual, start;
+  std::vector<std::size_t> labels;
+  Value why = chosen;
+  const Expression* unknown = chosen.is_known() ? nullptr : &s.value[0];
+  for (std::size_t i = 0; i < s.body.size() && !start; ++i) {
     const Statement& label = s.body[i];
     if (label.kind != StatementKind::label) continue;
+    labels.push_back(i);
     if (label.value.empty()) {
-      if (start == s.body.size()) start = i;
+      usual = i;
       continue;
     }
-    const Value same = apply_binary("==", chosen, evaluate(label.value[0]));
-    if (!same.is_known()) {
-      if (may_set(s.body)) need(same, label.value[0]);
-      sure = false;
-    } else if (is_true(same)) {
-      start = i;
-      break;
+    const Value same_value = combine("==", chosen, evaluate(label.value[0]));
+    const auto is_same = truth(same_value);
+    if (is_same == true && unknown == nullptr) start = i;
+    if (!is_same && unknown == nullptr) {
+      unknown = &label.value[0];
+      why = same_value;
     }
   }
-  if (!sure) {
-    if (may_set(s.body)) {
-      if (!chosen.is_known()) need(chosen, s.value[0]);
-      for (const Statement& one : s.body) execute(one);
-    }
-    forget(s.body, chosen);
-    return Flow::normal;
+  frames_.back().loops.push_back({.mark = log_.size(), .is_choice = true});
+  Flow flow = Flow::normal;
+  if (unknown == nullptr) {
+    if (!start) start = usual;
+    if (start) flow = execute(s.body, *start);
+  } else {
+    std::vector<std::function<Flow()>> ways;
+    for (const std::size_t label : labels) ways.emplace_back([&, label] { return execute(s.body, label); });
+    if (!usual) ways.emplace_back([] { return Flow::normal; });
+    flow = fork(why, unknown, ways);
   }
-  for (std::size_t i = start; i < s.body.size(); ++i) {
-    const Flow flow = execute(s.body[i]);
-    if (flow == Flow::leave) return Flow::normal;
-    if (flow != Flow::normal) return flow;
-  }
-  return Flow::normal;
+  if (flow == Flow::leave) flow = Flow::normal;
+  resolve(Flow::leave, frames_.back().loops.back().mark);
+  frames_.back().loops.pop_back();
+  return flow;
 }
 
 }  // namespace ninebit::code

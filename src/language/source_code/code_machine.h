@@ -1,9 +1,12 @@
-// Executes functions of a source on a GL context, as far as their values are known.
+// Executes functions of a source on a GL context, as far as their values are known. What it does not follow makes all
+// that it may have changed unknown.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,10 +16,10 @@
 
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/language/source_code.h"
-#include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/source/source_faults.h"
 #include "src/language/source_code/code_file.h"
-#include "src/language/source_code/code_tree.h"
+#include "src/language/source_code/code_parser.h"
 #include "src/language/source_code/code_value.h"
 #include "src/language/source_code/code_xbox.h"
 
@@ -32,30 +35,41 @@ struct CallSite {
 
 // A source, parsed once for all that is executed of it.
 struct Program {
-  SourceText source;
-  File file;
-  Outline outline;
-  // By names as they are compared: in Pascal, in lower case.
-  std::map<std::string, std::vector<const Function*>> by_name{};  // functions by the last part of their names
-  std::map<std::string, const Declared*> globals{};
-  std::map<const Function*, std::vector<Statement>> bodies{};  // parsed so far
-  std::map<const Function*, bool> sets_combiners{};            // decided so far
-  std::set<std::string> assigned{};                            // names that functions assign to
-  std::size_t steps = 0;                                       // executed so far, by all functions together
+  Program(const SourceText& text, const SourceSelection& selection, detail::SourceFaults& faults,
+          detail::SourceFaults& notes);
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
 
-  // A name as it is compared.
-  [[nodiscard]] std::string key(std::string_view name) const;
+  SourceText source;
+  File file{};
+  Outline outline{};
+  std::unique_ptr<Parser> parser;
+  std::map<std::string_view, std::vector<const Function*>> by_name{};     // by the last part of their names
+  std::map<std::string_view, std::vector<const Function*>> prototypes{};  // functions without bodies
+  std::map<std::string, const Declared*> globals{};                       // with their classes: "Class::name"
+  std::set<std::string_view> assigned{};                                  // names that functions may change
+  std::map<const Function*, std::vector<Statement>> bodies{};             // parsed so far
+  std::map<const void*, bool> may_set{};                                  // decided so far
+  std::size_t steps = 0;                                                  // executed so far, by all functions together
+
+  [[nodiscard]] const std::vector<Statement>& body_of(const Function& function);
+  // Whether executing something may set combiners.
+  [[nodiscard]] bool sets(const std::vector<Statement>& statements);
+  [[nodiscard]] bool sets(const Expression& expression);
+  [[nodiscard]] bool sets(const Function& function);
+  // The file's function that a callee means, called inside of another one; nullptr: none, or it is not decided.
+  [[nodiscard]] const Function* function_of(const Expression& callee, std::size_t arguments,
+                                            const Function* inside) const;
 };
-[[nodiscard]] Program read_program(const SourceText& source, const std::vector<Definition>& definitions,
-                                   detail::SourceFaults& faults, detail::SourceFaults& notes);
-// Called once a program has its final address.
-void index_program(Program& program);
 
 // The name or member that a call calls: of p->f, (*f) and CHECK(f) it is f.
 [[nodiscard]] const Expression& called_operand(const Expression& callee);
 // The combiners' call that a callee names; nullptr: none.
-[[nodiscard]] const detail::GlSignature* signature_of(const Expression& callee, Language language);
-
+[[nodiscard]] const detail::GlSignature* signature_of(const Expression& callee);
+// Whether a name is that of a GL function, also of a pointer to one: glEnable, qglEnable, pfn_glEnable.
+[[nodiscard]] bool names_gl_function(std::string_view name);
+// Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
+[[nodiscard]] bool names_vector(std::string_view word, std::size_t numbers);
 // A name without blanks and without this., with . for ->.
 [[nodiscard]] std::string normal_path(std::string_view name);
 
@@ -79,6 +93,8 @@ class Machine {
     mark_unset_constants(state, context_.constants_set());
     return state;
   }
+  // The programs with which something was drawn, and the one at the end if it is another one.
+  [[nodiscard]] std::vector<CombinerState> programs() const;
   [[nodiscard]] std::vector<std::string> needs() const;
   [[nodiscard]] bool is_out_of_steps() const { return out_of_steps_; }
   [[nodiscard]] std::string too_many_steps() const;
@@ -86,94 +102,157 @@ class Machine {
   [[nodiscard]] const std::map<std::uint32_t, CallSite>& sites() const { return sites_; }
   // Where the string literals begin that were loaded.
   [[nodiscard]] const std::set<std::uint32_t>& loaded() const { return loaded_; }
-  // Whether executing a statement or an expression may set combiners.
-  [[nodiscard]] bool may_set(const std::vector<Statement>& statements);
-  [[nodiscard]] bool may_set(const Expression& expression);
-  [[nodiscard]] bool may_set(const Function& function);
-  [[nodiscard]] const std::vector<Statement>& body_of(const Function& function);
-  // The file's function that a call means; nullptr: none.
-  [[nodiscard]] const Function* called(const Expression& call) const {
-    const bool calls = call.kind == ExpressionKind::call;
-    return calls ? function_of(call.parts[0], call.parts.size() - 1) : nullptr;
-  }
   // Whether a definition of the Xbox was filled, and the program that it is; reports what is wrong with it.
   [[nodiscard]] bool fills_definition() const { return !filled_.empty(); }
   [[nodiscard]] Parsed<CombinerState> program_of_words(std::vector<RegisterWord>* other_words);
 
  private:
-  enum class Flow { normal, leave, next, give_back };
+  enum class Flow { normal, next, leave, jump, give_back };
+  struct Variable {
+    std::string_view name;
+    Place place;
+  };
+  // A loop or a choice.
+  struct Target {
+    std::size_t mark = 0;  // of the log, where it begins
+    bool is_choice = false;
+  };
   struct Frame {
     const Function* function = nullptr;
-    std::unordered_map<std::string, Value> values{};
-    std::unordered_map<std::string, std::string> aliases{};  // of pointers: the objects that they point to
-    Value result{};
-    bool has_result = false;
+    std::vector<Variable> variables{};  // the innermost last
+    Place result{};
+    Value self{};                 // this
+    std::size_t mark = 0;         // of the log, where it begins
+    std::vector<Target> loops{};  // those that are executed
+  };
+  // A way that left a loop, a function or went to a label under a condition that is not known: what it changed since
+  // the mark of its target.
+  struct Exit {
+    Flow flow = Flow::normal;
+    std::string label{};
+    std::size_t frame = 0, loop = 0;
+    Changes changes{};
+    Value why{};
+    const Expression* condition = nullptr;
+  };
+  struct Logged {
+    CellKey key;
+    Value before;
+  };
+  struct Guard {
+    Value why;
+    const Expression* condition;
   };
 
-  // Statements: code_machine.cpp; declarations: code_initial.cpp
-  Flow execute(const std::vector<Statement>& statements);
+  // Statements: code_machine.cpp
+  Flow execute(const std::vector<Statement>& statements, std::size_t from = 0);
   Flow execute(const Statement& statement);
   Flow branch(const Statement& statement);
   Flow loop(const Statement& statement);
+  Flow rounds(const Statement& statement);
   Flow each(const Statement& statement);
-  Flow jump(const Statement& statement);
+  Flow choice(const Statement& statement);
+  void widen(const Statement& statement, const Value& why);
   [[nodiscard]] bool leads_to_calls(const Statement& jump) const;
   [[nodiscard]] bool jumps_to_calls(const std::vector<Statement>& statements) const;
-  Flow choice(const Statement& statement);
-  Flow either(const Value& condition, const Statement& statement);
   void declare(const Declared& declared);
-  Value initial(const Declared& declared);
-  std::map<std::string_view, Members>::const_iterator designated_struct(const Expression& e) const;
-  Value evaluate_list(const Expression& e);
-  Value shaped(const Declared& declared, Value value, std::size_t level);
+  void initialize(const Place& place, const Declared& declared);
+  int first_value(const Declared& declared, bool changes);
+  std::int64_t open_count(const Expression& list);
+  void fill(const Place& place, const Expression& list);
+  void fill_part(const Place& place, const std::vector<Expression>& parts, std::size_t& next, bool has_braces);
+  Value converted_list(const Expression& e, const Type* type);
   bool spend(std::size_t steps = 1);
+
+  // Ways that are not decided: code_fork.cpp
+  Flow fork(const Value& why, const Expression* condition, const std::vector<std::function<Flow()>>& ways);
+  [[nodiscard]] Changes changes_since(std::size_t mark) const;
+  void roll_back(std::size_t mark);
+  void join(const Changes& changes, std::size_t mark, const Value& why);
+  void add_exit(Flow flow, const Changes& last, const Value& why, const Expression* condition);
+  void resolve(Flow flow, std::size_t mark, std::string_view label = {});
+  [[nodiscard]] bool is_conditional() const { return !guards_.empty() || !exits_.empty(); }
+
+  // Memory: code_memory.cpp
+  int new_object(const Type* type, const std::string& name);
+  Place place_of(int object) const;
+  [[nodiscard]] const Value& cell(const CellKey& key) const;
+  void set_cell(const CellKey& key, Value value);
+  Value load(const Place& place);
+  Value load_cell(const Place& place);
+  void store(const Place& place, Value value);
+  void store_cell(const Place& place, Value value);
+  [[nodiscard]] Value converted(Value value, const Type* type, const std::string& path) const;
+  [[nodiscard]] bool is_inside(const Place& place) const;
+  void forget_object(int object);
+  void forget_pointed(const Value& value);
+  void forget_outside(const std::string& prefix = {});
+  void forget_shared();
+  void forget_all();
+  Place deref(const Value& pointer, const Value& index, const std::string& path);
+  Place member(const Place& object, std::string_view name);
+  Place lookup(const Expression& e);
+  std::optional<Place> global(const std::string& name);
 
   // Expressions: code_evaluate.cpp
   Value evaluate(const Expression& e);
   Value evaluate_once(const Expression& e);
+  Value evaluate_name(const Expression& e);
+  static Value part_of(const Value& record, std::string_view name);
   Value evaluate_unary(const Expression& e);
+  Value evaluate_binary(const Expression& e);
   Value evaluate_assignment(const Expression& e);
-  Value evaluate_index(const Expression& e);
-  Value evaluate_member(const Expression& e);
-  Value number(std::string_view text) const;
-
-  // Names and places: code_places.cpp
-  Value value_of(const Expression& e);
-  const Value* defined(const std::string& path);
-  Value* stored(const std::string& path);
-  Value* place(const Expression& e);
-  static void mark_origin(Value& value, const std::string& path);
-  void assign(const Expression& target, Value value);
-  bool assign_element(const Expression& target, Value& value);
-  std::string path_of(const Expression& e);
-  std::string text_of(const Expression& e) const;
+  Value evaluate_conditional(const Expression& e);
+  Value evaluate_make(const Expression& e);
+  Value evaluate_size(const Expression& e);
+  Value combine(std::string_view op, const Value& left, const Value& right);
+  Value compare_pointers(std::string_view op, const Value& left, const Value& right) const;
+  Value cast(const Value& value, const Type* type, const std::string& path) const;
+  // What an expression would give; nothing is changed and nothing is reported.
+  template <class Evaluate>
+  auto quietly(const Evaluate& evaluate) {
+    const std::size_t mark = log_.size();
+    ++quiet_;
+    auto out = evaluate();
+    --quiet_;
+    roll_back(mark);
+    return out;
+  }
+  Place place(const Expression& e);
   std::optional<Value> constant(const Expression& e) const;
-  static bool is_pure(const Expression& e);
-  Expression settled(const Expression& e);
-  void forget(const std::vector<Statement>& statements, const Value& why);
-  void forget(const Expression& e, const Value& why);
-  void forget_arguments(const Expression& call);
+  std::string text_of(const Expression& e) const;
+  void assume_unchanged(const Place& at, std::string_view function, const Expression& e);
+  [[nodiscard]] bool is_c_or_java() const { return program_.source.file.ends_with(".c") || is_java(); }
+  [[nodiscard]] bool is_java() const { return program_.source.file.ends_with(".java"); }
 
-  // Calls: code_calls.cpp
-  Value call(const Expression& e);
-  Value call_function(const Function& function, const Expression& e);
-  void call_combiner(const detail::GlSignature& signature, const Expression& e);
-  Value call_nvparse(const Expression& e);
-  std::optional<Value> call_known(std::string_view name, const Expression& e);
-  std::optional<Value> call_buffer(std::string_view name, const Expression& e);
-  std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
-  void skip(std::string_view name, const Expression& e);
-  const Function* function_of(const Expression& callee, std::size_t arguments) const;
-  void look_for_misspelling(std::string_view name, const Expression& e);
-  bool argument(const Expression& e, bool is_array, detail::GlArgument& out);
+  // Definitions and needs: code_needs.cpp
+  void read_definitions();
+  const Value* defined(const std::string& path);
+  Value read(const Place& place);
+  Value definition_for(const Value& given, const Type* type, const std::string& name);
   void need(const Value& value, const Expression& e);
   void need(const std::string& name, std::uint32_t offset);
   void need_conditions(const Function* function);
+  void need_guards(const Expression& e);
   void use(const Value& value);
+
+  // Calls: code_calls.cpp, code_known_calls.cpp
+  Value call(const Expression& e);
+  Value call_function(const Function& function, const Expression& e, const Value& self);
+  Value call_unknown(const Expression& e, std::string_view name);
+  void call_combiner(const detail::GlSignature& signature, const Expression& e);
+  Value call_nvparse(const Expression& e);
+  std::optional<Value> call_known(std::string_view name, const Expression& e);
+  std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
+  std::optional<Value> call_of_memory(std::string_view name, const Expression& e);
+  std::optional<Value> call_buffer(std::string_view name, const Expression& e);
+  void look_for_misspelling(std::string_view name, const Expression& e);
+  bool argument(const Expression& e, char kind, detail::GlArgument& out);
+  bool array_argument(Value value, const Expression& e, char kind, detail::GlArgument& out);
+  void note_drawing(std::string_view name, const Expression& e);
 
   // Definitions of the Xbox: code_xbox.cpp
   std::string object_of(const Expression& e);
-  void add_alias(std::string_view name, const Expression& value, Frame& frame);
   std::optional<std::size_t> number_of_word(const NamedWord& word, const Expression& e);
   Value refuse_value(const Expression& e);
   Value assign_word(const NamedWord& word, const Expression& e);
@@ -186,29 +265,35 @@ class Machine {
   detail::SourceFaults& faults_;
   detail::SourceFaults& notes_;
   gl::Context context_;
-  std::unordered_map<std::string, Value> definitions_;
-  std::unordered_map<std::string, Value> globals_;
+  std::vector<Object> objects_;
+  std::unordered_map<std::string, Value> outside_;  // memory that no variable of the source is
+  std::vector<Logged> log_;                         // of stores
   std::vector<Frame> frames_;
+  std::vector<Guard> guards_;
+  std::vector<Exit> exits_;
+  std::unordered_map<std::string, Value> definitions_;
+  std::map<std::string, int> globals_;        // objects
+  std::map<const void*, int> statics_;        // of declarations: objects
+  std::map<int, const Type*> statics_types_;  // of the objects of globals and statics
   std::map<std::uint32_t, CallSite> sites_;
-  std::map<std::string, std::set<std::uint32_t>> needs_;  // where each is used
-  std::set<std::string> used_;                            // definitions that were looked at
-  std::map<std::string, std::uint32_t> initial_values_;   // globals that are not constant, and where they stand
-  std::set<std::string> used_origins_;                    // those on which a call or a decision depends
-  std::set<std::string> arrays_;                          // needed names of which four numbers are needed
-  std::set<std::string> skipped_;                         // functions that were not executed
-  std::string_view skipped_language_{};                   // of a program in a literal that is not for combiners
-  std::set<std::uint32_t> loaded_;                        // programs in literals
-  std::set<std::uint32_t> misspelled_;                    // places that were reported
-  std::map<std::string, FilledDefinition> filled_;        // by their objects
+  std::map<std::string, std::set<std::uint32_t>> needs_;                      // where each is used
+  std::set<std::string> used_;                                                // definitions that were looked at
+  std::map<std::string, std::pair<std::uint32_t, std::string>> assumptions_;  // notes, by their names in origins
+  std::set<std::string> used_origins_;              // those on which a call or a decision depends
+  std::set<std::string> arrays_;                    // needed names of which four numbers are needed
+  std::set<std::string> skipped_;                   // functions that were not executed
+  std::string_view skipped_language_{};             // of a program in a literal that is not for combiners
+  std::set<std::uint32_t> loaded_;                  // programs in literals
+  std::set<std::uint32_t> reported_;                // places that were reported
+  std::map<std::string, FilledDefinition> filled_;  // by their objects
+  std::vector<CombinerState> drawn_;                // programs with which something was drawn
   std::uint32_t first_skipped_ = 0, last_skipped_ = 0;
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
-  std::map<const void*, bool> may_set_;  // statements that were looked at
-  std::deque<std::string> texts_;        // of settled expressions
-  std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0, skips_ = 0, elements_ = 0;
-  std::uint32_t drawn_at_ = 0;  // where the last drawing call stands; 0: none since the last set-up
-  bool out_of_steps_ = false, noted_drawing_ = false;
-  int depth_ = 0;
-  int guesses_ = 0;  // conditions around the current statement that are not known
+  std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0, skips_ = 0;
+  bool out_of_steps_ = false, set_since_drawing_ = false;
+  bool is_thrown_ = false;  // an exception leaves functions
+  int depth_ = 0, quiet_ = 0, tries_ = 0;
+  std::string jump_label_;  // of Flow::jump
 };
 
 }  // namespace ninebit::code

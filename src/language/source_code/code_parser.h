@@ -1,10 +1,12 @@
-// Parses C, C++, Java and C# as far as calls and constants need it. Whatever it cannot read becomes an unreadable
-// statement or expression, and reading goes on behind it.
+// Parses C, C++ and Java as far as calls and constants need it. Whatever it cannot read becomes an unreadable statement
+// or expression, and reading goes on behind it.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "src/language/source_code/code_file.h"
@@ -12,107 +14,135 @@
 
 namespace ninebit::code {
 
-// The tokens that a parser reads.
-class TokenCursor {
+class Parser {
  public:
-  TokenCursor(const File& file, std::size_t begin, std::size_t end)
-      : file_(file), tokens_(file.tokens), at_(begin), end_(end) {}
+  Parser(const File& file, Outline& outline);
 
-  // The token `ahead` of the current one; Kind::end at the end.
+  // Fills the outline with what the whole file declares and defines.
+  void read_outline();
+  // The statements of a function's body.
+  [[nodiscard]] std::vector<Statement> body(const Function& function);
+  // An expression that stands alone, or several separated by commas; empty: it cannot be read.
+  [[nodiscard]] std::vector<Expression> expressions();
+
+  // Types, each once.
+  const Type* number_type(Kinds kinds) { return type({.kind = TypeKind::number, .kinds = kinds}); }
+  const Type* unknown_type() { return type({}); }
+  const Type* pointer_to(const Type* of) { return type({.kind = TypeKind::pointer, .of = of}); }
+  const Type* array_of(const Type* of, std::int64_t count);
+
+ private:
+  // What a name means; of a name without a type and a constant: a variable.
+  struct Symbol {
+    const Type* type = nullptr;
+    std::optional<Number> constant{};
+  };
+  struct Specifiers {
+    const Type* type = nullptr;
+    bool is_constant = false, is_static = false, is_extern = false, is_typedef = false, is_final = false;
+    bool is_volatile = false;
+    std::vector<Declared> enumerators{};
+  };
+  // What stands before a brace or a semicolon at the outermost level of the file or of a class.
+  struct Head {
+    std::size_t begin = 0, stop = 0;
+    std::size_t parenthesis = 0, assignment = 0;  // the first ones outside of brackets; 0: none
+    bool is_class = false, is_template = false;
+  };
+
+  // The cursor.
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
-    return at_ + ahead < end_ ? tokens_[at_ + ahead] : end_token_;
+    return at_ + ahead < end_ ? file_.tokens[at_ + ahead] : end_token_;
   }
-  const Token& take() { return at_ < end_ ? tokens_[at_++] : end_token_; }
+  [[nodiscard]] const Token& token(std::size_t i) const { return file_.tokens[i]; }
+  const Token& take() { return at_ < end_ ? file_.tokens[at_++] : end_token_; }
   bool takes(std::string_view what) {
     if (!peek().is(what)) return false;
     ++at_;
     return true;
   }
   [[nodiscard]] bool at_end() const { return at_ >= end_; }
-  [[nodiscard]] std::size_t at() const { return at_; }
-  [[nodiscard]] const File& file() const { return file_; }
-  void move_to(std::size_t at) { at_ = at; }
-  // The byte at which the token before the current one ends.
-  [[nodiscard]] std::uint32_t last_end() const { return at_ == 0 ? 0 : tokens_[at_ - 1].end; }
-  // Goes behind the bracket that closes the one at the current place, or to the end. At another token, skips that.
+  [[nodiscard]] std::uint32_t last_end() const { return at_ == 0 ? 0 : file_.tokens[at_ - 1].end; }
   void skip_brackets() { at_ = std::min<std::size_t>(at_ < end_ ? file_.closing[at_] + std::size_t{1} : end_, end_); }
+  [[nodiscard]] std::size_t behind_brackets(std::size_t at) const { return file_.closing[at] + std::size_t{1}; }
+  [[nodiscard]] std::size_t behind_template(std::size_t at) const;
 
- private:
-  const File& file_;
-  const std::vector<Token>& tokens_;
-  std::size_t at_, end_;
-  Token end_token_{};
-};
+  // Types and declarations: code_declarations.cpp
+  const Type* type(const Type& like);
+  [[nodiscard]] const Symbol* symbol(std::string_view name) const;
+  [[nodiscard]] const Type* known_type(std::string_view name);
+  void declare(std::string_view name, Symbol symbol);
+  void open_scope() { saved_.emplace_back(); }
+  void close_scope();
+  bool specifiers(Specifiers& out, bool takes_unknown);
+  bool number_words(Specifiers& out);
+  const Type* structure(Specifiers& out);
+  void members(Struct& out, bool& is_read);
+  void enumeration(Specifiers& out);
+  const Type* pointers(const Type* base, Declared& out);
+  const Type* declarator(const Type* base, Declared& out, Function* function);
+  const Type* suffixes(const Type* base, Function* function);
+  void parameters(Function& out);
+  [[nodiscard]] bool is_declaration() const;
+  [[nodiscard]] bool begins_type(std::size_t at) const;
+  [[nodiscard]] bool holds_parameters(std::size_t open) const;
+  bool declaration(Statement& out);
+  bool initializer(Declared& out);
+  [[nodiscard]] std::optional<Number> fold(const Expression& e) const;
 
-// Expressions with C's operators and precedence, and the casts, `new` and named casts of the other languages.
-class ExpressionParser {
- public:
-  explicit ExpressionParser(TokenCursor& in) : in_(in) {}
+  // The file: code_outline.cpp
+  Head head();
+  void part();
+  void code(const Head& head);
+  bool function(const Head& head, Struct* of);
+  const Type* result_type(std::size_t begin, std::size_t name);
+  void old_parameters(Function& out, std::size_t begin);
+  void skip_statement();
+  void add_defaults();
 
-  // With a comma operator only where `commas` is set.
+  // Expressions: code_expressions.cpp
   Expression expression(bool commas = false);
-  // { … }, whose brace is the next token.
-  Expression list(std::string_view close);
-
- private:
   Expression assignment();
   Expression binary(int least);
   Expression unary();
   Expression postfix();
   Expression primary();
-  Expression literals(const Token& begin);
+  Expression literals();
   Expression parenthesis();
-  Expression creation(const Token& begin);
-  Expression designated_element();
-  Expression named(const Token& begin);
+  Expression creation();
+  Expression list(std::string_view close);
+  Expression arguments(Expression callee);
+  Expression named();
+  Expression size();
   Expression fail(const Token& at) const;
-  [[nodiscard]] bool is_cast() const;
-  void skip_template_arguments();
+  const Type* type_name();
+  [[nodiscard]] bool is_cast();
 
-  TokenCursor& in_;
-  int depth_ = 0;
-};
-
-class StatementParser {
- public:
-  StatementParser(TokenCursor& in, Outline& outline) : in_(in), outline_(outline), expressions_(in) {}
-
-  // All statements up to the end.
+  // Statements: code_statements.cpp
   std::vector<Statement> statements();
   Statement statement();
-  // Whether a declaration begins at the current token.
-  [[nodiscard]] bool is_declaration() const;
-  Statement declaration();
-  // struct, class, union or enum with its body, and what is declared with it; empty: there is no body here.
-  bool type_definition(Statement& out);
-
- private:
   Statement controlled(const Token& keyword);
-  Statement branch(const Token& keyword);
+  Statement branch();
   Statement loop(const Token& keyword);
   bool for_each(Statement& out);
-  Statement choice(const Token& keyword);
+  Statement choice();
   Statement block();
   Statement plain();
-  void declarators(Statement& out, std::string_view type, bool is_constant);
   bool condition(Statement& out);
-  void enumerators(Statement& out);
-  Members members(Statement& out);
-  void array_type();
   Statement unreadable(std::size_t begin, const std::string& expected);
 
-  TokenCursor& in_;
+  const File& file_;
   Outline& outline_;
-  ExpressionParser expressions_;
-  int depth_ = 0;
+  std::size_t at_ = 0, end_;
+  Token end_token_{};
+  std::unordered_map<std::string_view, Symbol> symbols_;
+  std::vector<std::vector<std::pair<std::string_view, std::optional<Symbol>>>> saved_;  // of the open scopes
+  std::vector<std::string_view> classes_;                                               // around the current place
+  int depth_ = 0, expression_depth_ = 0;
 };
 
-// The functions, declarations and other code of a whole C-like file.
-[[nodiscard]] Outline read_outline(const File& file);
-
-// The same of a Pascal file.
-[[nodiscard]] Outline read_pascal_outline(const File& file);
-// The statements of a Pascal function's body.
-[[nodiscard]] std::vector<Statement> read_pascal_body(const File& file, const Function& function, Outline& outline);
+[[nodiscard]] inline bool failed(const Expression& e) {
+  return e.kind == ExpressionKind::unreadable;
+}
 
 }  // namespace ninebit::code

@@ -1,30 +1,57 @@
 // A source parsed for execution; which of its parts set combiners.
 #include <algorithm>
 
+#include "src/language/gl_calls/gl_calls_spelling.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/source_code/code_parser.h"
 
 namespace ninebit::code {
 namespace {
 
 bool changes(const Token& token) {
-  for (const std::string_view op : {"=", ":=", "+=", "-=", "*=", "/=", "|=", "&=", "^=", "%=", "++", "--"}) {
+  for (const std::string_view op : {"=", "+=", "-=", "*=", "/=", "|=", "&=", "^=", "%=", "<<=", ">>=", "++", "--"}) {
     if (token.is(op)) return true;
   }
   return false;
 }
 
-// The names that functions assign to, alone or with an index.
+// The names that functions may change: assigned to, alone or a part of them; or given away by address.
 void find_assigned(Program& program) {
   const std::vector<Token>& tokens = program.file.tokens;
   for (const Function& function : program.outline.functions) {
+    std::vector<std::size_t> calls;  // the tokens before the parentheses that are open
     for (std::size_t i = function.first; i < function.last; ++i) {
+      if (tokens[i].is("(")) calls.push_back(i - 1);
+      if (tokens[i].is(")") && !calls.empty()) calls.pop_back();
       if (!tokens[i].is_name()) continue;
+      const Token& before = tokens[i - 1];
       std::size_t next = i + 1;
-      while (next < function.last && tokens[next].is("[")) next = program.file.closing[next] + std::size_t{1};
-      const bool before = i > 0 && (tokens[i - 1].is("++") || tokens[i - 1].is("--"));
-      if (before || (next < function.last && changes(tokens[next])))
-        program.assigned.insert(program.key(tokens[i].text));
+      while (next < function.last) {
+        if (tokens[next].is("[")) {
+          next = program.file.closing[next] + std::size_t{1};
+        } else if ((tokens[next].is(".") || tokens[next].is("->")) && next + 1 < function.last) {
+          next += 2;
+        } else {
+          break;
+        }
+      }
+      const bool steps = before.is("++") || before.is("--");
+      const bool address = before.is("&") && !tokens[i - 2].is_name() && tokens[i - 2].kind != Token::Kind::number &&
+                           !tokens[i - 2].is(")") && !tokens[i - 2].is("]");
+      // A whole array that a call gets, or a pointer.
+      const bool whole = next == i + 1 && (tokens[next].is(",") || tokens[next].is(")") || tokens[next].is(";") ||
+                                           tokens[next].is("+") || tokens[next].is("-"));
+      const bool to_gl =
+          !calls.empty() && tokens[calls.back()].is_name() && names_gl_function(tokens[calls.back()].text);
+      const bool binds = before.is("=") && whole;
+      const bool given = whole && !calls.empty() && !to_gl && !before.is("=");
+      const bool is_array = [&] {
+        const auto found = program.globals.find(std::string(tokens[i].text));
+        return found != program.globals.end() && !found->second->type->is(TypeKind::number) &&
+               !found->second->type->is(TypeKind::pointer);
+      }();
+      const bool by_address = address && !to_gl;
+      const bool changed = next < function.last && changes(tokens[next]);
+      if (steps || by_address || changed || (is_array && (binds || given))) program.assigned.insert(tokens[i].text);
     }
   }
 }
@@ -32,91 +59,118 @@ void find_assigned(Program& program) {
 // Whether an argument of glEnable is one of the combiners' capabilities.
 bool names_capability(const Expression& e) {
   for (const std::string_view part :
-       {"REGISTER_COMBINERS", "PER_STAGE_CONSTANTS", "register_combiners", "RegisterCombiners"}) {
+       {"REGISTER_COMBINERS", "PER_STAGE_CONSTANTS", "register_combiners", "RegisterCombiners", "PerStageConstants"}) {
     if (e.text.find(part) != std::string_view::npos) return true;
+  }
+  if (e.kind == ExpressionKind::cast || e.kind == ExpressionKind::member) {
+    return std::any_of(e.parts.begin(), e.parts.end(), names_capability);
   }
   return e.kind == ExpressionKind::number;
 }
 
 }  // namespace
 
-Program read_program(const SourceText& source, const std::vector<Definition>& definitions, detail::SourceFaults& faults,
-                     detail::SourceFaults& notes) {
-  Program program{.source = source, .file = read_file(source, definitions, faults, notes), .outline = {}};
-  program.outline =
-      program.file.language == Language::pascal ? read_pascal_outline(program.file) : read_outline(program.file);
-  return program;
-}
-
-void index_program(Program& program) {
-  for (const Function& function : program.outline.functions) {
-    program.by_name[program.key(function.own_name)].push_back(&function);
-  }
-  for (const Statement& statement : program.outline.globals) {
+Program::Program(const SourceText& text, const SourceSelection& selection, detail::SourceFaults& faults,
+                 detail::SourceFaults& notes)
+    : source(text) {
+  read_file(file, text, selection, faults, notes);
+  parser = std::make_unique<Parser>(file, outline);
+  parser->read_outline();
+  for (const Function& function : outline.functions) by_name[function.own_name].push_back(&function);
+  for (const Function& function : outline.prototypes) prototypes[function.own_name].push_back(&function);
+  for (const Statement& statement : outline.globals) {
     for (const Declared& one : statement.declared) {
-      if (!one.value.empty() || one.is_array) program.globals.emplace(program.key(one.name), &one);
+      const std::string name = (one.scope.empty() ? "" : std::string(one.scope) + "::") + std::string(one.name);
+      const auto [known, is_new] = globals.try_emplace(name, &one);
+      if (!is_new && known->second->value.empty()) known->second = &one;
     }
   }
-  find_assigned(program);
+  find_assigned(*this);
 }
 
-const std::vector<Statement>& Machine::body_of(const Function& function) {
-  const auto known = program_.bodies.find(&function);
-  if (known != program_.bodies.end()) return known->second;
-  std::vector<Statement> body;
-  if (program_.file.language == Language::pascal) {
-    body = read_pascal_body(program_.file, function, program_.outline);
-  } else {
-    TokenCursor in(program_.file, function.first, function.last);
-    StatementParser parser(in, program_.outline);
-    while (!in.at_end()) {
-      body = parser.statements();
-      if (!in.at_end()) in.take();  // a stray brace
-    }
-  }
-  return program_.bodies.emplace(&function, std::move(body)).first->second;
+const std::vector<Statement>& Program::body_of(const Function& function) {
+  const auto known = bodies.find(&function);
+  if (known != bodies.end()) return known->second;
+  return bodies.emplace(&function, parser->body(function)).first->second;
 }
 
-bool Machine::may_set(const Function& function) {
-  if (program_.file.calls_between(function.begin, function.end)) return true;
-  const auto known = program_.sets_combiners.find(&function);
-  if (known != program_.sets_combiners.end()) return known->second;
-  program_.sets_combiners[&function] = false;  // while it is looked at
-  const bool sets = frames_.size() < 24 && may_set(body_of(function));
-  program_.sets_combiners[&function] = sets;
-  return sets;
+bool Program::sets(const Function& function) {
+  if (file.calls_between(function.begin, function.end)) return true;
+  const auto known = may_set.find(&function);
+  if (known != may_set.end()) return known->second;
+  may_set[&function] = false;  // while it is looked at
+  return may_set[&function] = sets(body_of(function));
 }
 
-bool Machine::may_set(const std::vector<Statement>& statements) {
+bool Program::sets(const std::vector<Statement>& statements) {
   if (statements.empty()) return false;
-  if (const auto known = may_set_.find(&statements); known != may_set_.end()) return known->second;
-  const bool sets = std::any_of(statements.begin(), statements.end(), [&](const Statement& s) {
+  if (const auto known = may_set.find(&statements); known != may_set.end()) return known->second;
+  const bool found = std::any_of(statements.begin(), statements.end(), [&](const Statement& s) {
     const auto any = [&](const std::vector<Expression>& all) {
-      return std::any_of(all.begin(), all.end(), [&](const Expression& e) { return may_set(e); });
+      return std::any_of(all.begin(), all.end(), [&](const Expression& e) { return sets(e); });
     };
     const bool declares =
         std::any_of(s.declared.begin(), s.declared.end(), [&](const Declared& d) { return any(d.value); });
-    const bool unreadable = s.kind == Statement::Kind::unreadable && program_.file.calls_between(s.offset, s.end);
-    return any(s.value) || any(s.step) || declares || unreadable || may_set(s.first) || may_set(s.body) ||
-           may_set(s.otherwise);
+    const bool unreadable = s.kind == StatementKind::unreadable && file.calls_between(s.offset, s.end);
+    return any(s.value) || any(s.step) || declares || unreadable || sets(s.first) || sets(s.body) || sets(s.otherwise);
   });
-  may_set_.emplace(&statements, sets);
-  return sets;
+  may_set.emplace(&statements, found);
+  return found;
 }
 
-bool Machine::may_set(const Expression& e) {
+bool Program::sets(const Expression& e) {
   if (assigns_word(e)) return true;
   if (e.kind == ExpressionKind::call) {
-    const auto* const signature = signature_of(e.parts[0], program_.file.language);
-    if (signature != nullptr) {
+    if (const auto* const signature = signature_of(e.parts[0])) {
       const bool switches = signature->parameters == "e";
       if (!switches || (e.parts.size() == 2 && names_capability(e.parts[1]))) return true;
     }
     if (called_operand(e.parts[0]).text == "nvparse") return true;
-    const Function* const function = function_of(e.parts[0], e.parts.size() - 1);
-    if (function != nullptr && may_set(*function)) return true;
+    const Function* const function = function_of(e.parts[0], e.parts.size() - 1, nullptr);
+    if (function != nullptr && sets(*function)) return true;
   }
-  return std::any_of(e.parts.begin(), e.parts.end(), [&](const Expression& part) { return may_set(part); });
+  // A function that is given away may be called.
+  if (e.kind == ExpressionKind::name) {
+    const auto named = by_name.find(e.text);
+    if (named != by_name.end() && named->second.size() == 1 && globals.count(std::string(e.text)) == 0 &&
+        file.calls_between(named->second[0]->begin, named->second[0]->end)) {
+      return true;
+    }
+  }
+  return std::any_of(e.parts.begin(), e.parts.end(), [&](const Expression& part) { return sets(part); });
+}
+
+// That with as many parameters, of the same class; or the only one.
+const Function* Program::function_of(const Expression& callee, std::size_t arguments, const Function* inside) const {
+  const Expression& named = called_operand(callee);
+  if (named.kind != ExpressionKind::name && named.kind != ExpressionKind::member) return nullptr;
+  const auto found = by_name.find(named.text);
+  if (found == by_name.end()) return nullptr;
+  const bool is_member = named.kind == ExpressionKind::member;
+  const bool is_self = is_member && named.parts[0].kind == ExpressionKind::name && named.parts[0].text == "this";
+  const std::string_view scope = inside != nullptr ? inside->scope : std::string_view();
+  const bool is_gls = detail::find_gl_call(named.text) != nullptr;
+  std::vector<const Function*> fitting;
+  for (const Function* const one : found->second) {
+    // A wrapper that has the name of what it calls.
+    if (one == inside && (callee.kind != ExpressionKind::name || is_gls)) continue;
+    if (!named.qualifier.empty() && !one->scope.empty() && one->scope != named.qualifier) continue;
+    if (is_member && one->scope.empty()) continue;
+    const std::size_t count = one->parameters.size();
+    const bool defaults = count > arguments && !one->parameters[arguments].value.empty();
+    if (count == arguments || defaults || one->is_variadic || found->second.size() == 1) fitting.push_back(one);
+  }
+  const auto of_class = [&](std::string_view wanted) {
+    std::vector<const Function*> own;
+    std::copy_if(fitting.begin(), fitting.end(), std::back_inserter(own),
+                 [&](const Function* one) { return one->scope == wanted; });
+    return own;
+  };
+  if (!is_member || is_self) {
+    if (const auto own = of_class(scope); own.size() == 1) return own[0];
+    if (const auto free = of_class({}); free.size() == 1 && !is_self) return free[0];
+  }
+  return fitting.size() == 1 ? fitting[0] : nullptr;
 }
 
 }  // namespace ninebit::code

@@ -1,12 +1,7 @@
-// Statements of C-like languages.
-#include <algorithm>
-#include <array>
+// Statements.
 #include <utility>
 
-#include "src/language/source/source_faults.h"
 #include "src/language/source_code/code_parser.h"
-#include "src/language/source_code/code_tree_build.h"
-#include "src/language/source_code/code_types.h"
 
 namespace ninebit::code {
 namespace {
@@ -19,258 +14,263 @@ Statement empty_at(const Token& token, StatementKind kind) {
   return out;
 }
 
-// Words with which a statement begins that runs its block once.
-bool runs_block(const Token& token) {
-  constexpr std::array<std::string_view, 10> kWords{"try",    "synchronized", "lock",    "fixed",     "using",
-                                                    "unsafe", "checked",      "finally", "unchecked", "__try"};
-  return token.is_name() && std::find(kWords.begin(), kWords.end(), token.text) != kWords.end();
-}
-
 }  // namespace
 
-std::vector<Statement> StatementParser::statements() {
+std::vector<Statement> Parser::body(const Function& function) {
+  const std::size_t end = std::exchange(end_, function.last);
+  at_ = function.first;
+  open_scope();
+  for (const Declared& one : function.parameters) declare(one.name, {});
   std::vector<Statement> all;
-  while (!in_.at_end() && !in_.peek().is("}")) all.push_back(statement());
+  while (!at_end()) {
+    std::vector<Statement> more = statements();
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+    if (!at_end()) take();  // a stray brace
+  }
+  close_scope();
+  end_ = end;
+  return all;
+}
+
+std::vector<Statement> Parser::statements() {
+  std::vector<Statement> all;
+  while (!at_end() && !peek().is("}")) all.push_back(statement());
   return all;
 }
 
 // Skips the statement that begins at `begin`, up to its semicolon or the end of the block around it.
-Statement StatementParser::unreadable(std::size_t begin, const std::string& expected) {
-  const Token at = in_.peek();
-  in_.move_to(begin);
-  Statement out = empty_at(in_.peek(), StatementKind::unreadable);
+Statement Parser::unreadable(std::size_t begin, const std::string& expected) {
+  const Token at = peek();
+  at_ = begin;
+  Statement out = empty_at(peek(), StatementKind::unreadable);
   out.message = "expected " + expected + ", " +
                 (at.kind == Token::Kind::end ? "but the text ends" : "found " + detail::quoted(at.text));
-  while (!in_.at_end() && !in_.peek().is("}")) {
-    const bool opens = in_.peek().is("{") || in_.peek().is("(") || in_.peek().is("[");
-    const bool block = in_.peek().is("{");
+  while (!at_end() && !peek().is("}")) {
+    const bool opens = peek().is("{") || peek().is("(") || peek().is("[");
+    const bool block = peek().is("{");
+    const std::size_t from = at_;
     if (opens) {
-      in_.skip_brackets();
-    } else if (in_.take().is(";")) {
+      skip_brackets();
+    } else if (take().is(";")) {
       break;
     }
-    if (block && !in_.peek().is(";") && !in_.peek().is(",") && !in_.peek().is(")")) break;
+    for (std::size_t i = from; i < at_; ++i) {
+      for (const std::string_view word : {"return", "break", "continue", "goto", "throw", "case", "default"}) {
+        out.may_jump = out.may_jump || token(i).is(word);
+      }
+    }
+    if (block && !peek().is(";") && !peek().is(",") && !peek().is(")") && !peek().is("else")) break;
   }
-  out.end = in_.last_end();
+  out.end = last_end();
   return out;
 }
 
-Statement StatementParser::statement() {
-  const std::size_t begin = in_.at();
-  const Token token = in_.peek();
+Statement Parser::statement() {
+  const std::size_t begin = at_;
+  const Token first = peek();
   if (depth_ >= kMostNestedStatements) return unreadable(begin, "fewer nested statements");
   ++depth_;
   Statement out;
-  if (token.is("{")) {
+  if (first.is("{")) {
     out = block();
-  } else if (token.is(";")) {
-    out = empty_at(in_.take(), StatementKind::nothing);
-  } else if (token.is_name() && in_.peek(1).is(":") && !token.is("default") && !token.is("case")) {
-    in_.take();  // a label
-    out = empty_at(in_.take(), StatementKind::nothing);
+  } else if (first.is(";")) {
+    out = empty_at(take(), StatementKind::nothing);
+  } else if (first.is_name() && peek(1).is(":") && !first.is("default") && !first.is("case")) {
+    take();
+    out = empty_at(take(), StatementKind::mark);
+    out.message = first.text;
   } else {
-    out = controlled(token);
+    out = controlled(first);
   }
   --depth_;
-  out.offset = token.offset;
-  out.end = std::max(out.end, in_.last_end());
+  out.offset = first.offset;
+  out.end = std::max(out.end, last_end());
   return out;
 }
 
-Statement StatementParser::controlled(const Token& token) {
-  if (token.is("if")) return branch(token);
-  if (token.is("for") || token.is("while") || token.is("do") || token.is("foreach")) return loop(token);
-  if (token.is("switch")) return choice(token);
-  if (token.is("break") || token.is("continue") || token.is("return")) {
-    Statement out = empty_at(in_.take(), token.is("break")      ? StatementKind::leave
-                                         : token.is("continue") ? StatementKind::next
-                                                                : StatementKind::give_back);
-    if (token.is("return") && !in_.peek().is(";")) {
-      out.value.push_back(expressions_.expression(true));
+Statement Parser::controlled(const Token& keyword) {
+  const auto word = [&](std::string_view one) { return keyword.is(one); };
+  if (word("if")) return branch();
+  if (word("for") || word("while") || word("do")) return loop(keyword);
+  if (word("switch")) return choice();
+  if (word("break") || word("continue") || word("return") || word("throw")) {
+    Statement out = empty_at(take(), word("break")      ? StatementKind::leave
+                                     : word("continue") ? StatementKind::next
+                                                        : StatementKind::give_back);
+    const bool gives = word("return") || word("throw");
+    if (gives && !peek().is(";")) {
+      out.value.push_back(peek().is("{") ? list("}") : expression(true));
       if (failed(out.value[0])) out.value.clear();
     }
-    if (!in_.takes(";")) unreadable(in_.at(), "';'");
+    if (word("throw")) out.message = "throw";
+    if (!takes(";")) unreadable(at_, "';'");
     return out;
   }
-  if (token.is("case") || token.is("default")) {
-    Statement out = empty_at(in_.take(), StatementKind::label);
-    if (token.is("case")) out.value.push_back(expressions_.expression());
-    while (!in_.at_end() && !in_.peek().is(":") && !in_.peek().is("}") && !in_.peek().is(";")) in_.take();
-    in_.takes(":");
+  if (word("case") || word("default")) {
+    Statement out = empty_at(take(), StatementKind::label);
+    if (word("case")) out.value.push_back(expression());
+    while (!at_end() && !peek().is(":") && !peek().is("}") && !peek().is(";")) take();
+    takes(":");
     return out;
   }
-  if (runs_block(token) && (in_.peek(1).is("{") || in_.peek(1).is("("))) {
-    in_.take();
-    if (in_.peek().is("(")) in_.skip_brackets();
+  if ((word("try") || word("__try")) && peek(1).is("{")) {
+    take();
+    Statement out = statement();
+    out.message = "try";
+    return out;
+  }
+  if (word("catch") || word("__except")) {
+    take();
+    if (peek().is("(")) skip_brackets();
+    if (peek().is("{")) skip_brackets();
+    return empty_at(keyword, StatementKind::nothing);
+  }
+  if ((word("finally") || word("__finally") || word("synchronized")) && (peek(1).is("{") || peek(1).is("("))) {
+    take();
+    if (peek().is("(")) skip_brackets();
     return statement();
   }
-  if (token.is("catch") || token.is("__except")) {
-    in_.take();
-    if (in_.peek().is("(")) in_.skip_brackets();
-    if (in_.peek().is("{")) in_.skip_brackets();
-    return empty_at(token, StatementKind::nothing);
+  if (word("goto") && peek(1).is_name()) {
+    take();
+    Statement out = empty_at(keyword, StatementKind::jump);
+    out.message = take().text;
+    takes(";");
+    return out;
   }
-  if (token.is("else")) {  // without its if
-    in_.take();
-    return statement();
+  if (word("using")) {
+    skip_statement();
+    return empty_at(keyword, StatementKind::nothing);
   }
   return plain();
 }
 
-Statement StatementParser::block() {
-  Statement out = empty_at(in_.take(), StatementKind::block);
-  out.body = statements();
-  in_.takes("}");
-  return out;
-}
-
-// "( … )" as the statement's condition; what cannot be read is an unreadable expression.
-bool StatementParser::condition(Statement& out) {
-  const std::size_t begin = in_.at();
-  if (!in_.takes("(")) return false;
-  Expression value = expressions_.expression(true);
-  if (failed(value) || !in_.peek().is(")")) {
-    in_.move_to(begin);
-    const std::uint32_t offset = in_.peek().offset;
-    in_.skip_brackets();
-    value = made(Expression::Kind::unreadable, {}, offset, in_.last_end());
-  } else {
-    in_.take();
+Statement Parser::plain() {
+  const std::size_t begin = at_;
+  if (is_declaration()) {
+    Statement out = empty_at(peek(), StatementKind::declaration);
+    if (declaration(out) && !peek().is(":")) return out;
+    return unreadable(begin, "a declaration");
   }
-  out.value.push_back(std::move(value));
-  return true;
+  Statement out = empty_at(peek(), StatementKind::expression);
+  out.value.push_back(expression(true));
+  if (failed(out.value[0])) return unreadable(begin, "a statement");
+  // The last one of a text, or a macro that stands alone, needs no semicolon.
+  const bool ends =
+      takes(";") || at_end() || peek().is("}") || (out.value[0].kind == ExpressionKind::call && peek().begins_line);
+  return ends ? out : unreadable(begin, "a statement");
 }
 
-Statement StatementParser::branch(const Token& keyword) {
-  const std::size_t begin = in_.at();
-  Statement out = empty_at(in_.take(), StatementKind::branch);
-  if (in_.peek().is("constexpr")) in_.take();
-  if (!condition(out)) return unreadable(begin, "'(' after " + std::string(keyword.text));
-  out.body.push_back(statement());
-  if (in_.takes("else")) out.otherwise.push_back(statement());
+Statement Parser::block() {
+  Statement out = empty_at(take(), StatementKind::block);
+  open_scope();
+  out.body = statements();
+  close_scope();
+  takes("}");
   return out;
 }
 
-Statement StatementParser::loop(const Token& keyword) {
-  const std::size_t begin = in_.at();
-  Statement out = empty_at(in_.take(), StatementKind::loop);
+// ( … ) behind if, while and switch.
+bool Parser::condition(Statement& out) {
+  if (!takes("(")) return false;
+  if (is_declaration() && !peek(1).is("(")) {  // if (T x = …)
+    return false;
+  }
+  out.value.push_back(expression(true));
+  return !failed(out.value[0]) && takes(")");
+}
+
+Statement Parser::branch() {
+  const std::size_t begin = at_;
+  Statement out = empty_at(take(), StatementKind::branch);
+  takes("constexpr");
+  if (!condition(out)) return unreadable(begin, "a condition");
+  open_scope();
+  out.body.push_back(statement());
+  close_scope();
+  if (takes("else")) {
+    open_scope();
+    out.otherwise.push_back(statement());
+    close_scope();
+  }
+  return out;
+}
+
+Statement Parser::loop(const Token& keyword) {
+  const std::size_t begin = at_;
+  Statement out = empty_at(take(), StatementKind::loop);
+  open_scope();
+  bool good = true;
   if (keyword.is("do")) {
     out.tests_last = true;
     out.body.push_back(statement());
-    if (!in_.takes("while") || !condition(out)) return unreadable(begin, "while and its condition");
-    in_.takes(";");
-    return out;
-  }
-  if (keyword.is("while")) {
-    if (!condition(out)) return unreadable(begin, "'(' after while");
-    out.body.push_back(statement());
-    return out;
-  }
-  const std::size_t open = in_.at();
-  if (!in_.takes("(")) return unreadable(begin, "'(' after " + std::string(keyword.text));
-  if (for_each(out)) return out;
-  const bool nothing_first = in_.peek().is(";");
-  out.first.push_back(nothing_first      ? empty_at(in_.take(), StatementKind::nothing)
-                      : is_declaration() ? declaration()
-                                         : plain());
-  bool good = out.first[0].kind != StatementKind::unreadable;
-  if (good && !in_.peek().is(";")) {
-    out.value.push_back(expressions_.expression(true));
-    good = !failed(out.value[0]);
-  }
-  good = good && in_.takes(";");
-  if (good && !in_.peek().is(")")) {
-    out.step.push_back(expressions_.expression(true));
-    good = !failed(out.step[0]);
-  }
-  if (!good || !in_.peek().is(")")) {  // over the elements of something
-    out.first.clear();
-    out.step.clear();
-    in_.move_to(open);
-    const std::uint32_t offset = in_.peek().offset;
-    in_.skip_brackets();
-    out.value.assign(1, made(Expression::Kind::unreadable, {}, offset, in_.last_end()));
+    good = takes("while") && condition(out);
+    takes(";");
+  } else if (keyword.is("while")) {
+    good = condition(out);
   } else {
-    in_.take();
+    good = takes("(");
+    if (good && !for_each(out)) {
+      if (is_declaration()) {
+        good = declaration(out.first.emplace_back(empty_at(peek(), StatementKind::declaration)));
+      } else if (!takes(";")) {
+        Statement& first = out.first.emplace_back(empty_at(peek(), StatementKind::expression));
+        first.value.push_back(expression(true));
+        good = !failed(first.value[0]) && takes(";");
+      }
+      if (good && !peek().is(";")) {
+        out.value.push_back(expression(true));
+        good = !failed(out.value[0]);
+      }
+      good = good && takes(";");
+      if (good && !peek().is(")")) {
+        out.step.push_back(expression(true));
+        good = !failed(out.step[0]);
+      }
+    }
+    good = good && takes(")");
   }
-  out.body.push_back(statement());
-  return out;
+  if (good && !out.tests_last) out.body.push_back(statement());
+  close_scope();
+  return good ? out : unreadable(begin, "a loop");
 }
 
-// TYPE NAME : RANGE) or TYPE NAME in RANGE), and what is done for each element; false: it is another loop.
-bool StatementParser::for_each(Statement& out) {
-  constexpr std::size_t kLongestType = 16;
-  std::size_t ahead = 0;
-  while (ahead < kLongestType &&
-         (in_.peek(ahead).is_name() || in_.peek(ahead).is("*") || in_.peek(ahead).is("&") || in_.peek(ahead).is("::") ||
-          in_.peek(ahead).is("<") || in_.peek(ahead).is(">")) &&
-         !in_.peek(ahead).is("in")) {
-    ++ahead;
+// for (TYPE NAME : RANGE)
+bool Parser::for_each(Statement& out) {
+  const std::size_t begin = at_;
+  Statement declared;
+  if (is_declaration() && declaration(declared) && declared.declared.size() == 1 && takes(":")) {
+    out.kind = StatementKind::each;
+    out.declared = std::move(declared.declared);
+    out.value.push_back(peek().is("{") ? list("}") : expression());
+    if (!failed(out.value[0])) return true;
+    out.kind = StatementKind::loop;
+    out.declared.clear();
+    out.value.clear();
   }
-  const bool is_range = in_.peek(ahead).is(":") || in_.peek(ahead).is("in");
-  if (ahead < 2 || !is_range || !in_.peek(ahead - 1).is_name()) return false;
-  const std::size_t begin = in_.at();
-  Declared element;
-  element.name = in_.peek(ahead - 1).text;
-  element.offset = in_.peek(ahead - 1).offset;
-  in_.move_to(begin + ahead + 1);
-  Expression range = expressions_.expression();
-  if (failed(range) || !in_.takes(")")) {
-    in_.move_to(begin);
-    return false;
-  }
-  out.kind = StatementKind::each;
-  out.declared.push_back(std::move(element));
-  out.value.push_back(std::move(range));
-  out.body.push_back(statement());
-  return true;
+  at_ = begin;
+  return false;
 }
 
-Statement StatementParser::choice(const Token& keyword) {
-  const std::size_t begin = in_.at();
-  Statement out = empty_at(in_.take(), StatementKind::choice);
-  if (!condition(out) || !in_.takes("{"))
-    return unreadable(begin, "a condition and '{' after " + std::string(keyword.text));
-  out.body = statements();
-  in_.takes("}");
-  return out;
-}
-
-// A declaration or an expression, with its semicolon.
-Statement StatementParser::plain() {
-  const std::size_t begin = in_.at();
-  const Token token = in_.peek();
-  for (const std::string_view word : {"goto", "throw", "delete", "asm", "__asm", "import", "package"}) {
-    if (token.is(word)) {
-      const std::string label(in_.peek(1).text);
-      Statement skipped = unreadable(begin, "");
-      skipped.kind = token.is("goto") ? StatementKind::jump : StatementKind::nothing;
-      skipped.message = label;
-      return skipped;
+Statement Parser::choice() {
+  const std::size_t begin = at_;
+  Statement out = empty_at(take(), StatementKind::choice);
+  if (!condition(out) || !peek().is("{")) return unreadable(begin, "a switch");
+  Statement body = block();
+  out.body = std::move(body.body);
+  for (const Statement& one : out.body) {
+    for (const Expression& value : one.value) {
+      if (one.kind == StatementKind::label && failed(value)) return unreadable(begin, "a constant");
     }
   }
-  Statement out;
-  if (type_definition(out)) return out;
-  if (token.is("typedef") || (token.is("using") && !in_.peek(1).is("("))) {
-    if (token.is("typedef")) array_type();
-    out = unreadable(begin, "");
-    out.kind = StatementKind::nothing;
-    return out;
+  // A label inside of another statement is not modelled.
+  std::size_t labels = 0, seen = 0;
+  for (std::size_t i = begin, inner = 0; i < at_; ++i) {
+    if (token(i).is("switch") && i > begin)
+      inner = std::max(inner, behind_brackets(std::min(behind_brackets(i + 1), end_ - 1)));
+    if (i >= inner && (token(i).is("case") || (token(i).is("default") && token(i + 1).is(":")))) ++labels;
   }
-  if (is_declaration()) return declaration();
-  out = empty_at(token, StatementKind::expression);
-  out.value.push_back(expressions_.expression(true));
-  if (failed(out.value[0])) return unreadable(begin, "a statement");
-  if (in_.peek().is("{") && out.value[0].kind == Expression::Kind::call) {  // a macro with a block
-    out.kind = StatementKind::branch;
-    out.value[0].kind = Expression::Kind::unreadable;
-    out.body.push_back(statement());
-    return out;
-  }
-  if (in_.takes(";") || in_.at_end() || in_.peek().is("}")) return out;
-  // Macros of checks are written without a semicolon.
-  const bool goes_on = in_.peek().begins_line && out.value[0].kind == Expression::Kind::call;
-  return goes_on ? out : unreadable(begin, "';'");
+  for (const Statement& one : out.body) seen += one.kind == StatementKind::label ? std::size_t{1} : 0;
+  return labels == seen ? out : unreadable(begin, "labels in the block of the switch alone");
 }
 
 }  // namespace ninebit::code

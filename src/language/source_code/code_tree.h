@@ -1,56 +1,104 @@
-// What the parsers of sources make: expressions and statements of C and Pascal alike.
+// What the parser makes of a source: types, expressions, statements, functions.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "src/language/c_like/c_number.h"
 
 namespace ninebit::code {
 
 // Deeper ones are not read: whoever walks them does so by recursion.
 inline constexpr int kMostNestedStatements = 100, kMostNestedExpressions = 60, kMostChained = 400;
 
+struct Struct;
+
+struct Type {
+  enum class Kind : std::uint8_t {
+    unknown,    // a class of another file, an array of unknown size
+    nothing,    // void
+    number,     // kinds
+    pointer,    // of
+    array,      // of, count
+    structure,  // structure
+    function,   // of: its result
+    opaque      // what is not modelled: unions, bit-fields, volatile variables; its value is never known
+  };
+  Kind kind = Kind::unknown;
+  Kinds kinds = 0;
+  const Type* of = nullptr;
+  std::int64_t count = 0;  // kOpen: as many as the initializer has
+  const Struct* structure = nullptr;
+  std::string_view name{};  // of an unknown class
+
+  static constexpr std::int64_t kOpen = -1;
+  [[nodiscard]] bool is(Kind one) const { return kind == one; }
+};
+using TypeKind = Type::Kind;
+
+struct Member {
+  std::string_view name{};
+  const Type* type = nullptr;
+  std::size_t cell = 0;  // its first cell in the struct
+};
+
+struct Struct {
+  std::string_view name{};
+  std::vector<Member> members{};
+  std::size_t cells = 0;
+  bool is_complete = false;
+  bool is_special = false;    // it has constructors, operators, a destructor or a base: copies are not modelled
+  bool is_destroyed = false;  // it has a destructor
+};
+
+// How many numbers and pointers a variable of a type has in it.
+[[nodiscard]] std::size_t cells_of(const Type* type);
+
 struct Expression {
   enum class Kind : std::uint8_t {
     unreadable,
-    number,       // text
-    text,         // a string literal, or several in a row: the bytes [offset, end) hold them, unless is_pasted
-    name,         // text, without qualifiers; is_qualified
-    unary,        // text is the operator; "post++" and "post--" after the operand
-    binary,       // text is the operator, C's; two parts
-    assignment,   // text is "=" or "+=", …; target and value; in a list kDesignatedElement: index and value
+    number,       // number
+    text,         // string literals: the bytes [offset, end) hold them, unless is_made: then text has them
+    name,         // text; qualifier, if there is one
+    unary,        // text is the operator: - + ! ~ * & ++ -- post++ post--
+    binary,       // text is the operator; && and ||, too
+    assignment,   // text is = or += …; the target and the value
     conditional,  // three parts
+    comma,        // two parts
     call,         // the callee, then the arguments
     index,        // the array and the index
-    member,       // text is the member; the object
-    list,         // { … }, or the arguments of a constructor
-    cast          // text is the last word of the type; one part
+    member,       // text is the member; the object; is_arrow
+    list,         // { … }
+    designated,   // of a list: text is a member's name, or the first of two parts an index; the value is the last part
+    cast,         // type; one part
+    size,         // sizeof: of type, or of one part
+    make          // type: Type(…), new Type[…], (Type){…}; is_new
   };
   Kind kind = Kind::unreadable;
-  bool is_qualified = false;  // a name: with a class or a namespace before it
-  bool is_pasted = false;     // a text: made by macros; text has its literals
+  bool is_made = false, is_arrow = false, is_new = false;
   std::uint32_t offset = 0, end = 0;
-  std::string_view text{};
+  std::string_view text{}, qualifier{};
+  Number number{};
+  const Type* type = nullptr;
   std::vector<Expression> parts{};
 };
-
 using ExpressionKind = Expression::Kind;
-inline constexpr std::string_view kDesignatedElement = "[]=";
 
 // One name of a declaration.
 struct Declared {
   std::string_view name{};
-  std::string_view type{};  // its last word, such as GLfloat
+  std::string_view scope{};  // of a member: its class
+  const Type* type = nullptr;
   std::uint32_t offset = 0;
-  bool is_constant = false;
-  bool is_array = false;
-  std::vector<Expression> bounds{};  // of an array, as far as they are given
-  std::vector<Expression> low{};     // Pascal: the first indices
-  std::vector<Expression> value{};   // one or none
+  bool is_constant = false, is_static = false, is_reference = false, is_extern = false;
+  std::vector<Expression> value{};  // one or none
+  bool is_constructed = false;      // the value is the list of a constructor's arguments
 };
 
 struct Statement {
@@ -58,21 +106,22 @@ struct Statement {
     nothing,
     expression,   // value
     declaration,  // declared
-    block,        // body
+    block,        // body; message is try if what it throws is caught
     branch,       // value, body, otherwise
     loop,         // first, value (none: forever), step, body; tests_last
     each,         // declared (one, without a value), value, body: the body for each element of the value
     choice,       // value, body with labels
-    label,        // value (none: default)
+    label,        // of a choice: value (none: default)
+    mark,         // message is the label of a goto
     leave,        // break
     next,         // continue
-    give_back,    // return; value, if any
+    give_back,    // return, or throw as its message says; value, if any
     jump,         // goto; message is the label
     unreadable    // message
   };
   Kind kind = Kind::nothing;
-  bool tests_last = false;         // a loop
-  bool is_repeated_until = false;  // a loop that ends when its value is true
+  bool tests_last = false;  // a loop
+  bool may_jump = false;    // unreadable: it may leave the block
   std::uint32_t offset = 0, end = 0;
   std::vector<Expression> value{};  // one or none
   std::vector<Expression> step{};   // one or none
@@ -81,43 +130,28 @@ struct Statement {
   std::vector<Statement> body{}, otherwise{};
   std::string message{};
 };
-
 using StatementKind = Statement::Kind;
 
-struct Parameter {
-  std::string_view name{};
-  std::vector<Expression> value{};  // its default; one or none
-};
-
-// A function whose body stands in the file.
+// A function of the file; without a body, its declaration.
 struct Function {
   std::string name{};                // with the class before it, if the source gives one
   std::string_view own_name{};       // the last part
+  std::string_view scope{};          // the class
   std::uint32_t offset = 0;          // of the name
   std::uint32_t begin = 0, end = 0;  // bytes of the body
-  std::size_t first = 0, last = 0;   // tokens of the body, without its braces; in Pascal with its declarations
-  std::size_t block = 0;             // Pascal: the token `begin`
-  std::vector<Parameter> parameters{};
+  std::size_t first = 0, last = 0;   // tokens of the body, without its braces; none: `last` is 0
+  const Type* result = nullptr;
+  bool is_template = false, is_variadic = false, is_special = false;  // special: a constructor with initializers
+  std::vector<Declared> parameters{};
 };
-
-// An array type: the bounds of its dimensions and the last word of its elements' type.
-struct ArrayType {
-  std::vector<Expression> low{}, size{};  // `low` in Pascal alone
-  std::string_view element{};
-  bool is_array = false;
-};
-
-// The members of a struct in their order.
-using Members = std::vector<std::string_view>;
 
 struct Outline {
-  std::vector<Function> functions{};
-  std::vector<Statement> globals{};  // declarations outside of functions; also of classes
-  std::vector<Statement> code{};     // statements outside of functions
-  std::map<std::string_view, Members> structs{};
-  std::set<std::string_view> unions{};        // types whose members share their place
-  std::map<std::string, ArrayType> arrays{};  // array types by name; in Pascal, in lower case
-  std::deque<std::string> names{};            // of structs without one
+  std::deque<Function> functions{};   // with bodies
+  std::deque<Function> prototypes{};  // without
+  std::vector<Statement> globals{};   // declarations outside of functions, also of classes
+  std::vector<Statement> code{};      // statements outside of functions
+  std::deque<Type> types{};
+  std::deque<Struct> structs{};
 };
 
 }  // namespace ninebit::code

@@ -22,11 +22,10 @@ bool is_header_alone(std::string_view literal) {
 void Units::find_texts() {
   constexpr std::size_t kMostTexts = 1000;
   const std::vector<Token>& tokens = program_.file.tokens;
-  const LiteralStyle style = program_.file.language == Language::pascal ? LiteralStyle::pascal : LiteralStyle::c;
   std::size_t texts = 0;
   for (std::size_t i = 0; i < tokens.size() && texts < kMostTexts; ++i) {
     if (tokens[i].kind != Token::Kind::text || !holds_program(tokens[i].text)) continue;
-    const std::size_t end = end_of_literals(program_.source.text, style, tokens[i].offset);
+    const std::size_t end = end_of_literals(program_.source.text, tokens[i].offset);
     std::string name = name_of_text(i);
     if (name.empty()) name = "string";
     const std::size_t first = i, begin = tokens[i].offset;
@@ -55,7 +54,7 @@ std::string Units::name_of_text(std::size_t token) const {
   const auto is = [&](std::size_t i, std::string_view text) { return tokens[i].is(text); };
   std::size_t i = token;
   while (i > 0 && (tokens[i - 1].kind == Token::Kind::text || is(i - 1, "{") || is(i - 1, "(") || is(i - 1, "+"))) --i;
-  if (i == 0 || (!is(i - 1, "=") && !is(i - 1, ":="))) return "";
+  if (i == 0 || !is(i - 1, "=")) return "";
   --i;
   while (i > 0 && (is(i - 1, "]") || is(i - 1, "[") || tokens[i - 1].kind == Token::Kind::number)) --i;
   return i > 0 && tokens[i - 1].is_name() ? std::string(tokens[i - 1].text) : "";

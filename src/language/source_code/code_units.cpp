@@ -34,10 +34,10 @@ void visit_effects(const std::vector<Statement>& statements, const Visit& visit)
 }
 
 // Whether a call is one of the combiners' own, or of nvparse; or an assignment to a definition of the Xbox.
-bool sets_combiners(const Expression& call, Language language) {
+bool sets_combiners(const Expression& call) {
   if (call.kind == ExpressionKind::assignment) return assigns_word(call);
   if (called_operand(call.parts[0]).text == "nvparse") return true;
-  const auto* const signature = signature_of(call.parts[0], language);
+  const auto* const signature = signature_of(call.parts[0]);
   return signature != nullptr && signature->parameters != "e";
 }
 
@@ -69,29 +69,26 @@ std::string without_line(const std::string& name, int& line) {
 
 }  // namespace
 
-Units::Units(const SourceText& text, const std::vector<Definition>& definitions, const HardwareProfile& profile)
-    : definitions_(definitions),
+Units::Units(const SourceText& text, const SourceSelection& selection, const HardwareProfile& profile)
+    : definitions_(selection.definitions),
       profile_(profile),
       faults_(text),
       notes_(text),
-      program_(read_program(text, definitions, faults_, notes_)) {
-  index_program(program_);
-  detail::SourceFaults none(text), nothing(text);
-  Machine machine(program_, definitions_, profile_, none, nothing);
-  if (machine.may_set(program_.outline.code)) {
+      program_(text, selection, faults_, notes_) {
+  if (program_.sets(program_.outline.code)) {
     units_.push_back({.kind = UnitKind::code, .offset = program_.outline.code[0].offset, .is_root = true});
   }
-  find_functions(machine);
+  find_functions();
   find_texts();
 }
 
-void Units::find_functions(Machine& machine) {
+void Units::find_functions() {
   std::map<const Function*, std::size_t> found;
   const std::vector<std::uint32_t> misspelled = misspelled_calls();
   for (const Function& function : program_.outline.functions) {
     const auto first = std::lower_bound(misspelled.begin(), misspelled.end(), function.begin);
     const bool misspells = first != misspelled.end() && *first < function.end;
-    if (!misspells && !machine.may_set(function)) continue;
+    if (!misspells && !program_.sets(function)) continue;
     found[&function] = units_.size();
     const std::string destructor = destructor_name(program_.source.text, function);
     units_.push_back({.name = destructor.empty() ? function.name : destructor,
@@ -99,19 +96,23 @@ void Units::find_functions(Machine& machine) {
                       .offset = function.offset,
                       .function = &function});
   }
-  std::set<const Function*> called;
+  const auto called = [&](const Function& caller, const Expression& call) {
+    const bool calls = call.kind == ExpressionKind::call;
+    return calls ? program_.function_of(call.parts[0], call.parts.size() - 1, &caller) : nullptr;
+  };
+  std::set<const Function*> helpers;
   for (const auto& [function, at] : found) {
     const Function* const caller = function;
-    visit_effects(machine.body_of(*function), [&](const Expression& call) {
-      const auto helper = found.find(machine.called(call));
-      if (helper != found.end() && helper->first != caller) called.insert(helper->first);
+    visit_effects(program_.body_of(*function), [&](const Expression& call) {
+      const auto helper = found.find(called(*function, call));
+      if (helper != found.end() && helper->first != caller) helpers.insert(helper->first);
     });
   }
-  for (const Function* const one : called) units_[found[one]].is_helper = depends_on_parameters(*one);
+  for (const Function* const one : helpers) units_[found[one]].is_helper = depends_on_parameters(*one);
   for (const auto& [function, at] : found) {
     bool calls_helper = false;
-    visit_effects(machine.body_of(*function), [&](const Expression& call) {
-      const auto helper = found.find(machine.called(call));
+    visit_effects(program_.body_of(*function), [&](const Expression& call) {
+      const auto helper = found.find(called(*function, call));
       calls_helper = calls_helper || (helper != found.end() && units_[helper->second].is_helper);
     });
     const bool direct = program_.file.calls_between(function->begin, function->end);
@@ -126,8 +127,8 @@ std::vector<std::uint32_t> Units::misspelled_calls() const {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     const std::string_view name = tokens[i].text;
     if (!tokens[i].is_name() || !tokens[i + 1].is("(") || name.find("ombin") == std::string_view::npos) continue;
-    if (detail::find_gl_call(name, detail::NameCase::any) != nullptr) continue;
-    const bool is_own = program_.by_name.find(program_.key(name)) != program_.by_name.end();
+    if (detail::find_gl_call(name) != nullptr) continue;
+    const bool is_own = program_.by_name.find(name) != program_.by_name.end();
     if (!is_own && !detail::meant_call(name).empty()) found.push_back(tokens[i].offset);
   }
   std::sort(found.begin(), found.end());
@@ -155,8 +156,8 @@ bool Units::depends_on_parameters(const Function& function) {
   machine.run(function);
   for (const std::string& need : machine.needs()) {
     const std::string root = need.substr(0, need.find_first_of(".[("));
-    for (const Parameter& one : function.parameters) {
-      if (program_.key(one.name) == root) return true;
+    for (const Declared& one : function.parameters) {
+      if (one.name == root) return true;
     }
   }
   return false;
@@ -185,9 +186,9 @@ SourceFunction Units::describe(const Unit& unit) {
   // The calls that stand in the unit itself; without any, those of the functions that it calls.
   std::set<std::uint32_t> own;
   const auto note = [&](const Expression& call) {
-    if (sets_combiners(call, program_.file.language)) own.insert(call.offset);
+    if (sets_combiners(call)) own.insert(call.offset);
   };
-  if (unit.kind == UnitKind::function) visit_effects(machine.body_of(*unit.function), note);
+  if (unit.kind == UnitKind::function) visit_effects(program_.body_of(*unit.function), note);
   if (unit.kind == UnitKind::code) visit_effects(program_.outline.code, note);
   for (const auto& [offset, site] : machine.sites()) {
     if (site.is_skipped || (!own.empty() && own.count(offset) == 0)) continue;
@@ -258,12 +259,12 @@ std::vector<const Unit*> Units::choose(const std::vector<std::string>& names) {
 // A unit by its name, its name with its class, or either with ":LINE". Of several, those that set combiners.
 const Unit* Units::named(const std::string& wanted) {
   int line = 0;
-  const std::string name = program_.key(without_line(wanted, line));
+  const std::string name = without_line(wanted, line);
   std::vector<const Unit*> found;
   std::vector<std::string> known;
   for (const Unit& unit : units_) {
     if (!unit.name.empty()) known.push_back(unit.name);
-    const bool same = program_.key(unit.name) == name || program_.key(unit.own_name) == name;
+    const bool same = unit.name == name || unit.own_name == name;
     if (same && (line == 0 || line_of(unit) == line)) found.push_back(&unit);
   }
   if (found.size() == 1) return found[0];
@@ -275,9 +276,8 @@ const Unit* Units::named(const std::string& wanted) {
     faults_.add(found[0]->offset, "several functions are named " + quoted(wanted) + "; choose by --function " + list);
     return nullptr;
   }
-  const bool exists =
-      std::any_of(program_.outline.functions.begin(), program_.outline.functions.end(),
-                  [&](const Function& f) { return program_.key(f.name) == name || program_.key(f.own_name) == name; });
+  const bool exists = std::any_of(program_.outline.functions.begin(), program_.outline.functions.end(),
+                                  [&](const Function& f) { return f.name == name || f.own_name == name; });
   const std::string list = list_of_units();
   faults_.add(0, (exists ? "function " + quoted(wanted) + " sets no combiners"
                          : "no function " + quoted(wanted) + did_you_mean(wanted, known)) +

@@ -28,7 +28,7 @@ struct Unit {
 // A source with its units, in the order of the text; the code outside of functions comes first.
 class Units {
  public:
-  Units(const SourceText& text, const std::vector<Definition>& definitions, const HardwareProfile& profile);
+  Units(const SourceText& text, const SourceSelection& selection, const HardwareProfile& profile);
 
   [[nodiscard]] const std::vector<Unit>& all() const { return units_; }
   [[nodiscard]] Program& program() { return program_; }
@@ -44,7 +44,7 @@ class Units {
   static void run(Machine& machine, const Unit& unit);
 
  private:
-  void find_functions(Machine& machine);
+  void find_functions();
   [[nodiscard]] std::vector<std::uint32_t> misspelled_calls() const;
   void report_no_units();
   [[nodiscard]] bool depends_on_parameters(const Function& function);

@@ -3,223 +3,135 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/language/source/c_operators.h"
-#include "src/language/source_code/code_types.h"
-
 namespace ninebit::code {
 namespace {
 
-using ValueKind = Value::Kind;
+constexpr std::size_t kMostNames = 12;
 
-Value truth(bool value) {
-  return integer_value(value ? 1 : 0);
+std::shared_ptr<const Names> joined(const std::shared_ptr<const Names>& a, const std::shared_ptr<const Names>& b) {
+  if (!b || b == a) return a;
+  if (!a) return b;
+  auto all = std::make_shared<Names>(*a);
+  for (const std::string& one : *b) {
+    if (all->size() < kMostNames) all->insert(one);
+  }
+  return all;
 }
 
-Value of_integers(std::string_view op, std::int64_t a, std::int64_t b) {
-  const auto result = detail::c_result(op, a, b);
-  return result ? integer_value(*result) : Value{};
+bool same_names(const std::shared_ptr<const Names>& a, const std::shared_ptr<const Names>& b) {
+  return a == b || (a && b && *a == *b);
 }
 
-Value of_reals(std::string_view op, double a, double b) {
-  if (op == "+") return real_value(a + b);
-  if (op == "-") return real_value(a - b);
-  if (op == "*") return real_value(a * b);
-  if (op == "/" && b != 0) return real_value(a / b);
-  if (op == "%" && b != 0) return real_value(std::fmod(a, b));
-  const bool less = a < b, equal = a == b;
-  if (op == "==") return truth(equal);
-  if (op == "!=") return truth(!equal);
-  if (op == "<") return truth(less);
-  if (op == ">") return truth(!less && !equal);
-  if (op == "<=") return truth(less || equal);
-  if (op == ">=") return truth(!less);
-  return {};
-}
-
-bool compares(std::string_view op) {
-  return op == "==" || op == "!=" || op == "<" || op == ">" || op == "<=" || op == ">=";
-}
-
-// Whether an unknown value is one name, whose last part is written as constants are.
-bool names_constant(const Value& value) {
-  const std::string_view last = std::string_view(value.symbol).substr(value.symbol.rfind('.') + 1);
-  const auto is_lower = [](char c) { return c >= 'a' && c <= 'z'; };
-  // Prefixes of a class or a module may be in lower case.
-  const std::size_t capitals =
-      static_cast<std::size_t>(std::count_if(last.begin(), last.end(), [](char c) { return c >= 'A' && c <= 'Z'; }));
-  const std::size_t run =
-      last.size() - static_cast<std::size_t>(std::find_if(last.rbegin(), last.rend(), is_lower).base() - last.begin());
-  return !value.is_known() && capitals >= 2 && run >= 3;
-}
-
-// A symbol is equal to the same name, and to no other name or number.
-Value of_symbols(std::string_view op, const Value& a, const Value& b) {
-  if (op != "==" && op != "!=") return {};
-  const bool named = !a.symbol.empty() && !b.symbol.empty();
-  const bool numbered = a.is_number() || b.is_number();
-  if (!named && !numbered) return unknown_of(a, b);
-  return truth((named && a.symbol == b.symbol) == (op == "=="));
+std::int64_t alignment_of(const Type* type) {
+  if (type->is(TypeKind::array)) return alignment_of(type->of);
+  if (!type->is(TypeKind::structure)) return bytes_of(type);
+  std::int64_t most = 1;
+  for (const Member& one : type->structure->members) {
+    const std::int64_t own = alignment_of(one.type);
+    if (own == 0) return 0;
+    most = std::max(most, own);
+  }
+  return most;
 }
 
 }  // namespace
+
+Value number_value(const Number& number) {
+  Value out;
+  out.kind = ValueKind::number;
+  out.number = number;
+  return out;
+}
 
 Value integer_value(std::int64_t value) {
+  constexpr std::int64_t kBeyond = std::int64_t{1} << 31;
+  return number_value(int_number(value, value < kBeyond ? kInt32 : kUint32));
+}
+
+Value needed_value(const std::string& name, Kinds kinds) {
   Value out;
-  out.kind = ValueKind::integer;
-  out.integer = value;
-  out.real = static_cast<double>(value);
+  out.number.kinds = kinds;
+  out.name = name;
+  if (!name.empty()) out.needs = std::make_shared<const Names>(Names{name});
   return out;
 }
 
-Value real_value(double value) {
+Value unknown_of(const Value& a, const Value& b, Kinds kinds) {
   Value out;
-  out.kind = ValueKind::real;
-  out.real = value;
+  out.number.kinds = kinds;
+  if (!a.is_known()) out.needs = a.needs;
+  if (!b.is_known()) out.needs = joined(out.needs, b.needs);
   return out;
 }
 
-Value needed_value(const std::string& name) {
-  Value out;
-  out.symbol = name;
-  out.needs.push_back(name);
-  return out;
-}
-
-void add_needs(std::vector<std::string>& to, const std::vector<std::string>& more) {
-  constexpr std::size_t kMostNeeds = 16;
-  for (const std::string& name : more) {
-    if (to.size() < kMostNeeds && std::find(to.begin(), to.end(), name) == to.end()) to.push_back(name);
-  }
-}
-
-Value unknown_of(const Value& a, const Value& b) {
-  Value out;
-  if (!a.is_known()) add_needs(out.needs, a.needs);
-  if (!b.is_known()) add_needs(out.needs, b.needs);
-  return out;
-}
-
-namespace {
-
-// Gives a result the origins of what it was computed from.
-Value from(Value result, const Value& a, const Value& b) {
-  if (result.is_known()) {
-    add_needs(result.origins, a.origins);
-    add_needs(result.origins, b.origins);
-  }
-  return result;
-}
-
-Value unary(std::string_view op, const Value& operand) {
-  if (!operand.is_known()) return unknown_of(operand, operand);
-  if (op == "!") return truth(!is_true(operand));
-  if (!operand.is_number()) return {};
-  if (op == "+") return operand;
-  if (op == "-") {
-    if (operand.kind == ValueKind::real) return real_value(-operand.real);
-    return of_integers("-", 0, operand.integer);
-  }
-  return op == "~" && operand.kind == ValueKind::integer ? integer_value(~operand.integer) : Value{};
-}
-
-Value binary(std::string_view op, const Value& left, const Value& right) {
-  if (left.kind == ValueKind::symbol || right.kind == ValueKind::symbol) return of_symbols(op, left, right);
-  if (op == "&&" || op == "||") {
-    const bool decides = op == "||";
-    for (const Value* const one : {&left, &right}) {
-      if (one->is_known() && is_true(*one) == decides) return truth(decides);
-    }
-    return left.is_known() && right.is_known() ? truth(!decides) : unknown_of(left, right);
-  }
-  if (!left.is_known() || !right.is_known()) {
-    // A constant of another file is not what is asked for.
-    if (compares(op) && !left.is_known() && names_constant(right)) return unknown_of(left, left);
-    if (compares(op) && !right.is_known() && names_constant(left)) return unknown_of(right, right);
-    return unknown_of(left, right);
-  }
-  if (left.kind == ValueKind::text && right.kind == ValueKind::text && op == "+") {
-    Value joined = left;
-    joined.begin = std::min(left.begin, right.begin);
-    joined.end = std::max(left.end, right.end);
-    return joined;
-  }
-  // Pointers to functions against NULL.
-  if (left.kind == ValueKind::entry_point || right.kind == ValueKind::entry_point) {
-    const Value& other = left.kind == ValueKind::entry_point ? right : left;
-    if ((op != "==" && op != "!=") || other.kind != ValueKind::integer) return {};
-    return truth((other.integer != 0) == (op == "=="));
-  }
-  if (!left.is_number() || !right.is_number()) return {};
-  if (left.kind == ValueKind::integer && right.kind == ValueKind::integer) {
-    return of_integers(op, left.integer, right.integer);
-  }
-  return of_reals(op, left.real, right.real);
-}
-
-}  // namespace
-
-Value apply_unary(std::string_view op, const Value& operand) {
-  return from(unary(op, operand), operand, operand);
-}
-
-Value apply_binary(std::string_view op, const Value& left, const Value& right) {
-  return from(binary(op, left, right), left, right);
-}
-
-bool points_to_struct(const Value& value) {
-  return value.kind == Value::Kind::list && value.type.empty() && !value.list.empty() &&
-         value.list[0].kind == Value::Kind::list && !value.list[0].type.empty();
-}
-
-bool is_true(const Value& value) {
-  return value.is_number() ? value.real != 0 : true;
-}
-
-namespace {
-
-Value number_of(const Value& value, std::string_view type) {
-  switch (type_kind(type)) {
-    case TypeKind::real: {
-      const bool single = type.find("ouble") == std::string_view::npos && type.find("clampd") == std::string_view::npos;
-      return real_value(single ? static_cast<double>(static_cast<float>(value.real)) : value.real);
-    }
-    case TypeKind::boolean:
-      return truth(is_true(value));
-    case TypeKind::integer: {
-      constexpr double kLargest = 9.0e18;
-      if (value.kind == ValueKind::integer) return value;
-      return std::abs(value.real) < kLargest ? integer_value(static_cast<std::int64_t>(value.real)) : Value{};
-    }
-    case TypeKind::other:
-      break;
-  }
+Value with_origins(Value value, const Value& other) {
+  value.origins = joined(value.origins, other.origins);
   return value;
 }
 
-}  // namespace
-
-Value converted(const Value& value, std::string_view type) {
-  if (!value.is_number() || type.empty()) return value;
-  return from(number_of(value, type), value, value);
+bool same(const Value& a, const Value& b) {
+  if (a.kind != b.kind || a.number.kinds != b.number.kinds || a.object != b.object) return false;
+  switch (a.kind) {
+    case ValueKind::unknown:
+      return same_names(a.needs, b.needs) && a.name == b.name;
+    case ValueKind::number:
+      return a.number.integer == b.number.integer && a.number.value() == b.number.value() &&
+             std::signbit(a.number.real) == std::signbit(b.number.real);
+    case ValueKind::pointer:
+      return a.at == b.at;
+    case ValueKind::text:
+      return a.begin == b.begin && a.end == b.end && a.name == b.name;
+    case ValueKind::function:
+      return a.function == b.function;
+    default:
+      return a.name == b.name && a.cells == b.cells;
+  }
 }
 
-bool to_argument(const Value& value, detail::GlArgument& out) {
-  if (value.is_number()) {
-    out.is_integer = value.kind == ValueKind::integer;
-    out.integer = value.integer;
-    out.real = value.real;
-    return true;
+std::optional<bool> truth(const Value& value) {
+  switch (value.kind) {
+    case ValueKind::unknown:
+    case ValueKind::symbol:
+    case ValueKind::record:
+      return std::nullopt;
+    case ValueKind::number:
+      return value.number.is_true();
+    default:
+      return true;
   }
-  if (value.kind != ValueKind::list) return false;
-  out.is_array = true;
-  out.count = value.list.size();
-  constexpr std::size_t kRead = 4;  // the most that GL reads of an array
-  for (std::size_t i = 0; i < std::min(kRead, value.list.size()); ++i) {
-    detail::GlArgument element;
-    if (!value.list[i].is_number() || !to_argument(value.list[i], element)) return false;
-    out.values.push_back(std::move(element));
+}
+
+void add_cell_types(const Type* type, std::vector<const Type*>& out) {
+  if (type->is(TypeKind::array)) {
+    for (std::int64_t i = 0; i < type->count; ++i) add_cell_types(type->of, out);
+  } else if (type->is(TypeKind::structure)) {
+    for (const Member& one : type->structure->members) add_cell_types(one.type, out);
+  } else {
+    out.push_back(type);
   }
-  return true;
+}
+
+std::int64_t bytes_of(const Type* type) {
+  switch (type->kind) {
+    case TypeKind::number:
+      return size_of(type->kinds);
+    case TypeKind::pointer:
+      return 8;
+    case TypeKind::array:
+      return std::max<std::int64_t>(type->count, 0) * bytes_of(type->of);
+    case TypeKind::structure: {
+      std::int64_t at = 0;
+      const std::int64_t whole = alignment_of(type);
+      for (const Member& one : type->structure->members) {
+        const std::int64_t own = alignment_of(one.type), size = bytes_of(one.type);
+        if (own == 0 || size == 0) return 0;
+        at = (at + own - 1) / own * own + size;
+      }
+      return whole == 0 ? 0 : (at + whole - 1) / whole * whole;
+    }
+    default:
+      return 0;
+  }
 }
 
 }  // namespace ninebit::code

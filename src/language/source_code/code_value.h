@@ -1,69 +1,98 @@
-// Values of a source's expressions: known numbers, arrays and texts, or the names of what would make them known.
+// Values of a source's expressions: known, or the names of what would make them known; and where they are stored.
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
-#include "src/language/gl_calls/gl_calls_execute.h"
+#include "src/language/source_code/code_tree.h"
 
 namespace ninebit::code {
 
-// The most elements of an array.
-inline constexpr std::size_t kMostElements = 4096;
+using Names = std::set<std::string, std::less<>>;
 
 struct Value {
   enum class Kind : std::uint8_t {
     unknown,
-    integer,
-    real,
-    list,         // an array, a struct or a vector's numbers
-    text,         // string literals: the bytes [begin, end) of the source
-    entry_point,  // the name of a function of OpenGL: true, and not NULL
+    number,
+    pointer,      // into `object`, or null
+    record,       // a struct's cells
+    text,         // string literals: the bytes [begin, end) of the source, or `name` if macros made them
+    function,     // of the file
+    entry_point,  // a function of OpenGL: true, and not NULL
     symbol        // a name that a definition gives as a value; equal to that name alone
   };
   Kind kind = Kind::unknown;
-  std::int64_t integer = 0;
-  double real = 0;  // of an integer, too
-  std::vector<Value> list{};
-  std::string_view type{};           // of a list: its struct; of a number: empty
-  int low = 0;                       // of a list: its first index
-  std::uint32_t begin = 0, end = 0;  // of a text
-  std::string
-      symbol{};  // of a symbol; of an unknown value: the one name that it is; of a text from macros: its literals
-  std::vector<std::string> needs{};  // of an unknown value: names to define; none: no definition helps
-  std::vector<std::string>
-      origins{};  // of a known value: variables that are not constant and gave it their first values
+  Number number{};             // of an unknown value: the kinds it may have; 0: any
+  int object = -1;             // of a pointer; of an unknown one the object that it points into, if that is known
+  std::int64_t at = 0;         // of a pointer: the cell
+  const Type* type = nullptr;  // of a pointer: what it points to; of a record: its struct
+  std::shared_ptr<const std::vector<Value>> cells{};
+  const Function* function = nullptr;
+  std::uint32_t begin = 0, end = 0;
+  std::string name{};  // of an unknown value that nothing changes: its name; of a symbol; of a text from macros
+  std::shared_ptr<const Names> needs{};    // of an unknown value: what to define; none: its own name
+  std::shared_ptr<const Names> origins{};  // of a known value: what was assumed for it
 
+  [[nodiscard]] bool is(Kind one) const { return kind == one; }
   [[nodiscard]] bool is_known() const { return kind != Kind::unknown; }
-  [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
+  [[nodiscard]] bool is_number() const { return kind == Kind::number; }
+};
+using ValueKind = Value::Kind;
+
+[[nodiscard]] Value number_value(const Number& number);
+[[nodiscard]] Value integer_value(std::int64_t value);
+// A value that is known if `name` is defined.
+[[nodiscard]] Value needed_value(const std::string& name, Kinds kinds = 0);
+// A value that is not known because these are not, or depend on what was assumed.
+[[nodiscard]] Value unknown_of(const Value& a, const Value& b, Kinds kinds = 0);
+// `value` with the assumptions of `other`, too.
+[[nodiscard]] Value with_origins(Value value, const Value& other);
+// Whether two values are the same, also in what makes them unknown.
+[[nodiscard]] bool same(const Value& a, const Value& b);
+// Whether a value is true; empty: that is not known.
+[[nodiscard]] std::optional<bool> truth(const Value& value);
+
+// A variable, or what an expression created. Its cells are the numbers and pointers in it, in their order.
+struct Object {
+  std::vector<Value> cells{};
+  std::vector<const Type*> types{};  // of the cells
+  std::string name{};
+  bool is_constant = false;
+  bool is_global = false;   // other functions of the file, and of other files, may change it
+  bool is_escaped = false;  // functions of other files have its address
 };
 
-[[nodiscard]] Value integer_value(std::int64_t value);
-[[nodiscard]] Value real_value(double value);
-// A value that is known if `name` is defined.
-[[nodiscard]] Value needed_value(const std::string& name);
-// A value that is known if both are.
-[[nodiscard]] Value unknown_of(const Value& a, const Value& b);
+// Where a value is stored.
+struct Place {
+  enum class Kind : std::uint8_t {
+    nowhere,    // not known: a store may change anything
+    outside,    // in memory that no variable of the source is: `path` names it
+    somewhere,  // in `object`
+    cell        // at `at` of `object`
+  };
+  Kind kind = Kind::nowhere;
+  int object = -1;
+  std::int64_t at = 0;
+  const Type* type = nullptr;
+  std::string path{};                    // as the source writes it
+  std::string outside{};                 // of memory outside: its name
+  std::shared_ptr<const Names> needs{};  // where it is not known: what to define
+};
+using PlaceKind = Place::Kind;
 
-// Adds names that are not there yet, up to a few.
-void add_needs(std::vector<std::string>& to, const std::vector<std::string>& more);
+// A cell by its object, or memory outside by its name.
+using CellKey = std::tuple<int, std::int64_t, std::string>;
+using Changes = std::map<CellKey, Value>;
 
-// C's operators on known numbers; unknown where C leaves them undefined.
-[[nodiscard]] Value apply_unary(std::string_view op, const Value& operand);
-[[nodiscard]] Value apply_binary(std::string_view op, const Value& left, const Value& right);
-
-// Whether a value is the elements of an array of structs, so that a member of it is one of the first.
-[[nodiscard]] bool points_to_struct(const Value& value);
-
-// Whether a value is true in a condition; needs a known number, text, entry point or symbol.
-[[nodiscard]] bool is_true(const Value& value);
-
-// A number as a type's last word makes it; others as they are.
-[[nodiscard]] Value converted(const Value& value, std::string_view type);
-
-// A value as an argument of a call, in its own form; false: it is not known, or not a number or an array of them.
-[[nodiscard]] bool to_argument(const Value& value, detail::GlArgument& out);
+void add_cell_types(const Type* type, std::vector<const Type*>& out);
+// The bytes of a type; 0: not known.
+[[nodiscard]] std::int64_t bytes_of(const Type* type);
 
 }  // namespace ninebit::code

@@ -71,22 +71,15 @@ bool assigns_word(std::string_view text, std::size_t begin, std::size_t end) {
   return (rest.starts_with('=') && !rest.starts_with("==")) || rest.starts_with("|=") || rest.starts_with("+=");
 }
 
-// The name of an object in all functions: a parameter stands for what it was called with.
+// An object by the memory that it is in.
 std::string Machine::object_of(const Expression& e) {
-  std::string path = path_of(e);
-  if (frames_.empty()) return path;
-  const std::size_t root = std::min(path.find_first_of(".["), path.size());
-  const auto alias = frames_.back().aliases.find(path.substr(0, root));
-  return alias == frames_.back().aliases.end() ? path : alias->second + path.substr(root);
-}
-
-// A member that is given as the value of a pointer is this object.
-void Machine::add_alias(std::string_view name, const Expression& value, Frame& frame) {
-  const Expression* at = &without_cast(value);
-  if (at->kind == ExpressionKind::unary && at->text == "&") at = &at->parts[0];
-  const bool is_place = at->kind == ExpressionKind::name || at->kind == ExpressionKind::member ||
-                        (at->kind == ExpressionKind::index && is_pure(*at));
-  if (is_place) frame.aliases[program_.key(name)] = object_of(*at);
+  if (e.kind == ExpressionKind::unary && e.text == "&") return object_of(e.parts[0]);
+  const Value value = evaluate(e);
+  const Place at =
+      value.is(ValueKind::pointer) ? deref(value, integer_value(0), "") : quietly([&] { return place(e); });
+  if (at.object >= 0) return "#" + std::to_string(at.object) + ":" + std::to_string(at.at);
+  const std::string outside = value.name.empty() ? at.outside : value.name;
+  return outside.empty() ? normal_path(text_of(e)) : outside;
 }
 
 // The word that an expression names, by its number; reports a wrong index.
@@ -94,39 +87,46 @@ std::optional<std::size_t> Machine::number_of_word(const NamedWord& word, const 
   std::optional<std::int64_t> index;
   if (word.index != nullptr) {
     const Value value = evaluate(*word.index);
-    if (!value.is_number()) {
+    const auto whole = value.is_number() ? convert(value.number, kInt64) : std::nullopt;
+    if (!whole) {
       need(value, *word.index);
       return std::nullopt;
     }
-    index = value.integer;
+    index = whole->integer;
   }
   if (const std::string fault = index_fault(*word.field, index); !fault.empty()) {
-    if (misspelled_.insert(e.offset).second) faults_.add(e.offset, fault);
+    if (reported_.insert(e.offset).second) faults_.add(e.offset, fault);
     return std::nullopt;
   }
   return word.field->first + static_cast<std::size_t>(index.value_or(0));
 }
 
 Value Machine::refuse_value(const Expression& e) {
-  if (misspelled_.insert(e.offset).second) faults_.add(e.offset, "the value is not a whole number of 32 bits");
+  if (reported_.insert(e.offset).second) faults_.add(e.offset, "the value is not a whole number of 32 bits");
   return {};
 }
 
 Value Machine::assign_word(const NamedWord& word, const Expression& e) {
+  if (quiet_ > 0) return needed_value({}, kUint32);
   ++calls_made_;
+  need_guards(e);
   CallSite& site = sites_[e.offset];
   const std::optional<std::size_t> at = number_of_word(word, e);
   Value value = evaluate(e.parts[1]);
   use(value);
   if (at && value.is_number()) {
     FilledDefinition& filled = filled_[object_of(*word.object)];
-    if (filled.offsets.empty()) filled.offset = e.offset;
+    if (filled.offsets.empty()) {
+      filled.offset = e.offset;
+      filled.name = normal_path(text_of(*word.object));
+    }
     std::uint32_t& stored_word = filled.definition.words[*at];
     if (e.text != "=") {
-      value = apply_binary(e.text.substr(0, e.text.size() - 1), integer_value(stored_word), value);
+      value = combine(e.text.substr(0, e.text.size() - 1), integer_value(stored_word), value);
     }
-    if (value.kind == Value::Kind::integer && value.integer > -kBeyondWord && value.integer < kBeyondWord) {
-      stored_word = static_cast<std::uint32_t>(value.integer);
+    const bool is_whole = value.is_number() && (value.number.kinds & ~kReals) != 0;
+    if (is_whole && value.number.integer > -kBeyondWord && value.number.integer < kBeyondWord) {
+      stored_word = static_cast<std::uint32_t>(value.number.integer);
       filled.offsets[*at] = e.offset;
       site.is_read = true;
       return value;
@@ -136,10 +136,10 @@ Value Machine::assign_word(const NamedWord& word, const Expression& e) {
   site.is_unknown = true;
   if (value.is_number()) return value;
   if (e.parts[1].kind == ExpressionKind::number) return refuse_value(e);
-  const std::string& name = value.needs.empty() ? text_of(e.parts[1]) : value.needs[0];
+  const std::string name = value.needs && !value.needs->empty() ? *value.needs->begin() : text_of(e.parts[1]);
   if (!name.starts_with("PS_") && !name.starts_with("D3DCOLOR_")) {
     need(value, e.parts[1]);
-  } else if (misspelled_.insert(e.parts[1].offset).second) {
+  } else if (reported_.insert(e.parts[1].offset).second) {
     faults_.add(e.parts[1].offset, "unknown name " + quoted(name) + did_you_mean(name, xbox::macro_names()));
   }
   return value;
@@ -162,7 +162,7 @@ void Machine::look_for_misspelled_member(const Expression& target) {
   const Expression& member = e.kind == ExpressionKind::index ? without_cast(e.parts[0]) : e;
   if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return;
   const std::string meant = did_you_mean(member.text, xbox::field_names());
-  if (meant.empty() || !misspelled_.insert(target.offset).second) return;
+  if (meant.empty() || !reported_.insert(target.offset).second) return;
   faults_.add(target.offset, quoted(member.text) + " is not a member of D3DPIXELSHADERDEF" + meant);
 }
 
@@ -171,16 +171,14 @@ std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expressi
   const std::size_t count = e.parts.size() - 1;
   if (count > 0 && xbox::clears_memory(name)) {
     const Expression& object = without_cast(e.parts[1]);
-    const bool is_address = object.kind == ExpressionKind::unary && object.text == "&";
-    const Expression& cleared = is_address ? object.parts[0] : object;
-    const bool is_filled = filled_.erase(object_of(cleared)) > 0;
-    if (is_filled || place(cleared) == nullptr) return Value{};
-    return std::nullopt;
+    if (filled_.erase(object_of(object)) == 0) return std::nullopt;
+    need_guards(e);
+    return Value{};
   }
   const xbox::Macro* const macro = xbox::find_macro(name);
   if (macro == nullptr) return std::nullopt;
   if (count != macro->arguments.size()) {
-    if (misspelled_.insert(e.offset).second) {
+    if (reported_.insert(e.offset).second) {
       faults_.add(e.offset, std::string(macro->name) + " has " + std::to_string(count) + " arguments; expected " +
                                 std::to_string(macro->arguments.size()));
     }
@@ -191,13 +189,14 @@ std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expressi
   for (std::size_t i = 0; i < count; ++i) {
     const Value value = evaluate(e.parts[i + 1]);
     if (!value.is_number()) {
-      unknown = unknown.is_known() ? unknown_of(value, value) : unknown_of(unknown, value);
+      unknown = unknown.is_known() ? unknown_of(value, value, kUint32) : unknown_of(unknown, value, kUint32);
       continue;
     }
     use(value);
-    if (accepts(macro->arguments[i], value.integer)) {
-      bits |= bits_of(macro->arguments[i], value.integer);
-    } else if (misspelled_.insert(e.parts[i + 1].offset).second) {
+    const auto whole = convert(value.number, kInt64);
+    if (whole && accepts(macro->arguments[i], whole->integer)) {
+      bits |= bits_of(macro->arguments[i], whole->integer);
+    } else if (reported_.insert(e.parts[i + 1].offset).second) {
       faults_.add(e.parts[i + 1].offset, fault_of_range(*macro, i));
     }
   }
@@ -209,7 +208,7 @@ Parsed<CombinerState> Machine::program_of_words(std::vector<RegisterWord>* other
   if (filled_.size() > 1) {
     std::string list;
     for (const auto& [object, one] : filled_) {
-      list += (list.empty() ? "" : ", ") + quoted(object) + " (line " +
+      list += (list.empty() ? "" : ", ") + quoted(one.name) + " (line " +
               std::to_string(program_.source.place(one.offset).line) + ")";
     }
     faults_.add(filled.offset, "several definitions are filled: " + list + "; a program is one of them");

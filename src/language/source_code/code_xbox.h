@@ -30,6 +30,7 @@ struct FilledDefinition {
   xbox::Definition definition{};
   std::map<std::size_t, std::uint32_t> offsets{};  // of the words that have a value
   std::uint32_t offset = 0;                        // of the first
+  std::string name{};                              // of the object, as the source writes it there
 };
 
 }  // namespace ninebit::code

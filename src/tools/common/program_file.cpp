@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
 #include "src/combiner/given_registers.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/inside_folder.h"
 #include "src/tools/common/setup_name.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/printable.h"
@@ -135,6 +137,35 @@ std::optional<TextProgram> checked(Result<ProgramFile> file, const HardwareProfi
 
 }  // namespace
 
+namespace {
+
+SourceSelection selection_in(const ProgramFlags& flags, const ProgramSource& source) {
+  SourceSelection out = selection_of(flags);
+  out.program = source.setup.value_or(0);
+  out.include = include_beside(source.name);
+  return out;
+}
+
+}  // namespace
+
+SourceInclude include_beside(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  return [folder](std::string_view name) -> std::optional<std::string> {
+    if (posix::why_outside(folder, name)) return std::nullopt;
+    std::string path = folder / name;
+    std::replace(path.begin(), path.end(), '\\', '/');
+    auto input = InputFile::open(path);
+    std::string text;
+    while (input) {
+      auto more = input->read();
+      if (!more || text.size() > kMaxSourceBytes) return std::nullopt;
+      if (more->empty()) return text;
+      text.append(*more);
+    }
+    return std::nullopt;
+  };
+}
+
 Result<ProgramSource> open_program(const ProgramFlags& flags) {
   const SetupName named = setup_name(flags.file);
   auto input = InputFile::open(named.file);
@@ -157,10 +188,11 @@ Result<ProgramSource> open_program(const ProgramFlags& flags) {
   if (flags.from.empty() && is_calls && without_heading(source.text).empty()) {
     return Diagnostic{.message = "is empty; expected a program", .file = source.name};
   }
-  if (named.setup && !is_log) {
-    return Diagnostic{
-        .message = fmt::format("is not a log of register writes; #{} picks a combiner set-up of a log", *named.setup),
-        .file = source.name};
+  if (named.setup && !is_log && source.form != ProgramForm::source) {
+    return Diagnostic{.message = fmt::format("is neither a log of register writes nor a source file; #{} picks a "
+                                             "combiner set-up of a log, or a program of a function that draws",
+                                             *named.setup),
+                      .file = source.name};
   }
   if (named.setup == 0U) {
     return Diagnostic{.message = "#0 is out of range; combiner set-ups are counted from 1", .file = source.name};
@@ -207,7 +239,7 @@ Result<ProgramFile> read_program_file(ProgramSource source, const ProgramFlags& 
     parsed = program_in(*log, source.setup.value_or(0), source.name, profile);
   } else {
     parsed = parse_program({source.text, source.name}, source.form, profile,
-                           {.chip = chip_of(flags, profile), .source = selection_of(flags)});
+                           {.chip = chip_of(flags, profile), .source = selection_in(flags, source)});
   }
   ProgramFile file{source.name, std::move(source.text), source.form, *std::move(parsed)};
   if (file.parsed) return file;

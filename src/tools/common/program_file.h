@@ -22,7 +22,7 @@ struct ProgramSource {
   std::string name;  // for messages
   std::string text;  // of a log, its beginning
   ProgramForm form = ProgramForm::gl;
-  std::optional<std::size_t> setup{};  // of LOG#N
+  std::optional<std::size_t> setup{};  // of LOG#N or SOURCE#N
   std::optional<InputFile> rest{};     // of a log that is longer than a program may be
 };
 
@@ -55,6 +55,9 @@ struct ProgramFile {
                                                            bool quiet, int& exit_code);
 [[nodiscard]] std::optional<TextProgram> load_text_program(ProgramSource source, const ProgramFlags& flags,
                                                            const HardwareProfile& profile, bool quiet, int& exit_code);
+// Reads the files that a source includes, where they lie in the source's folder.
+[[nodiscard]] SourceInclude include_beside(const std::string& file);
+
 // The set-up `source.setup` of a log that was read from the source.
 [[nodiscard]] std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource source,
                                                     const HardwareProfile& profile, bool quiet, int& exit_code);

@@ -11,7 +11,7 @@
 namespace ninebit::tools {
 
 struct ProgramFlags {
-  std::string file{};                    // "-": stdin; LOG#N: a set-up of a log
+  std::string file{};                    // "-": stdin; LOG#N: a set-up of a log; SOURCE#N: a program of a function
   std::string from{};                    // a form, as --from names it; empty: detected
   std::string chip{};                    // of register words: "nv10" or "nv20"; empty: from the profile
   std::vector<std::string> functions{};  // of a source

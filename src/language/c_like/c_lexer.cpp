@@ -1,0 +1,132 @@
+#include "src/language/c_like/c_lexer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
+
+namespace ninebit::code {
+namespace {
+
+using detail::is_blank;
+using detail::is_digit;
+using detail::is_word;
+
+// Longer ones first.
+constexpr std::array<std::string_view, 24> kLongPunctuation{
+    "<<=", ">>=", "...", "->", "::", "<<", ">>", "<=", ">=", "==", "!=", "&&",
+    "||",  "++",  "--",  "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "##"};
+
+}  // namespace
+
+// A comment at the current place; false: there is none.
+bool Lexer::skip_comment() {
+  if (starts("//")) {
+    do {
+      at_ = std::min(text_.find('\n', at_ + 1), text_.size());
+    } while (at_ < text_.size() && (text_[at_ - 1] == '\\' || text_.substr(0, at_).ends_with("\\\r")));
+    return true;
+  }
+  if (!starts("/*")) return false;
+  const std::size_t found = text_.find("*/", at_ + 2);
+  at_ = found == std::string_view::npos ? text_.size() : found + 2;
+  return true;
+}
+
+// Returns whether there were any.
+bool Lexer::skip_blanks() {
+  const std::size_t begin = at_;
+  if (at_ == 0 && text_.starts_with(detail::kByteOrderMark)) at_ = detail::kByteOrderMark.size();
+  while (at_ < text_.size()) {
+    if (text_[at_] == '\n') {
+      line_begins_ = true;
+      ++at_;
+    } else if (is_blank(text_[at_])) {
+      ++at_;
+    } else if (starts("\\\n") || starts("\\\r\n")) {
+      at_ = text_.find('\n', at_) + 1;
+      line_begins_ = false;
+    } else if (!skip_comment()) {
+      break;
+    }
+  }
+  return at_ > begin;
+}
+
+std::size_t Lexer::number_end() const {
+  const bool hex = starts("0x") || starts("0X");
+  std::size_t end = at_ + 1;
+  while (end < text_.size()) {
+    const char c = text_[end], before = text_[end - 1];
+    const bool power = hex ? before == 'p' || before == 'P' : before == 'e' || before == 'E';
+    const bool sign = (c == '+' || c == '-') && power;
+    if (!is_word(c) && c != '.' && !sign) break;
+    ++end;
+  }
+  return end;
+}
+
+// The end of a literal that begins here; without its quote, the end of the line.
+std::size_t Lexer::quoted_end(char quote) const {
+  std::size_t end = at_ + 1;
+  while (end < text_.size() && text_[end] != quote && text_[end] != '\n') {
+    const bool escape = text_[end] == '\\' && end + 1 < text_.size();
+    // Behind a backslash, a line may end as Windows ends it.
+    const bool line_goes_on = escape && text_.substr(end + 1).starts_with("\r\n");
+    end += line_goes_on ? 3 : escape ? 2 : 1;
+  }
+  return end < text_.size() && text_[end] == quote ? end + 1 : std::min(end, text_.size());
+}
+
+// R"delimiter( … )delimiter", whose quote is at `quote`.
+std::size_t Lexer::raw_text_end(std::size_t quote) const {
+  constexpr std::size_t kLongestDelimiter = 16;
+  const std::size_t open = text_.find('(', quote);
+  if (open == std::string_view::npos || open - quote > kLongestDelimiter + 1) return quote + 1;
+  const std::string close = ")" + std::string(text_.substr(quote + 1, open - quote - 1)) + "\"";
+  const std::size_t found = text_.find(close, open);
+  return found == std::string_view::npos ? text_.size() : found + close.size();
+}
+
+std::size_t Lexer::punctuation_size() const {
+  for (const std::string_view known : kLongPunctuation) {
+    if (starts(known)) return known.size();
+  }
+  return 1;
+}
+
+Token Lexer::next() {
+  Token token;
+  token.after_blank = skip_blanks();
+  token.begins_line = line_begins_;
+  token.offset = static_cast<std::uint32_t>(at_);
+  token.end = token.offset;
+  if (at_ >= text_.size()) return token;
+  line_begins_ = false;
+  const char c = text_[at_];
+  const char after = at_ + 1 < text_.size() ? text_[at_ + 1] : ' ';
+  std::size_t end = at_ + 1;
+  token.kind = Token::Kind::punctuation;
+  if (is_digit(c) || (c == '.' && is_digit(after))) {
+    token.kind = Token::Kind::number;
+    end = number_end();
+  } else if (c == 'R' && after == '"') {
+    token.kind = Token::Kind::text;
+    end = raw_text_end(at_ + 1);
+  } else if (is_word(c)) {
+    token.kind = Token::Kind::name;
+    while (end < text_.size() && is_word(text_[end])) ++end;
+  } else if (c == '"' || c == '\'') {
+    token.kind = c == '"' ? Token::Kind::text : Token::Kind::character;
+    end = quoted_end(c);
+  } else {
+    end = at_ + punctuation_size();
+  }
+  token.text = text_.substr(at_, end - at_);
+  at_ = end;
+  token.end = static_cast<std::uint32_t>(at_);
+  return token;
+}
+
+}  // namespace ninebit::code

@@ -1,0 +1,155 @@
+#include "src/language/c_like/c_preprocessor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "src/language/source/condition.h"
+
+namespace ninebit::code {
+namespace {
+
+// The tokens' text, a blank between two.
+std::string text_of(const std::vector<Token>& tokens) {
+  std::string out;
+  for (const Token& token : tokens) out += (out.empty() ? "" : " ") + std::string(token.text);
+  return out;
+}
+
+}  // namespace
+
+Preprocessor::Preprocessor(std::string_view text, Macros& macros, PreprocessorOptions options)
+    : macros_(macros), options_(std::move(options)), expander_(macros, [this] { return next(); }) {
+  texts_.push_back({Lexer(text), {}, {}});
+}
+
+// The next token that is neither in a directive nor in a part that is left out.
+Token Preprocessor::next() {
+  while (true) {
+    Text& text = texts_.back();
+    Token token = text.held ? *text.held : text.lexer.next();
+    text.held.reset();
+    if (token.kind == Token::Kind::end) {
+      if (texts_.size() == 1) return token;
+      texts_.pop_back();
+      continue;
+    }
+    if (token.is("#") && token.begins_line) {
+      directive();
+    } else if (reads()) {
+      if (text.include) {
+        token.offset = text.include->offset;
+        token.end = text.include->end;
+        token.is_made = true;
+      }
+      return token;
+    }
+  }
+}
+
+// Reads the rest of the line. The first token of the next line is held.
+void Preprocessor::directive() {
+  std::vector<Token> line;
+  Text& text = texts_.back();
+  Token token = text.lexer.next();
+  for (; token.kind != Token::Kind::end && !token.begins_line; token = text.lexer.next()) line.push_back(token);
+  text.held = token;
+  if (line.empty() || !line[0].is_name()) return;
+  const Token directive = line[0];
+  line.erase(line.begin());
+  obey(directive, line);
+}
+
+void Preprocessor::obey(const Token& directive, const std::vector<Token>& line) {
+  const auto chosen = [&] {
+    const Answer said = answer(directive, line);
+    const bool is_included = texts_.size() > 1;
+    return options_.reads && !is_included ? options_.reads(directive, line, said) : said.value;
+  };
+  if (directive.is("if") || directive.is("ifdef") || directive.is("ifndef")) {
+    OpenGroup group{.outer = reads()};
+    group.reads = group.taken = group.outer && chosen();
+    open_.push_back(group);
+  } else if (directive.is("else") || directive.is("elif")) {
+    if (open_.empty()) return;
+    OpenGroup& group = open_.back();
+    group.reads = group.outer && !group.taken && chosen();
+    group.taken = group.taken || group.reads;
+  } else if (directive.is("endif")) {
+    if (!open_.empty()) open_.pop_back();
+  } else if (!reads()) {
+    return;
+  } else if (directive.is("define")) {
+    define(line);
+  } else if (directive.is("undef") && !line.empty()) {
+    macros_.all.erase(line[0].text);
+  } else if (directive.is("include")) {
+    include(directive, line);
+  }
+}
+
+Answer Preprocessor::answer(const Token& directive, const std::vector<Token>& line) {
+  if (directive.is("else")) return {true, true, {}};
+  const auto value_of = [&](std::string_view name) {
+    return options_.value_of ? options_.value_of(name) : std::optional<std::string_view>{};
+  };
+  const auto is_defined = [&](std::string_view name) {
+    return macros_.all.count(name) != 0 || value_of(name).has_value();
+  };
+  if (!directive.is("if") && !directive.is("elif")) {
+    const bool known = !line.empty() && is_defined(line[0].text);
+    return {known == directive.is("ifdef"), known, {}};
+  }
+  // The name behind `defined` is no macro.
+  std::vector<Token> asked = line;
+  for (std::size_t i = 1; i < asked.size(); ++i) {
+    const bool parenthesis = asked[i - 1].is("(") && i > 1;
+    asked[i].is_final = asked[i - (parenthesis ? 2 : 1)].is("defined");
+  }
+  bool is_sure = true;
+  const auto value = detail::condition_value(text_of(expand_tokens(macros_, asked)),
+                                             {.is_defined =
+                                                  [&](std::string_view name) {
+                                                    const bool known = is_defined(name);
+                                                    is_sure = is_sure && known;
+                                                    return known;
+                                                  },
+                                              .body_of = [&](std::string_view name) -> std::optional<std::string> {
+                                                if (const auto given = value_of(name)) return std::string(*given);
+                                                const auto macro = macros_.all.find(name);
+                                                if (macro == macros_.all.end() || macro->second.has_parameters)
+                                                  return std::nullopt;
+                                                return text_of(macro->second.body);
+                                              }});
+  return {value.holds, is_sure && value.unknown.empty() && value.fault.empty(), value.unknown};
+}
+
+void Preprocessor::define(const std::vector<Token>& line) {
+  if (line.empty() || !line[0].is_name()) return;
+  Macro macro;
+  std::size_t at = 1;
+  macro.has_parameters = line.size() > 1 && line[1].is("(") && !line[1].after_blank;
+  if (macro.has_parameters) {
+    for (at = 2; at < line.size() && !line[at].is(")"); ++at) {
+      macro.is_variadic = macro.is_variadic || line[at].is("...");
+      const bool named = line[at].is_name() && at + 1 < line.size() && line[at + 1].is("...");  // args...
+      if (line[at].is_name()) macro.parameters.push_back(line[at].text);
+      if (line[at].is("...")) macro.parameters.push_back("__VA_ARGS__");
+      if (named) ++at, macro.is_variadic = true;
+    }
+    ++at;
+  }
+  if (at < line.size()) macro.body.assign(line.begin() + static_cast<std::ptrdiff_t>(at), line.end());
+  macros_.all[line[0].text] = std::move(macro);
+}
+
+void Preprocessor::include(const Token& directive, const std::vector<Token>& line) {
+  constexpr std::size_t kMostIncluded = 16, kMostFiles = 200;
+  const bool named = line.size() == 1 && line[0].kind == Token::Kind::text && line[0].text.size() > 2;
+  if (!options_.include || !named || texts_.size() > kMostIncluded || ++included_ > kMostFiles) return;
+  const std::string_view name = line[0].text.substr(1, line[0].text.size() - 2);
+  const std::string* const text = options_.include(name);
+  if (text == nullptr) return;
+  texts_.push_back({Lexer(*text), {}, texts_.back().include ? texts_.back().include : directive});
+}
+
+}  // namespace ninebit::code

@@ -1,0 +1,69 @@
+// The preprocessor of C: macros, conditions, included files.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/language/c_like/c_lexer.h"
+#include "src/language/c_like/c_macros.h"
+
+namespace ninebit::code {
+
+// What a condition says. Names that mean nothing are 0, as C has it; then it is not sure.
+struct Answer {
+  bool value = false;
+  bool is_sure = true;
+  std::string unknown{};  // a name without a value that decides; empty: none
+};
+
+struct PreprocessorOptions {
+  // The value of a name that no macro has; empty: it has none. It counts as defined in conditions alone.
+  std::function<std::optional<std::string_view>(std::string_view)> value_of{};
+  // Whether the part behind a condition is read, and none before it was: the directive, its line, what it says.
+  std::function<bool(const Token&, const std::vector<Token>&, Answer)> reads{};
+  // The text of an included file; null: it is not there.
+  std::function<const std::string*(std::string_view)> include{};
+};
+
+class Preprocessor {
+ public:
+  Preprocessor(std::string_view text, Macros& macros, PreprocessorOptions options);
+
+  // The next token with macros expanded; Kind::end at the end.
+  Token take() { return expander_.take(); }
+  [[nodiscard]] bool too_many() const { return expander_.too_many(); }
+
+ private:
+  struct OpenGroup {
+    bool outer = true;   // whether the part around it is read
+    bool reads = false;  // the current branch
+    bool taken = false;  // a branch was read
+  };
+  struct Text {
+    Lexer lexer;
+    std::optional<Token> held{};     // the first token of the next line
+    std::optional<Token> include{};  // of an included text: the directive that includes it
+  };
+
+  Token next();
+  void directive();
+  void obey(const Token& directive, const std::vector<Token>& line);
+  void define(const std::vector<Token>& line);
+  void include(const Token& directive, const std::vector<Token>& line);
+  [[nodiscard]] Answer answer(const Token& directive, const std::vector<Token>& line);
+  [[nodiscard]] bool reads() const { return open_.empty() || open_.back().reads; }
+
+  Macros& macros_;
+  PreprocessorOptions options_;
+  std::vector<Text> texts_;  // the file, and those included now
+  std::vector<OpenGroup> open_;
+  std::size_t included_ = 0;
+  MacroExpander expander_;
+};
+
+}  // namespace ninebit::code
