@@ -26,8 +26,8 @@ const std::map<std::string, int> kRank{
 const std::map<std::string, std::vector<std::string>> kFolders{
     {"system", {"emscripten", "parallel", "", "hashing"}},
     {"language",
-     {"source", "c_like", "gl_nv", "gl_calls", "rc10", "pixel_shader", "register_words", "xbox", "register_log", "source_code",
-      "emit", "explain", "json"}},
+     {"source", "c_like", "gl_nv", "gl_calls", "rc10", "pixel_shader", "register_words", "xbox", "register_log",
+      "source_code", "emit", "explain", "json"}},
     {"raster", {"rules", "surface", "texture", "setup", "fragment", "lanes", "draw"}},
     {"scene", {"", "files", "emscripten"}},
     {"image", {"output", "texture", "openimageio", "module"}},

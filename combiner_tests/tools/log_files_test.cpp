@@ -134,7 +134,8 @@ TEST(LogFiles, NamesThatEndInANumberOpenAsTheyAre) {
   EXPECT_EQ(ninebit(on_nv2a({"explain", log + "#2"})).code, 0);
   expect_error(ninebit({"explain", folder / "none.log#1"}), 3, {"none.log", "could not be read"});
   const std::string calls = write_bytes(folder / "calls.gl", article_calls());
-  expect_error(ninebit({"explain", calls + "#1"}), 3, {"calls.gl", "is not a log of register writes"});
+  expect_error(ninebit({"explain", calls + "#1"}), 3,
+               {"calls.gl", "is neither a log of register writes nor a source file"});
 }
 
 TEST(LogFiles, FrameIsForLogsAlone) {
