@@ -28,7 +28,7 @@ struct Discriminator {
   int general_combiners = 0;            // that it needs: 0, 1 or 2. A state has at least one, which then does nothing.
   std::array<std::uint8_t, 3> bytes{};  // of texture 0, texture 1, primary colour
   std::array<bool, 4> texture_off{};    // by unit
-  bool fog_off = false;
+  bool fog_off = false;                 // the fog register's alpha is what the profile says
 
   // Returns the byte that a profile gives in red, green and blue, by the reference.
   [[nodiscard]] int shown(const HardwareProfile& profile) const;

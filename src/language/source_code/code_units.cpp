@@ -102,17 +102,18 @@ void Units::find_functions() {
   };
   std::set<const Function*> helpers;
   for (const auto& [function, at] : found) {
-    const Function* const caller = function;
+    const Function* const caller = function;  // clang 14 captures no structured binding
     visit_effects(program_.body_of(*function), [&](const Expression& call) {
-      const auto helper = found.find(called(*function, call));
+      const auto helper = found.find(called(*caller, call));
       if (helper != found.end() && helper->first != caller) helpers.insert(helper->first);
     });
   }
   for (const Function* const one : helpers) units_[found[one]].is_helper = depends_on_parameters(*one);
   for (const auto& [function, at] : found) {
+    const Function* const caller = function;
     bool calls_helper = false;
     visit_effects(program_.body_of(*function), [&](const Expression& call) {
-      const auto helper = found.find(called(*function, call));
+      const auto helper = found.find(called(*caller, call));
       calls_helper = calls_helper || (helper != found.end() && units_[helper->second].is_helper);
     });
     const bool direct = program_.file.calls_between(function->begin, function->end);
