@@ -49,6 +49,7 @@ TEST(PlaygroundProfile, LowestTakesLowestOutputAlongWhereItMust) {
   EXPECT_TRUE(alone["coupled"].empty()) << alone;
   EXPECT_EQ(field_of(alone["profile"], "lowest_output")["value"], -255);
   EXPECT_EQ(field_of(alone["profile"], "lowest_output")["range"], (PageJson{-256, -255}));
+  EXPECT_EQ(field_of("geforce2", "lowest_output")["range"], (PageJson{-255, -255}));
 }
 
 TEST(PlaygroundProfile, WhatFitsStaysAlone) {
