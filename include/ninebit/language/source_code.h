@@ -28,7 +28,8 @@ struct SourceFunction {
   std::vector<std::string> needs{};  // names of values that are not known, for Definition::name
 };
 
-// The text of a file that #include "NAME" names; empty: it is not there, and what it declares is not known.
+// The text of a file that a source includes by its name in quotation marks; empty: it is not there, and what it
+// declares is not known.
 using SourceInclude = std::function<std::optional<std::string>(std::string_view)>;
 
 // The part of a source to read.
