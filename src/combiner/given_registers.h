@@ -7,8 +7,9 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/visibility.h"
 
-namespace ninebit {
+namespace NINEBIT_PUBLIC ninebit {  // the library above this room calls it
 
 // The registers before any is given: those of a fragment whose bytes are 0, with fog and all texture units off, as the
 // profile defines them. A caller that is given texture 0's alpha, but not spare0's, copies it there.
