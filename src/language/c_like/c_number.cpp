@@ -317,17 +317,16 @@ std::optional<Number> read_number(std::string_view text) {
                            : digits.find_first_of(".eE") != std::string_view::npos ||
                                  digits.find_first_of("fFdD") != std::string_view::npos;
   if (is_real) {
-    if (hex) digits.remove_prefix(2);
+    if (hex) return std::nullopt;  // not every library reads them
     double value = 0;
-    const auto format = hex ? std::chars_format::hex : std::chars_format::general;
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value, format);
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const std::string_view suffix(read.ptr, static_cast<std::size_t>(digits.data() + digits.size() - read.ptr));
     if (read.ec != std::errc{}) return std::nullopt;
     if (suffix.empty() || suffix == "d" || suffix == "D") return real_number(value);
     if (suffix != "f" && suffix != "F") return std::nullopt;
     // Rounded once, from the digits.
     float single = 0;
-    const auto again = std::from_chars(digits.data(), digits.data() + digits.size(), single, format);
+    const auto again = std::from_chars(digits.data(), digits.data() + digits.size(), single);
     if (again.ec != std::errc{}) return std::nullopt;
     return real_number(static_cast<double>(single), kFloat32);
   }
