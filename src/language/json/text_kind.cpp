@@ -36,8 +36,8 @@ bool is_json(std::string_view text) {
   if (text.front() == '{') {
     // A key without quotes is a fault of JSON.
     const auto is_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '\''; };
-    const auto end = std::find_if_not(inside.begin(), inside.end(), is_name);
-    const bool has_key = end != inside.begin() && after_space({end, inside.end()}).starts_with(':');
+    const auto key = static_cast<std::size_t>(std::find_if_not(inside.begin(), inside.end(), is_name) - inside.begin());
+    const bool has_key = key > 0 && after_space(inside.substr(key)).starts_with(':');
     return inside.front() == '}' || has_key;
   }
   if (inside.front() == '[' || inside.front() == '{') return true;
