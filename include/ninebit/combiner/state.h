@@ -122,7 +122,7 @@ struct CombinerState {
 
 // "const0", "const15"; "stage2.const0" for constant 0 of general combiner 2.
 [[nodiscard]] std::string name_of_constant(ConstantName name);
-// The number of a name; empty: there is no such constant.
+// The number of a name; empty: it does not name a constant.
 [[nodiscard]] std::optional<ConstantName> constant_called(std::string_view name);
 
 // The name of a constant at a place: the one that the program's text has for it or, without one, that of the colour

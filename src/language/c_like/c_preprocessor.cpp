@@ -99,7 +99,7 @@ Answer Preprocessor::answer(const Token& directive, const std::vector<Token>& li
     const bool known = !line.empty() && is_defined(line[0].text);
     return {known == directive.is("ifdef"), known, {}};
   }
-  // The name behind `defined` is no macro.
+  // The name behind `defined` is not replaced.
   std::vector<Token> asked = line;
   for (std::size_t i = 1; i < asked.size(); ++i) {
     const bool parenthesis = asked[i - 1].is("(") && i > 1;

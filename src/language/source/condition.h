@@ -11,7 +11,7 @@ namespace ninebit::detail {
 // The names that a preprocessor has.
 struct ConditionNames {
   std::function<bool(std::string_view)> is_defined;
-  // The text that stands for a macro without parameters; empty: there is no such macro.
+  // The text that stands for a macro without parameters; empty: the name is not one.
   std::function<std::optional<std::string>(std::string_view)> body_of;
 };
 

@@ -106,13 +106,13 @@ const Edit kEdits[] = {
      }},
 };
 
-struct NamedSlip {
+struct NamedBrokenRule {
   const char *name, *rules;
   BrokenRule broken;
   bool in_general = true, in_final = true;
 };
 
-const NamedSlip kSlips[] = {
+const NamedBrokenRule kBrokenRules[] = {
     {"negative inputs are not clamped to 0", "2, 14", BrokenRule::negative_inputs},
     {"outputs of general combiners are clamped to [0, 1]", "", BrokenRule::outputs_from_zero},
     {"outputs of general combiners are not clamped", "", BrokenRule::outputs_unclamped},
@@ -156,7 +156,7 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
       found.push_back({name, "5, 8", profile});
       found.back().profile.arithmetic.value = arithmetic;
     }
-    for (const NamedSlip& one : kSlips) {
+    for (const NamedBrokenRule& one : kBrokenRules) {
       found.push_back({one.name, one.rules, profile, one.broken, nullptr, one.in_general, one.in_final});
     }
   }
