@@ -110,7 +110,7 @@ test('an effect file opens with the files that it names', async () => {
     ninebit: 'effect', version: 1, title: 'Captured', profile: 'geforce2', size: [32, 32],
     scene: { mesh: 'draw-001.ply', camera: [0, 0, 3], look_at: [0, 0, 0], fov: 36.86989764584402, light: [-1, 1, 1] },
     textures: { texel0: { source: 'draw-001.texel0.png', filter: 'nearest', wrap: 'clamp-to-edge' } },
-    passes: [{ name: 'glBegin', program: '../program-001.gl', primary: 'color', shade: 'flat', depth: null,
+    passes: [{ name: 'glBegin', program: 'program-001.gl', primary: 'color', shade: 'flat', depth: null,
       units: [{ texture: 'texel0', coordinates: 'screen' }] }],
   });
   const program = 'glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_INVERT_NV, GL_RGB);\n';

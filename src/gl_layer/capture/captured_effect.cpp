@@ -149,8 +149,7 @@ Json matrix_to(const CapturedDraw& draw) {
 // The effect's pass; the program file holds the constants of the state when it was first drawn with.
 Json pass_of(const CapturedDraw& draw, const CombinerState& state, const HardwareProfile& profile,
              const std::string& program, CapturedFiles& files) {
-  Json pass{
-      {"name", draw.call}, {"program", "../" + program}, {"primary", "color"}, {"shade", "flat"}, {"depth", nullptr}};
+  Json pass{{"name", draw.call}, {"program", program}, {"primary", "color"}, {"shade", "flat"}, {"depth", nullptr}};
   Json& constants = pass["constants"];
   constants = {{"const0", color_of(state.constant0)}, {"const1", color_of(state.constant1)}};
   if (profile.per_stage_constants && state.per_stage_constants) {

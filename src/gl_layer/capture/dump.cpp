@@ -72,8 +72,11 @@ class Dump {
     fs::create_directories(folder, fault);
     if (draw != nullptr) {
       const HardwareProfile& profile = context.combiners.profile();
-      const CapturedFiles files = write_effect(folder, name, *draw, context.combiners.state(), profile,
-                                               numbered("program", draw->program) + ".json");
+      const std::string program = numbered("program", draw->program) + ".json";
+      const CapturedFiles files = write_effect(folder, name, *draw, context.combiners.state(), profile, program);
+      // Beside the effect that names it: an effect may name files of its own folder alone.
+      fs::copy_file(folder_ / program, folder / program, fs::copy_options::overwrite_existing, fault);
+      if (fault) log_line((folder / program).string() + ": cannot be written");
       state["pixels"] = files.pixels;
       state["files"] = files.files;
       state["left_out"] = files.left_out;

@@ -84,10 +84,8 @@ std::string kit_row(const ChipKit& kit, std::size_t program) {
                      off == of.texture_off.end() ? "none" : std::to_string(off - of.texture_off.begin()));
 }
 
-Result<KitResults> read_kit_results(const std::string& file, const ChipKit& kit) {
-  auto input = InputFile::open(file);
-  if (!input) return input.error();
-  CsvLines lines(std::move(*input));
+Result<KitResults> read_kit_results(InputFile file, const ChipKit& kit) {
+  CsvLines lines(std::move(file));
   KitResults results;
   results.shown.assign(kit.programs.size(), kNothing);
   bool has_header = false;

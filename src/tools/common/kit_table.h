@@ -6,6 +6,7 @@
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/study/chip_kit.h"
+#include "src/tools/input/input_file.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
@@ -32,6 +33,6 @@ struct KitResults {
 
 // Reads a table with all rows of the kit, in any order. Reports any other header, rows of other programs, a row that
 // stands twice or lacks, colours that are no bytes or not grey.
-[[nodiscard]] Result<KitResults> read_kit_results(const std::string& file, const ChipKit& kit);
+[[nodiscard]] Result<KitResults> read_kit_results(InputFile file, const ChipKit& kit);
 
 }  // namespace ninebit::tools

@@ -32,10 +32,12 @@ std::string colors_of(const std::vector<std::size_t>& programs, const std::vecto
 }
 
 Result<Decided> judge(const DecideFlags& flags, ProgressLine& progress) {
+  auto file = InputFile::open(flags.results);  // a wrong name is said before the kit is searched
+  if (!file) return file.error();
   auto kit =
       make_chip_kit(profile_of_family(flags.family), [&](double done) { return progress.step("combinations", done); });
   if (!kit) return kit.error();
-  auto results = read_kit_results(flags.results, *kit);
+  auto results = read_kit_results(std::move(*file), *kit);
   if (!results) return results.error();
   auto verdict = decide(*kit, results->shown);
   if (verdict.fitting.empty()) {
