@@ -90,7 +90,7 @@ if(NINEBIT_BUILD_PYTHON)
     ninebit_installable(${module} COMPONENT python)
     install(TARGETS ${module} DESTINATION ${NINEBIT_PYTHON_INSTALL_DIR}/ninebit COMPONENT python)
   endforeach()
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/ninebit DESTINATION ${NINEBIT_PYTHON_INSTALL_DIR} COMPONENT python
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/python/ninebit DESTINATION ${NINEBIT_PYTHON_INSTALL_DIR} COMPONENT python
           FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
   # Compiled now: users may not write there, and would compile it at every import. A Debian package compiles when it is
   # installed.

@@ -60,9 +60,7 @@ std::unique_ptr<Study> shadows() {
   scene.lights = {Light{.name = "", .position = {0.5F, 3, 0.25F}}};
   RenderSettings settings;
   settings.width = settings.height = 16;
-  ShadowGrid grid;
-  grid.map_sizes = {8, 16};
-  grid.index_steps = {1, 2};
+  const ShadowGrid grid{{"map-size", {"8", "16"}}, {"index-step", {"1", "2"}}};
   return made(make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, std::move(scene),
                                 *find_technique("index-cube"), settings, grid));
 }

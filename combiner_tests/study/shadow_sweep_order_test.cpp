@@ -46,9 +46,7 @@ Names columns_of(const StudyRow& row) {
 }
 
 TEST(ShadowSweepOrder, OrdersAndScalesAreAxes) {
-  ShadowGrid grid;
-  grid.index_orders = {IndexOrder::file, IndexOrder::neighbour};
-  grid.index_scales = {IndexScales::both, IndexScales::none};
+  const ShadowGrid grid{{"index-order", {"file", "neighbour"}}, {"index-scales", {"both-x4", "no-scale"}}};
   const auto study = ordered_sweep(grid);
   ASSERT_TRUE(study) << study.error().text();
   ASSERT_EQ((*study)->units(), 4U);
@@ -82,9 +80,7 @@ TEST(ShadowSweepOrder, ColumnsOnlyWhereTheyVary) {
     }
     return names;
   };
-  ShadowGrid orders, scales;
-  orders.index_orders = {IndexOrder::file};
-  scales.index_scales = {IndexScales::both};
+  const ShadowGrid orders{{"index-order", {"file"}}}, scales{{"index-scales", {"both-x4"}}};
   IndexSettings neighbour, first;
   neighbour.order = IndexOrder::neighbour;
   first.scales = IndexScales::first;
@@ -96,9 +92,7 @@ TEST(ShadowSweepOrder, ColumnsOnlyWhereTheyVary) {
 }
 
 TEST(ShadowSweepOrder, TechniquesWithoutIndices) {
-  ShadowGrid grid;
-  grid.index_orders = {IndexOrder::file};
-  grid.index_scales = {IndexScales::none};
+  const ShadowGrid grid{{"index-order", {"file"}}, {"index-scales", {"no-scale"}}};
   const auto refused = ordered_sweep(grid, {}, "shadow-map");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "technique shadow-map does not support --orders, --scales");
@@ -128,8 +122,7 @@ StudyRow ordered_row(std::uint64_t point, const std::string& order, std::uint64_
 
 TEST(ShadowSweepOrder, TheReportNamesPointsInTheOrderOfTheFile) {
   const Technique& drawn = *find_technique("index-cube");
-  ShadowGrid grid;
-  grid.index_orders = {IndexOrder::file, IndexOrder::neighbour};
+  const ShadowGrid grid{{"index-order", {"file", "neighbour"}}};
   const SweptSettings known = *swept_settings(drawn, {}, grid);
   const auto axes = axes_of(known, grid);
   ASSERT_TRUE(axes);

@@ -96,10 +96,8 @@ void expect_counts(const StudyRow& row, const Technique& drawn, RenderSettings s
 }
 
 TEST(ShadowSweep, PointsAreDrawnAndJudgedOneByOne) {
-  ShadowGrid grid;
-  grid.map_sizes = {32, 64};
-  grid.index_scopes = {IndexScope::polygon, IndexScope::object};
-  grid.index_steps = {1, 2, 3};
+  const ShadowGrid grid{
+      {"map-size", {"32", "64"}}, {"index-scope", {"polygon", "object"}}, {"index-step", {"1", "2", "3"}}};
   const auto study = sweep_of("index-cube", grid);
   ASSERT_TRUE(study) << study.error().text();
   ASSERT_EQ((*study)->units(), 12U);
@@ -108,9 +106,9 @@ TEST(ShadowSweep, PointsAreDrawnAndJudgedOneByOne) {
   ASSERT_EQ(rows.size(), 12U);
   for (const std::size_t unit : {0U, 4U, 7U, 11U}) {
     RenderSettings settings = small();
-    settings.map_size = grid.map_sizes[unit / 6];
-    settings.index.scope = grid.index_scopes[unit / 3 % 2];
-    settings.index.step = grid.index_steps[unit % 3];
+    settings.map_size = unit < 6 ? 32 : 64;
+    settings.index.scope = unit / 3 % 2 == 0 ? IndexScope::polygon : IndexScope::object;
+    settings.index.step = static_cast<int>(unit % 3) + 1;
     EXPECT_EQ(rows[unit].count("point"), unit);
     EXPECT_EQ(rows[unit].count("map_size"), static_cast<std::uint64_t>(settings.map_size));
     EXPECT_EQ(rows[unit].text("index_scope"), name_of(settings.index.scope));
@@ -126,9 +124,7 @@ TEST(ShadowSweep, PointsAreDrawnAndJudgedOneByOne) {
 }
 
 TEST(ShadowSweep, DepthTechniquesSweepTheirOwnSettings) {
-  ShadowGrid cube;
-  cube.depth_bits = {DepthCubeBits::eight, DepthCubeBits::real};
-  cube.biases = {0.0F, 0.05F};
+  const ShadowGrid cube{{"depth-bits", {"8", "float"}}, {"bias", {"0", "0.05"}}};
   auto study = sweep_of("depth-cube", cube);
   ASSERT_TRUE(study) << study.error().text();
   std::vector<StudyRow> rows = all_rows(**study);
@@ -139,9 +135,7 @@ TEST(ShadowSweep, DepthTechniquesSweepTheirOwnSettings) {
   settings.depth_cube = {.bits = DepthCubeBits::real, .bias = 0.05F};
   expect_counts(rows[3], technique("depth-cube"), settings);
 
-  ShadowGrid map;
-  map.encodings = {DepthEncoding::d24, DepthEncoding::rgba8_fract};
-  map.polygon_offsets = {{0.0F, 0.0F}, {2.0F, 64.0F}};
+  const ShadowGrid map{{"depth-encoding", {"d24", "rgba8-fract"}}, {"polygon-offset", {"0,0", "2,64"}}};
   study = sweep_of("shadow-map", map);
   ASSERT_TRUE(study) << study.error().text();
   rows = all_rows(**study);
@@ -168,10 +162,7 @@ TEST(ShadowSweep, DefaultsAreTold) {
 }
 
 TEST(ShadowSweep, AxesOfOtherTechniquesAreRefused) {
-  ShadowGrid grid;
-  grid.map_sizes = {64};
-  grid.index_steps = {1, 2};
-  grid.polygon_offsets = {{0.0F, 0.0F}};
+  const ShadowGrid grid{{"map-size", {"64"}}, {"index-step", {"1", "2"}}, {"polygon-offset", {"0,0"}}};
   const auto message = [&](std::string_view name) {
     const auto study = sweep_of(name, grid);
     return study ? std::string("no error") : study.error().message;
@@ -182,6 +173,20 @@ TEST(ShadowSweep, AxesOfOtherTechniquesAreRefused) {
   EXPECT_EQ(message("shadow-volume"),
             "technique shadow-volume does not support --map-sizes, --steps, --polygon-offsets");
   EXPECT_EQ(message("reflective"), "technique reflective draws no shadows to compare");
+}
+
+TEST(ShadowSweep, WrongAxesAreRefused) {
+  const auto message = [](const ShadowGrid& grid) {
+    const auto study = sweep_of("index-cube", grid);
+    return study ? std::string("no error") : study.error().message;
+  };
+  EXPECT_EQ(message({{"index-stp", {"1"}}}), "'index-stp' is not a setting that can be swept");
+  EXPECT_EQ(message({{"section-size", {"64"}}}), "'section-size' is not a setting that can be swept");
+  EXPECT_EQ(message({{"index-step", {"1", "17"}}}), "'17' is not a valid value of index-step");
+  EXPECT_EQ(message({{"map-size", {"48"}}}), "'48' is not a valid value of map-size");
+  EXPECT_EQ(message({{"index-step", {}}}), "index-step: expected at least one value");
+  EXPECT_EQ(message({{"index-step", {"1"}}, {"index-step", {"2"}}}),
+            "index-step is swept twice; expected one list of its values");
 }
 
 TEST(ShadowSweep, KnowsEveryTechniqueWithShadows) {
@@ -195,9 +200,7 @@ TEST(ShadowSweep, KnowsEveryTechniqueWithShadows) {
 
 // 2,096 polygons do not fit into a luminance: a row says so, and the others are drawn.
 TEST(ShadowSweep, WhatTheTechniqueRefusesIsARow) {
-  ShadowGrid grid;
-  grid.index_formats = {IndexFormat::luminance, IndexFormat::rgb};
-  auto study = sweep_of("index-cube", grid);
+  auto study = sweep_of("index-cube", {{"index-format", {"l", "rgb"}}});
   ASSERT_TRUE(study);
   const std::vector<StudyRow> rows = all_rows(**study);
   EXPECT_NE(rows[0].text("refused"), "");
@@ -210,16 +213,14 @@ TEST(ShadowSweep, WhatTheTechniqueRefusesIsARow) {
   ASSERT_EQ(report->pictures.size(), 1U);  // the best point is the worst one, too
   EXPECT_EQ(report->pictures[0].image.width, 96);
 
-  grid.index_formats = {IndexFormat::luminance};
-  study = sweep_of("index-cube", grid);
+  study = sweep_of("index-cube", {{"index-format", {"l"}}});
   const auto none = (*study)->report(all_rows(**study), 1);
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().message.find("no point can be drawn"), std::string::npos);
 }
 
 TEST(ShadowSweep, ThreadsChangeNothing) {
-  ShadowGrid grid;
-  grid.map_sizes = {32, 128};
+  const ShadowGrid grid{{"map-size", {"32", "128"}}};
   const auto with_threads = [&](std::size_t n) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
     const auto study = sweep_of("index-cube", grid);
@@ -278,9 +279,8 @@ StudyRow map_row(std::uint64_t point, std::int64_t map_size, double factor, doub
 
 StudyReport report_on(const std::vector<StudyRow>& rows) {
   const SweptSettings known = *swept_settings(technique("shadow-map"), {});
-  ShadowGrid grid;  // what the columns are is all that counts
-  grid.map_sizes = {1};
-  grid.polygon_offsets = {{}};
+  // Only the columns matter here, not the values.
+  const ShadowGrid grid{{"map-size", {"1"}}, {"polygon-offset", {"0,0"}}};
   const auto axes = axes_of(known, grid);
   return shadow_sweep_report(known, *axes, rows, rows.size(), rows.size());
 }

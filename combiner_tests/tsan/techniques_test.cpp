@@ -118,8 +118,7 @@ TEST(StudyThreads, EachFindsTheSame) {
   const auto state = index_variant_state(profiles::geforce2, StudyFormat::channel, index_variants()[0]);
   ASSERT_TRUE(state.ok());
   const Technique& index_cube = techniques().front();
-  ShadowGrid grid;
-  grid.map_sizes = {32};
+  const ShadowGrid grid{{"map-size", {"32"}}};
 
   std::vector<std::unique_ptr<Study>> studies;
   studies.push_back(valid(index_steps_study({.profiles = {profiles::geforce2}, .first_step = 12})));

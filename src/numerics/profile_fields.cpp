@@ -194,6 +194,13 @@ const ProfileField* find_profile_field(std::string_view name) {
   return nullptr;
 }
 
+void set_field(HardwareProfile& profile, const ProfileField& field, int value) {
+  const Choice<int> choice = field.get(profile);
+  field.set(profile, {value, choice.evidence, choice.source});
+  if (field.name == "lowest") profile.lowest_output.value = std::max(profile.lowest_output.value, value);
+  if (field.name == "lowest_output") profile.lowest.value = std::min(profile.lowest.value, value);
+}
+
 HardwareProfile with_exact_combiners(HardwareProfile profile) {
   for (const ProfileField& field : kFields) {
     const bool is_arithmetic = field.group == FieldGroup::numbers || field.group == FieldGroup::integer_rules;

@@ -1,5 +1,4 @@
 // One field of a profile changed, and with it the fields that depend on it, so that the profile stays valid.
-#include <algorithm>
 #include <utility>
 
 #include "src/playground/profile_fields.h"
@@ -27,8 +26,17 @@ void couple(Json& values, const Json& base, std::string_view edited) {
       values[lowest] = base[lowest].get<int>() + base_one - one;
     }
   }
-  if (edited == "lowest") {
-    values["lowest_output"] = std::max(values["lowest_output"].get<int>(), values["lowest"].get<int>());
+}
+
+// Moves the fields that an edited whole number moves along.
+void move_along(Json& values, const HardwareProfile& before, const ProfileField& edited) {
+  const std::string name(edited.name);
+  if (edited.kind != FieldKind::number) return;
+  HardwareProfile moved = before;
+  set_field(moved, edited, values[name].get<int>());
+  for (const ProfileField& field : profile_fields()) {
+    if (field.get(moved).value == field.get(before).value || field.name == name) continue;
+    values[std::string(field.name)] = value_of_field(field, moved);
   }
 }
 
@@ -86,6 +94,7 @@ Reply edit_profile(Request& request) {
   const auto value = edited_value(request, *field, before[edited]);
   if (request.failed()) return request.refused();
   values[edited] = *value;
+  move_along(values, chosen.profile(), *field);
   couple(values, base, edited);
   Json out{{"profile", profile_file(values, base, *shipped, name)}};
   Json coupled = Json::array();

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "ninebit/image/image_io.h"
+#include "ninebit/shadow/technique_settings.h"
 #include "src/image/texture/picture_loader.h"
 #include "src/python/waiting.h"
 #include "src/tools/input/fault_log.h"
@@ -207,6 +208,22 @@ std::vector<std::tuple<std::string, bool, bool, std::string>> flags(const std::v
   return found;
 }
 
+// The settings of techniques, for write_stubs.py: (keyword, kind, how many numbers a value has, words, the keyword of
+// their list in a sweep or nothing).
+py::list settings() {
+  constexpr std::array kKinds{"whole", "real", "word", "files"};
+  py::list all;
+  for (const TechniqueSetting& setting : technique_settings()) {
+    py::list words;
+    for (const SettingWord& word : setting.words) words.append(std::string(word.word));
+    std::string axis(setting.axis.flag);
+    std::replace(axis.begin(), axis.end(), '-', '_');
+    all.append(
+        py::make_tuple(setting.key(), kKinds[static_cast<std::size_t>(setting.kind)], setting.numbers, words, axis));
+  }
+  return all;
+}
+
 py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
   const bool grey = pixels.ndim() == 2;
   const py::ssize_t channels = grey ? 1 : pixels.ndim() == 3 ? pixels.shape(2) : 0;
@@ -235,5 +252,6 @@ PYBIND11_MODULE(_verbs, module) {
   module.def("run", &python::run, py::arg("words"), py::arg("progress") = py::none());
   py::module_::import("atexit").attr("register")(py::cpp_function(&python::wait_for_work));
   module.def("flags", &python::flags, py::arg("verb"));
+  module.def("settings", &python::settings);
   module.def("png", &python::png, py::arg("pixels"));
 }

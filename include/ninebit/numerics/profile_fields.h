@@ -68,6 +68,10 @@ struct ProfileField {
 // The field of that name, or nullptr.
 [[nodiscard]] const ProfileField* find_profile_field(std::string_view name);
 
+// Sets the value of a field and leaves its evidence. No output lies below what a register can hold: `lowest` and
+// `lowest_output` move each other along.
+void set_field(HardwareProfile& profile, const ProfileField& field, int value);
+
 // Returns the same chip with exact combiners: the fields of the groups `numbers` and `integer_rules` are those of
 // `ideal`. Pictures under both differ by the combiners' arithmetic alone.
 [[nodiscard]] HardwareProfile with_exact_combiners(HardwareProfile profile);

@@ -85,6 +85,8 @@ struct ReflectiveSettings {
 };
 // The most pixel lights per pixel.
 inline constexpr int kMaxPixelLights = 4096;
+// The most pixels a side per low-resolution sample.
+inline constexpr int kMaxGatherScale = 16;
 
 // light-cookie.
 struct LightCookieSettings {

@@ -4,30 +4,27 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/technique.h"
+#include "ninebit/shadow/technique_settings.h"
 #include "ninebit/study/study.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The axes of a grid. An axis without values keeps the value of the settings. A point is drawn for each combination;
-// the first axis changes slowest.
-struct ShadowGrid {
-  std::vector<int> map_sizes{};                    // techniques with a map, texels per side
-  std::vector<IndexFormat> index_formats{};        // index-cube and light-cookie
-  std::vector<IndexScope> index_scopes{};          // index-cube and light-cookie
-  std::vector<int> index_steps{};                  // index-cube and light-cookie
-  std::vector<IndexOrder> index_orders{};          // index-cube and light-cookie
-  std::vector<IndexScales> index_scales{};         // index-cube and light-cookie
-  std::vector<DepthCubeBits> depth_bits{};         // depth-cube
-  std::vector<float> biases{};                     // depth-cube, in world units
-  std::vector<DepthEncoding> encodings{};          // shadow-map
-  std::vector<OffsetArguments> polygon_offsets{};  // shadow-map
+// An axis of a grid: a setting of technique_settings() that has a flag for sweeps.
+struct ShadowAxis {
+  std::string_view setting;           // its name: "index-step"
+  std::vector<std::string> values{};  // as in flags: "2", "neighbour", "1.125,16"
 };
+
+// The axes of a grid, each of another setting. Other settings keep their values. A point is drawn for each combination;
+// the first axis changes slowest.
+using ShadowGrid = std::vector<ShadowAxis>;
 
 // Polygon offsets for a search: factors from 0 to 4 with units from 0 to 65536. The first is no offset.
 [[nodiscard]] std::span<const OffsetArguments> offsets_to_search();
@@ -38,7 +35,7 @@ struct ShadowGrid {
 //
 // The scene has exactly one camera and one light. The settings, including the profile, are passed to Technique::render;
 // `question` names the scene, the settings and the grid. Reports an axis that does not apply to the technique, a
-// technique that draws no shadows, and the errors of GroundTruthScene::make.
+// value that the setting does not allow, a technique that draws no shadows, and the errors of GroundTruthScene::make.
 [[nodiscard]] Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene,
                                                                const Technique& technique,
                                                                const RenderSettings& settings, const ShadowGrid& grid);

@@ -10,8 +10,6 @@ AnyProgram = State | Program | Path
 Point = tuple[float, float, float] | Sequence[float]
 Progress = Callable[[float, str], object]
 Technique = Literal["index-cube", "depth-cube", "shadow-map", "shadow-volume", "reflective", "light-cookie"]
-DepthEncoding = Literal["d24", "d16", "rgba8-fract", "rgba8-mod", "rgba8-256over255", "rgba8-modf"]
-IndexScales = Literal["both-x4", "first-x4", "second-x4", "no-scale"]
 LightType = Literal["point", "spot", "directional"]
 Faces = Literal["none", "back", "front"]
 

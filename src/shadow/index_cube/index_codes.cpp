@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/shadow/technique_settings.h"
+
 namespace ninebit {
 namespace {
 
@@ -56,30 +58,19 @@ std::vector<SettingChange> sufficient_changes(IndexFormat format, int step, Inde
 }  // namespace
 
 std::string_view name_of(IndexFormat format) {
-  switch (format) {
-    case IndexFormat::rgb:
-      return "rgb";
-    case IndexFormat::luminance_alpha:
-      return "la";
-    case IndexFormat::luminance:
-      return "l";
-    case IndexFormat::alpha:
-      break;
-  }
-  return "a";
+  return find_technique_setting("index-format")->word_of(static_cast<int>(format));
 }
 
 std::string_view name_of(IndexScope scope) {
-  return scope == IndexScope::polygon ? "polygon" : scope == IndexScope::section ? "section" : "object";
+  return find_technique_setting("index-scope")->word_of(static_cast<int>(scope));
 }
 
 std::string_view name_of(IndexOrder order) {
-  return order == IndexOrder::file ? "file" : "neighbour";
+  return find_technique_setting("index-order")->word_of(static_cast<int>(order));
 }
 
 std::string_view name_of(IndexScales scales) {
-  constexpr std::array<std::string_view, 4> names{"both-x4", "first-x4", "second-x4", "no-scale"};
-  return names[static_cast<std::size_t>(scales)];
+  return find_technique_setting("index-scales")->word_of(static_cast<int>(scales));
 }
 
 InternalFormat map_format(IndexFormat format) {

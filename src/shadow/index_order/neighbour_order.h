@@ -1,4 +1,36 @@
 // Index codes that neighbours cannot be told apart by.
+//
+// Why so, and not otherwise:
+//
+// The article numbers polygons in the order of the file. Where two polygons meet, a pixel may look up a texel whose
+// centre lies across the edge: the indices differ, and a dark line shows. One index for an object has no lines, but the
+// object casts no shadow on itself. Both are the same question: which polygons may compare equal?
+//
+// Two polygons may, if neither can shadow the other. A surface that is flat or bends outward cannot shadow the side
+// of itself that faces the light, so its polygons become one patch with one code (patches.h). But where patches meet at
+// an edge they must differ from other patches and still compare equal across the edge, and "equal" is not transitive
+// along a closed surface: with one code for all that meet, the whole object would have one.
+//
+// The comparison itself gives the way out. It squares nine-bit differences and drops the low bits, so it loses small
+// differences: (1, -1, 1) compares equal to 0. It is a tolerance, not an equality. Codes are then points of a lattice,
+// one axis a channel; codes within the tolerance are equal, all others differ. Neighbours get near codes, patches that
+// could shadow one another get codes that are not near, and everything else is free. That is the embedding of a graph
+// in a lattice (code_embedding.h): the surface is laid into the cube of codes like a crumpled sheet.
+//
+// - The tolerance is measured by running the combiners (lost_differences.h), not derived: it depends on the profile,
+//   the format and the scales, and a formula for each would be a second arithmetic.
+// - The embedding is greedy, the patch with the longest border first. Exact embedding is a problem of integers with as
+//   many unknowns as patches; the engine has 14,561 of them. A border that does not fit is broken and shows as a joint,
+//   as in the article: it costs a thin line. The other error, a lost shadow, is never made: a code that could confuse
+//   a patch with one that it may shadow is not taken, whatever border it would mend.
+// - Whether patches can shadow one another (shadow_relation.h) is decided from planes and corners alone, without the
+//   light, so that the codes stay the same while the light moves, but for a light inside a closed room. The answer may
+//   be a needless yes, never a wrong no by more than the relief.
+// - order_check.h counts again from the codes alone, without the lattice, because an embedding that checks itself with
+//   its own memory would repeat its own mistake.
+// - If the lattice is too full for this, codes are counted out at its spacing, where nothing is lost; if there are
+//   fewer of these than patches, that is an error. If the comparison loses no difference (real numbers do not), the
+//   order of the file is used, and the report says so.
 #pragma once
 
 #include <cstdint>

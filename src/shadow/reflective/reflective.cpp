@@ -21,8 +21,6 @@
 namespace ninebit {
 namespace {
 
-constexpr int kMaxGatherScale = 16;
-
 // The largest distance between two pixels that share light, divided by the scene's diagonal.
 constexpr float kSimilarDistance = 1.0F / 16.0F;
 

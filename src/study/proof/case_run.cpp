@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "src/study/proof/component_flow.h"
-#include "src/study/proof/side_batch.h"
+#include "src/study/proof/proof_side.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit::proof {
@@ -17,15 +17,15 @@ namespace {
 
 constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
-// One side's rest after the cut, in batches.
-class Tail {
+// One side's general combiners after the cut, in batches.
+class AfterCut {
  public:
-  Tail(const Subject& side, int cut, const ProofTarget& target, const std::array<s9, kComponents>& fixed)
+  AfterCut(const ProofSide& side, int cut, const ProofTarget& target, const std::array<s9, kComponents>& fixed)
       : side_(side),
         target_(target),
         fixed_(fixed),
         keeps_registers_(side.is_integer() && !target.reg),
-        batch_(side, tail_of(side.program, cut), outputs_for(target)),
+        batch_(side, later_combiners(side.program, cut), outputs_for(target)),
         out_(std::make_unique<OutputBatch>()) {
     reset();
   }
@@ -47,7 +47,7 @@ class Tail {
     for (const int i : side_.components) std::fill_n(plane(i), kBatchSize, fixed_[static_cast<std::size_t>(i)]);
   }
 
-  const Subject& side_;
+  const ProofSide& side_;
   ProofTarget target_;
   std::array<s9, kComponents> fixed_;  // what components hold that no case changes
   bool keeps_registers_;
@@ -55,38 +55,38 @@ class Tail {
   std::unique_ptr<OutputBatch> out_;
 };
 
-// Both sides of a thread.
-class Tails {
+// Both sides after the cut, for one thread.
+class AfterCuts {
  public:
-  Tails(const std::array<Subject, 2>& sides, const ProofTarget& target, const std::array<int, 2>& cut,
-        const std::array<std::array<s9, kComponents>, 2>& fixed)
-      : tails_{Tail(sides[0], cut[0], target, fixed[0]), Tail(sides[1], cut[1], target, fixed[1])},
+  AfterCuts(const std::array<ProofSide, 2>& sides, const ProofTarget& target, const std::array<int, 2>& cut,
+            const std::array<std::array<s9, kComponents>, 2>& fixed)
+      : sides_{AfterCut(sides[0], cut[0], target, fixed[0]), AfterCut(sides[1], cut[1], target, fixed[1])},
         same_codes_(target.reg || sides[0].profile.byte_shift.value == sides[1].profile.byte_shift.value) {}
 
-  Tail& operator[](std::size_t side) { return tails_[side]; }
+  AfterCut& operator[](std::size_t side) { return sides_[side]; }
   void begin() {
-    for (Tail& tail : tails_) tail.begin();
+    for (AfterCut& side : sides_) side.begin();
   }
 
   // The first lane that differs; `count` if none.
   [[nodiscard]] std::size_t first_difference(std::size_t count) {
-    const s9 *const a = tails_[0].run(count), *const b = tails_[1].run(count);
+    const s9 *const a = sides_[0].run(count), *const b = sides_[1].run(count);
     if (same_codes_ && std::equal(a, a + count, b)) return count;
     for (std::size_t k = 0; k < count; ++k) {
-      if (tails_[0].shown(a[k]) != tails_[1].shown(b[k])) return k;
+      if (sides_[0].shown(a[k]) != sides_[1].shown(b[k])) return k;
     }
     return count;
   }
 
  private:
-  std::array<Tail, 2> tails_;
+  std::array<AfterCut, 2> sides_;
   bool same_codes_;
 };
 
-// Calls body(tails, i) for 0 <= i < count until it finds a difference: a case's number. Returns the smallest i with
+// Calls body(after, i) for 0 <= i < count until it finds a difference: a case's number. Returns the smallest i with
 // one, and that number.
 template <class MakeTails, class Body>
-std::optional<std::pair<std::uint64_t, std::size_t>> search(std::uint64_t count, const MakeTails& make_tails,
+std::optional<std::pair<std::uint64_t, std::size_t>> search(std::uint64_t count, const MakeTails& make_after,
                                                             const Body& body, bool& cancelled,
                                                             const std::function<bool(double)>& go_on) {
   constexpr std::uint64_t kStep = 8192;
@@ -100,9 +100,9 @@ std::optional<std::pair<std::uint64_t, std::size_t>> search(std::uint64_t count,
     std::mutex guard;
     std::size_t lane = 0;
     parallel_ranges(static_cast<std::size_t>(length), 256, [&](std::size_t from, std::size_t to) {
-      auto tails = make_tails();
+      auto after = make_after();
       for (std::size_t i = from; i < to && begin + i < best; ++i) {
-        const std::optional<std::size_t> found = body(tails, begin + i);
+        const std::optional<std::size_t> found = body(after, begin + i);
         if (!found) continue;
         const std::scoped_lock lock(guard);
         if (begin + i >= best) break;
@@ -117,8 +117,8 @@ std::optional<std::pair<std::uint64_t, std::size_t>> search(std::uint64_t count,
 }
 
 // Groups whose combinations are written out, so that their rows fill batches, and the groups around them.
-struct Nest {
-  explicit Nest(const CaseTable& table) : groups(table.groups) {
+struct CaseLoops {
+  explicit CaseLoops(const CaseTable& table) : groups(table.groups) {
     constexpr std::size_t kEnoughRows = 8192;
     std::stable_sort(groups.begin(), groups.end(),
                      [](const CaseGroup& a, const CaseGroup& b) { return a.rows() > b.rows(); });
@@ -165,19 +165,19 @@ struct Nest {
   std::vector<std::pair<CutComponent, std::vector<s9>>> columns;
 };
 
-// Fills one batch of a nest.
-void fill(Tails& tails, const Nest& nest, std::uint64_t combination, std::size_t first, std::size_t count) {
-  tails.begin();
-  for (const auto& [component, column] : nest.columns) {
-    std::copy_n(column.data() + first, count, tails[component.side].plane(component.index));
+// Fills one batch of a loops.
+void fill(AfterCuts& after, const CaseLoops& loops, std::uint64_t combination, std::size_t first, std::size_t count) {
+  after.begin();
+  for (const auto& [component, column] : loops.columns) {
+    std::copy_n(column.data() + first, count, after[component.side].plane(component.index));
   }
-  for (std::size_t i = nest.inner; i < nest.groups.size(); ++i) {
-    const CaseGroup& group = nest.groups[i];
+  for (std::size_t i = loops.inner; i < loops.groups.size(); ++i) {
+    const CaseGroup& group = loops.groups[i];
     const auto row = static_cast<std::size_t>(combination % group.rows());
     combination /= group.rows();
     for (std::size_t c = 0; c < group.components.size(); ++c) {
       const CutComponent& to = group.components[c];
-      std::fill_n(tails[to.side].plane(to.index), count, group.columns[c][row]);
+      std::fill_n(after[to.side].plane(to.index), count, group.columns[c][row]);
     }
   }
 }
@@ -213,27 +213,27 @@ void random_plane(std::array<std::uint8_t, kBatchSize>& bytes, std::uint64_t bat
 
 }  // namespace
 
-CaseRun run_all(const std::array<Subject, 2>& sides, const ProofTarget& target, const CaseTable& table,
+CaseRun run_all(const std::array<ProofSide, 2>& sides, const ProofTarget& target, const CaseTable& table,
                 const std::function<bool(double)>& go_on) {
-  const Nest nest(table);
+  const CaseLoops loops(table);
   CaseRun run;
-  const std::uint64_t batches = nest.batches();
+  const std::uint64_t batches = loops.batches();
   const auto found = search(
-      nest.outer * batches, [&] { return Tails(sides, target, table.cut, table.fixed); },
-      [&](Tails& tails, std::uint64_t i) -> std::optional<std::size_t> {
+      loops.outer * batches, [&] { return AfterCuts(sides, target, table.cut, table.fixed); },
+      [&](AfterCuts& after, std::uint64_t i) -> std::optional<std::size_t> {
         const auto first = static_cast<std::size_t>(i % batches) * kBatchSize;
-        const std::size_t count = std::min(kBatchSize, nest.rows - first);
-        fill(tails, nest, i / batches, first, count);
-        const std::size_t lane = tails.first_difference(count);
+        const std::size_t count = std::min(kBatchSize, loops.rows - first);
+        fill(after, loops, i / batches, first, count);
+        const std::size_t lane = after.first_difference(count);
         if (lane == count) return std::nullopt;
         return first + lane;
       },
       run.cancelled, go_on);
-  if (found) run.difference = nest.bytes_of(found->first / batches, found->second);
+  if (found) run.difference = loops.bytes_of(found->first / batches, found->second);
   return run;
 }
 
-CaseRun run_random(const std::array<Subject, 2>& sides, const ProofTarget& target, std::uint64_t count,
+CaseRun run_random(const std::array<ProofSide, 2>& sides, const ProofTarget& target, std::uint64_t count,
                    const std::function<bool(double)>& go_on) {
   struct Place {
     std::size_t side;
@@ -249,21 +249,21 @@ CaseRun run_random(const std::array<Subject, 2>& sides, const ProofTarget& targe
       if (source.input >= 0 && has(read, i)) places.push_back({side, i, source.input});
     }
   }
-  const auto body = [&](Tails& tails, std::uint64_t batch) -> std::optional<std::size_t> {
+  const auto body = [&](AfterCuts& after, std::uint64_t batch) -> std::optional<std::size_t> {
     std::array<std::uint8_t, kBatchSize> bytes{};
-    tails.begin();
+    after.begin();
     for (const Place& place : places) {
       random_plane(bytes, batch, place.input);
-      s9* const plane = tails[place.side].plane(place.component);
+      s9* const plane = after[place.side].plane(place.component);
       for (std::size_t k = 0; k < kBatchSize; ++k) plane[k] = from_byte(sides[place.side].profile, bytes[k]);
     }
-    const std::size_t lane = tails.first_difference(kBatchSize);
+    const std::size_t lane = after.first_difference(kBatchSize);
     return lane == kBatchSize ? std::nullopt : std::optional(lane);
   };
   CaseRun run;
   const auto found = search((count + kBatchSize - 1) / kBatchSize,
                             [&] {
-                              return Tails(sides, target, {0, 0}, fixed);
+                              return AfterCuts(sides, target, {0, 0}, fixed);
                             },
                             body, run.cancelled, go_on);
   if (!found) return run;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "src/study/proof/component_flow.h"
-#include "src/study/proof/side_batch.h"
+#include "src/study/proof/proof_side.h"
 
 namespace ninebit::proof {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t kMostComponents = 6;                    // of such a group
 constexpr int kKeyBits = 10;                                  // of a component
 
 // The inputs that components before general combiner `cut` depend on, by component.
-std::array<ComponentMask, kComponents> inputs_at(const Subject& side, int cut) {
+std::array<ComponentMask, kComponents> inputs_at(const ProofSide& side, int cut) {
   const ComponentFlow flow = flow_through(side.program, 0, cut);
   std::array<ComponentMask, kComponents> inputs{};
   for (const int to : side.components) {
@@ -38,33 +38,33 @@ std::uint64_t product(std::uint64_t a, std::uint64_t b) {
   return b != 0 && a > kMost / b ? kMost : a * b;
 }
 
-// A group while it is put together.
-struct Draft {
+// A group whose rows are not known yet.
+struct UnfilledGroup {
   ComponentMask inputs;
   std::vector<CutComponent> components;
 };
 
 // Adds a component; groups that share an input with it become one.
-void add(std::vector<Draft>& drafts, const ComponentMask& inputs, const CutComponent& component) {
-  Draft joined{inputs, {component}};
-  for (auto draft = drafts.begin(); draft != drafts.end();) {
-    if ((draft->inputs & inputs).none()) {
-      ++draft;
+void add(std::vector<UnfilledGroup>& unfilled, const ComponentMask& inputs, const CutComponent& component) {
+  UnfilledGroup joined{inputs, {component}};
+  for (auto group = unfilled.begin(); group != unfilled.end();) {
+    if ((group->inputs & inputs).none()) {
+      ++group;
       continue;
     }
-    joined.inputs |= draft->inputs;
-    joined.components.insert(joined.components.end(), draft->components.begin(), draft->components.end());
-    draft = drafts.erase(draft);
+    joined.inputs |= group->inputs;
+    joined.components.insert(joined.components.end(), group->components.begin(), group->components.end());
+    group = unfilled.erase(group);
   }
-  drafts.push_back(std::move(joined));
+  unfilled.push_back(std::move(joined));
 }
 
 // Runs a side's general combiners before the cut.
-class Head {
+class BeforeCut {
  public:
-  Head(const Subject& side, int cut)
+  BeforeCut(const ProofSide& side, int cut)
       : side_(side),
-        batch_(side, cut > 0 ? std::optional(head_of(side.program, cut)) : std::nullopt,
+        batch_(side, cut > 0 ? std::optional(first_combiners(side.program, cut)) : std::nullopt,
                {{false, false, false, false}, true}) {}
 
   // Fragment k has the bytes first + k of the inputs.
@@ -87,7 +87,7 @@ class Head {
   [[nodiscard]] const s9* plane(int index) { return batch_.plane(index); }
 
  private:
-  const Subject& side_;
+  const ProofSide& side_;
   SideBatch batch_;
   OutputBatch out_{};
 };
@@ -95,16 +95,16 @@ class Head {
 enum class Fill : std::uint8_t { done, too_many_rows, cancelled };
 
 // Finds the rows of a group, unless they are more than `most`.
-Fill fill(CaseGroup& group, std::array<Head, 2>& heads, std::uint64_t most, const std::function<bool()>& go_on) {
+Fill fill(CaseGroup& group, std::array<BeforeCut, 2>& before, std::uint64_t most, const std::function<bool()>& go_on) {
   const std::uint32_t count = std::uint32_t{1} << static_cast<unsigned>(8 * group.inputs.size());
   std::unordered_map<std::uint64_t, std::uint32_t> rows;  // by key: the first bytes that give it
   for (std::uint32_t first = 0; first < count; first += kBatchSize) {
     const std::size_t lanes = std::min<std::size_t>(kBatchSize, count - first);
-    for (Head& head : heads) head.run(group.inputs, first, lanes);
+    for (BeforeCut& part : before) part.run(group.inputs, first, lanes);
     for (std::size_t k = 0; k < lanes; ++k) {
       std::uint64_t key = 0;
       for (const CutComponent& c : group.components) {
-        key = (key << kKeyBits) | static_cast<std::uint64_t>(heads[c.side].plane(c.index)[k] + (1 << (kKeyBits - 1)));
+        key = (key << kKeyBits) | static_cast<std::uint64_t>(before[c.side].plane(c.index)[k] + (1 << (kKeyBits - 1)));
       }
       rows.try_emplace(key, first + static_cast<std::uint32_t>(k));
     }
@@ -127,27 +127,27 @@ Fill fill(CaseGroup& group, std::array<Head, 2>& heads, std::uint64_t most, cons
 }
 
 // The groups of a cut without their rows, or nothing if a group has too many inputs.
-std::optional<std::vector<CaseGroup>> groups_at(const std::array<Subject, 2>& sides, const std::array<int, 2>& cut,
+std::optional<std::vector<CaseGroup>> groups_at(const std::array<ProofSide, 2>& sides, const std::array<int, 2>& cut,
                                                 const ProofTarget& target, int most_inputs) {
-  std::vector<Draft> drafts;
+  std::vector<UnfilledGroup> unfilled;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto inputs = inputs_at(sides[side], cut[side]);
     const ComponentMask read = reads_of(sides[side].program, cut[side], target);
     for (const int i : sides[side].components) {
       const ComponentMask& of = inputs[static_cast<std::size_t>(i)];
-      if (has(read, i) && of.any()) add(drafts, of, {side, i});
+      if (has(read, i) && of.any()) add(unfilled, of, {side, i});
     }
   }
   std::vector<CaseGroup> groups;
-  for (const Draft& draft : drafts) {
-    if (draft.inputs.count() > static_cast<std::size_t>(most_inputs) || draft.components.size() > kMostComponents) {
+  for (const UnfilledGroup& found : unfilled) {
+    if (found.inputs.count() > static_cast<std::size_t>(most_inputs) || found.components.size() > kMostComponents) {
       return std::nullopt;
     }
     CaseGroup group;
     for (int i = 0; i < kComponents; ++i) {
-      if (has(draft.inputs, i)) group.inputs.push_back(i);
+      if (has(found.inputs, i)) group.inputs.push_back(i);
     }
-    group.components = draft.components;
+    group.components = found.components;
     groups.push_back(std::move(group));
   }
   return groups;
@@ -156,7 +156,7 @@ std::optional<std::vector<CaseGroup>> groups_at(const std::array<Subject, 2>& si
 // Tries cuts and keeps the table with the fewest cases.
 class TableSearch {
  public:
-  TableSearch(const std::array<Subject, 2>& sides, const ProofTarget& target, const std::function<bool()>& go_on)
+  TableSearch(const std::array<ProofSide, 2>& sides, const ProofTarget& target, const std::function<bool()>& go_on)
       : sides_(sides), target_(target), go_on_(go_on) {}
 
   // Groups with more inputs than `most_inputs` rule a cut out. Returns false if it was cancelled.
@@ -164,19 +164,19 @@ class TableSearch {
     auto groups = groups_at(sides_, cut, target_, most_inputs);
     if (!groups) return true;
     CaseTable table{cut, std::move(*groups), {}};
-    std::array<Head, 2> heads{Head(sides_[0], cut[0]), Head(sides_[1], cut[1])};
+    std::array<BeforeCut, 2> before{BeforeCut(sides_[0], cut[0]), BeforeCut(sides_[1], cut[1])};
     std::uint64_t cases = 1;
     for (CaseGroup& group : table.groups) {
-      const Fill filled = fill(group, heads, most_rows(cases), go_on_);
+      const Fill filled = fill(group, before, most_rows(cases), go_on_);
       if (filled == Fill::cancelled) return false;
       if (filled == Fill::too_many_rows) return true;
       cases = product(cases, group.rows());
     }
     if (best_ && best_->cases() <= cases) return true;
     for (std::size_t side = 0; side < 2; ++side) {
-      heads[side].run({}, 0, 1);
+      before[side].run({}, 0, 1);
       for (const int i : sides_[side].components)
-        table.fixed[side][static_cast<std::size_t>(i)] = *heads[side].plane(i);
+        table.fixed[side][static_cast<std::size_t>(i)] = *before[side].plane(i);
     }
     best_ = std::move(table);
     return true;
@@ -191,7 +191,7 @@ class TableSearch {
     return best_ ? std::min(kMostRows, best_->cases() / cases) : kMostRows;
   }
 
-  const std::array<Subject, 2>& sides_;
+  const std::array<ProofSide, 2>& sides_;
   const ProofTarget& target_;
   const std::function<bool()>& go_on_;
   std::optional<CaseTable> best_;
@@ -205,7 +205,7 @@ std::uint64_t CaseTable::cases() const {
   return all;
 }
 
-std::optional<CaseTable> make_case_table(const std::array<Subject, 2>& sides, const ProofTarget& target,
+std::optional<CaseTable> make_case_table(const std::array<ProofSide, 2>& sides, const ProofTarget& target,
                                          const std::function<bool()>& go_on) {
   // Registers of real numbers are no codes between two stages.
   const bool integer = sides[0].is_integer() && sides[1].is_integer();

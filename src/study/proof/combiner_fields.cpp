@@ -7,14 +7,6 @@
 namespace ninebit {
 namespace {
 
-// No output is below what a register can hold: each of the two fields moves the other along.
-void set_value(HardwareProfile& profile, const ProfileField& field, int value) {
-  const Choice<int> choice = field.get(profile);
-  field.set(profile, {value, choice.evidence, choice.source});
-  if (field.name == "lowest") profile.lowest_output.value = std::max(profile.lowest_output.value, value);
-  if (field.name == "lowest_output") profile.lowest.value = std::min(profile.lowest.value, value);
-}
-
 // The values that the evidence lets compete.
 std::vector<int> rivals_of(const ProfileField& field, const HardwareProfile& profile) {
   if (field.rivals != nullptr) return {field.rivals(profile).first, field.rivals(profile).second};
@@ -35,7 +27,7 @@ std::vector<CombinerField> fields_of(FieldGroup group, const HardwareProfile& pr
     values.insert(values.begin(), own.value);
     CombinerField& out = fields.emplace_back(CombinerField{field.name, field.rules, own.evidence, {}});
     for (const int value : values) {
-      out.values.push_back({field.word_of(value), [&field, value](HardwareProfile& p) { set_value(p, field, value); }});
+      out.values.push_back({field.word_of(value), [&field, value](HardwareProfile& p) { set_field(p, field, value); }});
     }
   }
   return fields;

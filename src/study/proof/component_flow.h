@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "src/study/proof/subject.h"
+#include "src/study/proof/proof_side.h"
 
 namespace ninebit::proof {
 

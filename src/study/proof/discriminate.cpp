@@ -4,8 +4,8 @@
 
 #include "ninebit/language/rc10.h"
 #include "src/study/proof/program_forms.h"
+#include "src/study/proof/proof_side.h"
 #include "src/study/proof/step_agreement.h"
-#include "src/study/proof/subject.h"
 
 namespace ninebit {
 namespace {
@@ -77,7 +77,7 @@ int Discriminator::shown(const HardwareProfile& profile) const {
   for (std::size_t i = 0; i < kInputs.size(); ++i) {
     for (int c = 0; c < 4; ++c) inputs[static_cast<std::size_t>(proof::index_of(kInputs[i], c))] = bytes[i];
   }
-  return proof::Subject({state, profile, texture_off, fog_off}).evaluate(kShown, inputs);
+  return proof::ProofSide({state, profile, texture_off, fog_off}).evaluate(kShown, inputs);
 }
 
 Result<Discrimination> discriminate(const HardwareProfile& a, const HardwareProfile& b,

@@ -16,7 +16,7 @@ namespace ninebit {
 namespace {
 
 using proof::InputBytes;
-using proof::Subject;
+using proof::ProofSide;
 
 // The number of cases that run first: most differences are found by them.
 constexpr std::uint64_t kFirstCases = 1U << 18U;
@@ -31,7 +31,7 @@ Diagnostic cancelled() {
 class TargetProof {
  public:
   // The solver may take `seconds`; what it took is subtracted.
-  TargetProof(const std::array<Subject, 2>& sides, const ProofTarget& target, const EquivalenceOptions& options,
+  TargetProof(const std::array<ProofSide, 2>& sides, const ProofTarget& target, const EquivalenceOptions& options,
               std::function<bool(double)> go_on, double& seconds)
       : sides_(sides), target_(target), options_(options), go_on_(std::move(go_on)), seconds_(seconds) {}
 
@@ -46,8 +46,8 @@ class TargetProof {
     if (answer_.answer == ProofAnswer::refuted) return answer_;
     const auto table = proof::make_case_table(sides_, target_, wait);
     if (!table) return cancelled();
-    const bool in_batches = std::all_of(sides_.begin(), sides_.end(),
-                                        [](const Subject& side) { return side.is_integer() && !side.runs_in_rows(); });
+    const bool in_batches = std::all_of(
+        sides_.begin(), sides_.end(), [](const ProofSide& side) { return side.is_integer() && !side.runs_in_rows(); });
     if (table->cases() <= (in_batches ? options_.most_cases : std::min(options_.most_cases, kMostSingleCases))) {
       const proof::CaseRun run = proof::run_all(sides_, target_, *table, go_on_);
       if (run.cancelled) return cancelled();
@@ -81,7 +81,7 @@ class TargetProof {
 
   [[nodiscard]] proof::ComponentMask inputs_read() const {
     proof::ComponentMask inputs;
-    for (const Subject& side : sides_) {
+    for (const ProofSide& side : sides_) {
       const proof::ComponentMask read = proof::reads_of(side.program, 0, target_);
       for (const int i : side.components) {
         const int input = side.start[static_cast<std::size_t>(i)].input;
@@ -127,7 +127,7 @@ class TargetProof {
     return answer_;
   }
 
-  const std::array<Subject, 2>& sides_;
+  const std::array<ProofSide, 2>& sides_;
   ProofTarget target_;
   const EquivalenceOptions& options_;
   std::function<bool(double)> go_on_;
@@ -186,7 +186,7 @@ std::string component_name(std::optional<Register> reg, int component) {
 Result<EquivalenceAnswer> prove_equivalent(const ProofSubject& a, const ProofSubject& b,
                                            const EquivalenceOptions& options) {
   if (auto fault = fault_of(a, b, options)) return *fault;
-  const std::array<Subject, 2> sides{Subject(a, options.fixed), Subject(b, options.fixed)};
+  const std::array<ProofSide, 2> sides{ProofSide(a, options.fixed), ProofSide(b, options.fixed)};
   const auto targets = options.targets.empty() ? color_targets() : options.targets;
   EquivalenceAnswer all;
   all.answer = ProofAnswer::proved;

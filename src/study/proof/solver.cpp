@@ -10,7 +10,7 @@
 namespace ninebit::proof {
 namespace {
 
-SmtProgram question_side(const Subject& side) {
+SmtProgram question_side(const ProofSide& side) {
   SmtProgram program{&side.program, {}, {}};
   for (const int i : side.components) {
     const Source& from = side.start[static_cast<std::size_t>(i)];
@@ -47,18 +47,18 @@ SolverAnswer unknown(std::string reason) {
 
 }  // namespace
 
-bool has_formulas(const std::array<Subject, 2>& sides, const ProofTarget& target) {
+bool has_formulas(const std::array<ProofSide, 2>& sides, const ProofTarget& target) {
   return sides[0].is_integer() && sides[1].is_integer() && !target.reg &&
          sides[0].profile.byte_shift.value == sides[1].profile.byte_shift.value;
 }
 
-bool same_formula(const std::array<Subject, 2>& sides, const ProofTarget& target) {
+bool same_formula(const std::array<ProofSide, 2>& sides, const ProofTarget& target) {
   if (!has_formulas(sides, target)) return false;
   const auto question = emit_smt_lib(question_side(sides[0]), question_side(sides[1]), target.component);
   return question.ok() && question->trivial;
 }
 
-Result<SolverAnswer> solve(const std::array<Subject, 2>& sides, const ProofTarget& target, const std::string& solver,
+Result<SolverAnswer> solve(const std::array<ProofSide, 2>& sides, const ProofTarget& target, const std::string& solver,
                            double timeout_s, const std::function<bool()>& go_on) {
   const auto question = emit_smt_lib(question_side(sides[0]), question_side(sides[1]), target.component);
   if (!question) return question.error();

@@ -8,7 +8,7 @@
 
 #include "ninebit/numerics/result.h"
 #include "src/study/proof/case_run.h"
-#include "src/study/proof/subject.h"
+#include "src/study/proof/proof_side.h"
 
 namespace ninebit::proof {
 
@@ -20,14 +20,14 @@ struct SolverAnswer {
 
 // Whether both sides compute in integers with the same code of 1.0, and the target is a component of the colour: only
 // then are there formulas of the question.
-[[nodiscard]] bool has_formulas(const std::array<Subject, 2>& sides, const ProofTarget& target);
+[[nodiscard]] bool has_formulas(const std::array<ProofSide, 2>& sides, const ProofTarget& target);
 
 // Whether both sides are the same formula; false for a question without formulas.
-[[nodiscard]] bool same_formula(const std::array<Subject, 2>& sides, const ProofTarget& target);
+[[nodiscard]] bool same_formula(const std::array<ProofSide, 2>& sides, const ProofTarget& target);
 
 // Whether the sides' colours differ in the target for any input of a question that has formulas. Fails if `go_on`
 // cancels it.
-[[nodiscard]] Result<SolverAnswer> solve(const std::array<Subject, 2>& sides, const ProofTarget& target,
+[[nodiscard]] Result<SolverAnswer> solve(const std::array<ProofSide, 2>& sides, const ProofTarget& target,
                                          const std::string& solver, double timeout_s,
                                          const std::function<bool()>& go_on);
 

@@ -47,29 +47,28 @@ struct Judged {
 class ShadowSweep final : public Study {
  public:
   ShadowSweep(StudyQuestion question, Scene scene, const Technique& technique, const RenderSettings& settings,
-              const ShadowGrid& grid, const SweptSettings& known)
+              SweptSettings known)
       : question_(std::move(question)),
         scene_(std::move(scene)),
         technique_(technique),
         settings_(settings),
-        grid_(grid),
-        known_(known) {
+        known_(std::move(known)) {
     settings_.evidence = true;
     question_.options.emplace_back("sha256 of the triangles", hash_of(scene_));
   }
 
   // The part of construction that can fail.
-  Status prepare() {
-    auto axes = axes_of(known_, grid_);
+  Status prepare(const ShadowGrid& grid) {
+    auto axes = axes_of(known_, grid);
     if (!axes) return axes.error();
     axes_ = std::move(axes).value();
     std::size_t points = 1;
     for (const SweepAxis& axis : axes_) {
-      if (axis.size > kMaxStudyUnits / points) {
+      if (axis.values.size() > kMaxStudyUnits / points) {
         return Diagnostic{
             .message = fmt::format("the lists have more than {} combinations; expected fewer values", kMaxStudyUnits)};
       }
-      points *= axis.size;
+      points *= axis.values.size();
     }
     auto truth = GroundTruthScene::make(scene_);
     if (!truth) return truth.error();
@@ -80,7 +79,7 @@ class ShadowSweep final : public Study {
   [[nodiscard]] const StudyQuestion& question() const override { return question_; }
   [[nodiscard]] std::size_t units() const override {
     std::size_t points = 1;
-    for (const SweepAxis& axis : axes_) points *= axis.size;
+    for (const SweepAxis& axis : axes_) points *= axis.values.size();
     return points;
   }
 
@@ -113,7 +112,8 @@ class ShadowSweep final : public Study {
     for (const char* name : {"lit", "shadowed", "false_lit", "false_shadowed", "wrong"}) add_count(name);
     rule.fields.push_back(or_nothing(real_in("wrong_share", 0.0, 1.0)));
     for (const ErrorCause cause : causes_of(known_)) add_count(std::string(name_of(cause)));
-    if (known_.index_order) rule.fields.push_back(or_nothing(text_up_to("index_order_reason", kLongestReason)));
+    if (known_.has_column("index-order"))
+      rule.fields.push_back(or_nothing(text_up_to("index_order_reason", kLongestReason)));
     rule.fields.push_back(or_nothing(text_up_to("refused", kLongestReason)));
     return {rule};
   }
@@ -142,8 +142,8 @@ class ShadowSweep final : public Study {
   [[nodiscard]] RenderSettings settings_at(std::size_t unit) const {
     RenderSettings settings = settings_;
     for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
-      axis->set(settings, unit % axis->size);
-      unit /= axis->size;
+      axis->setting->set(settings, axis->values[unit % axis->values.size()]);
+      unit /= axis->values.size();
     }
     return settings;
   }
@@ -180,7 +180,7 @@ class ShadowSweep final : public Study {
       count(std::string(name_of(cause)),
             [&](const Judged& j) { return j.truth.by_cause[static_cast<std::size_t>(cause)]; });
     }
-    if (known_.index_order) {
+    if (known_.has_column("index-order")) {
       const std::string reason = judged ? rendering->index_order.reason : "";
       row.fields.emplace_back("index_order_reason", reason.empty() ? StudyValue() : StudyValue(reason));
     }
@@ -192,7 +192,6 @@ class ShadowSweep final : public Study {
   Scene scene_;
   const Technique& technique_;
   RenderSettings settings_;
-  ShadowGrid grid_;
   SweptSettings known_;
   std::vector<SweepAxis> axes_;
   std::optional<GroundTruthScene> truth_;
@@ -208,8 +207,8 @@ Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene s
                                                  const RenderSettings& settings, const ShadowGrid& grid) {
   const auto known = swept_settings(technique, settings, grid);
   if (!known) return known.error();
-  auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, grid, *known);
-  if (Status prepared = sweep->prepare(); !prepared) return prepared.error();
+  auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, *known);
+  if (Status prepared = sweep->prepare(grid); !prepared) return prepared.error();
   return std::unique_ptr<Study>(std::move(sweep));
 }
 

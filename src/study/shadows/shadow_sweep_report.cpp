@@ -25,7 +25,8 @@ SweepView view_of(const SweptSettings& known, std::span<const SweepAxis> axes, s
     if (was_drawn(row)) view.rows.push_back(&row);
   }
   for (const SweepAxis& axis : axes) {
-    for (const std::string& column : axis.columns) {
+    for (std::size_t i = 0; i < axis.setting->numbers; ++i) {
+      const std::string column(axis.setting->axis.columns[i]);
       const auto differs = [&](const StudyRow* row) { return (*row)[column] != (*view.rows.front())[column]; };
       if (std::any_of(view.rows.begin(), view.rows.end(), differs)) view.columns.push_back(column);
     }

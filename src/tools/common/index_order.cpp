@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "src/tools/common/scene_flags.h"
-
 namespace ninebit::tools {
 
 void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport& report, bool quiet) {
@@ -19,7 +17,7 @@ std::string order_text(const IndexOrderReport& report) {
 }
 
 void add_order(Json& index, const IndexOrderReport& report) {
-  index["order"] = name_in(kIndexOrders, report.order);
+  index["order"] = name_of(report.order);
   if (!report.reason.empty()) index["reason"] = report.reason;
   if (report.order == IndexOrder::file) return;
   index["patches"] = report.patches;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "src/language/source/nearest_name.h"
-#include "src/tools/common/number_list.h"
+#include "src/system/number_list.h"
 
 namespace ninebit::tools {
 

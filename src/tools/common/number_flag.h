@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "src/tools/common/number_list.h"
+#include "src/system/number_list.h"
 
 namespace ninebit::tools {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "src/tools/common/number_list.h"
+#include "src/system/number_list.h"
 
 namespace ninebit::tools {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "ninebit/raster/surface.h"
 #include "ninebit/shadow/settings.h"
+#include "src/system/number_list.h"
 #include "src/tools/common/number_flag.h"
-#include "src/tools/common/number_list.h"
 
 namespace ninebit::tools {
 
@@ -19,22 +19,9 @@ std::string check_size(const std::string& text) {
   return fmt::format("invalid picture size '{}'; expected WIDTHxHEIGHT, each from 1 to {}", text, kMaxSurfaceSize);
 }
 
-std::string check_map_size(const std::string& text) {
-  const auto n = numbers<int>(text, ',');
-  if (n && n->size() == 1 && n->at(0) >= 1 && n->at(0) <= kMaxSurfaceSize && (n->at(0) & (n->at(0) - 1)) == 0)
-    return {};
-  return fmt::format("invalid map size '{}'; expected a power of two from 1 to {}", text, kMaxSurfaceSize);
-}
-
 std::string check_point(const std::string& text) {
   if (are_numbers_in<float>(text, ',', 3, -kMostDistance, kMostDistance)) return {};
   return fmt::format("invalid point '{}'; expected X,Y,Z, each from -1e12 to 1e12", text);
-}
-
-std::string check_degrees(const std::string& text) {
-  constexpr double kMost = 1e6;
-  if (are_numbers_in<float>(text, ',', 3, -kMost, kMost)) return {};
-  return fmt::format("invalid rotation '{}'; expected X,Y,Z in degrees, each from -1e6 to 1e6", text);
 }
 
 std::string check_floor(const std::string& text) {
@@ -51,23 +38,6 @@ std::string check_fov(const std::string& text) {
 std::string check_spot_angle(const std::string& text) {
   if (are_numbers_in<float>(text, ',', 1, 1.0, 170.0)) return {};
   return fmt::format("invalid angle '{}'; expected degrees from 1 to 170", text);
-}
-
-std::string check_patch_angle(const std::string& text) {
-  if (are_numbers_in<float>(text, ',', 1, kMinPatchDegrees, kMaxPatchDegrees)) return {};
-  return fmt::format("invalid angle '{}'; expected degrees from {:g} to {:g}", text, kMinPatchDegrees,
-                     kMaxPatchDegrees);
-}
-
-std::string check_bias(const std::string& text) {
-  if (are_numbers_in<float>(text, ',', 1, 0.0, kMostDistance)) return {};
-  return fmt::format("invalid bias '{}'; expected a distance from 0 to 1e12", text);
-}
-
-std::string check_offset(const std::string& text) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  if (are_numbers_in<float>(text, ',', 2, -kMost, kMost)) return {};
-  return fmt::format("invalid polygon offset '{}'; expected FACTOR,UNITS, two finite numbers", text);
 }
 
 std::string check_file_name(const std::string& text) {

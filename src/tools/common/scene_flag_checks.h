@@ -7,24 +7,14 @@ namespace ninebit::tools {
 
 // WIDTHxHEIGHT, each from 1 to kMaxSurfaceSize.
 [[nodiscard]] std::string check_size(const std::string& text);
-// A power of two from 1 to kMaxSurfaceSize.
-[[nodiscard]] std::string check_map_size(const std::string& text);
 // X,Y,Z, each from -kMostDistance to kMostDistance.
 [[nodiscard]] std::string check_point(const std::string& text);
-// X,Y,Z in degrees, each from -1e6 to 1e6.
-[[nodiscard]] std::string check_degrees(const std::string& text);
 // auto, none or a height.
 [[nodiscard]] std::string check_floor(const std::string& text);
 // Degrees from 0.01 to 170.
 [[nodiscard]] std::string check_fov(const std::string& text);
 // Degrees from 1 to 170.
 [[nodiscard]] std::string check_spot_angle(const std::string& text);
-// Degrees from kMinPatchDegrees to kMaxPatchDegrees.
-[[nodiscard]] std::string check_patch_angle(const std::string& text);
-// A distance from 0 to kMostDistance.
-[[nodiscard]] std::string check_bias(const std::string& text);
-// FACTOR,UNITS, two finite numbers.
-[[nodiscard]] std::string check_offset(const std::string& text);
 // Any text that is not empty.
 [[nodiscard]] std::string check_file_name(const std::string& text);
 

@@ -20,34 +20,16 @@ struct SceneFlags {
   std::string technique = "index-cube";
   std::string size = "1024x768";
   std::string camera, look_at, light, light_type, light_target, floor = "auto";
-  std::string bias, polygon_offset, cookie, light_rotate;
+  std::string cookie;
   std::optional<double> fov, spot_angle;
   std::optional<LightKinds> light_kinds;  // empty: those of the technique; without effect if light_type is given
   RenderSettings settings;                // all that the texts above do not hold; settings_of() completes it
 };
 
-// The names of enumerators in flags and in JSON.
-template <class E>
-using Names = std::vector<std::pair<std::string, E>>;
-extern const Names<IndexFormat> kIndexFormats;
-extern const Names<IndexScope> kIndexScopes;
-extern const Names<IndexOrder> kIndexOrders;
-extern const Names<IndexScales> kIndexScales;
-extern const Names<DepthCubeBits> kDepthBits;
-extern const Names<DepthEncoding> kDepthEncodings;
-
 // Adds --up.
 void add_up_flag(CLI::App& verb, std::string& up);
 // The axis of --up; empty: not given.
 [[nodiscard]] std::optional<UpAxis> up_axis_of(const std::string& up);
-
-template <class E>
-[[nodiscard]] std::string name_in(const Names<E>& names, E value) {
-  for (const auto& [name, v] : names) {
-    if (v == value) return name;
-  }
-  return {};
-}
 
 // Adds the scene's file as an argument or flag of that name, and --allow-outside.
 CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags& flags);

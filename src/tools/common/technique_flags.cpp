@@ -3,96 +3,131 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <span>
-#include <string_view>
+#include <vector>
+
+#include "src/tools/common/cookie_file.h"
 
 namespace ninebit::tools {
 namespace {
 
-// A bit for each technique.
-enum Readers : unsigned {
-  kIndexCube = 1,
-  kDepthCube = 2,
-  kShadowMap = 4,
-  kShadowVolume = 8,
-  kReflective = 16,
-  kLightCookie = 32,
-  kCookieIndices = 64  // light-cookie with --cookie-shadows index
-};
-constexpr unsigned kIndices = kIndexCube | kCookieIndices;
-// The direct light of `reflective` is a shadow map's.
-constexpr unsigned kShadowMaps = kShadowMap | kReflective;
+// The flag of a setting, as CLI11 knows it.
+std::string flag_of(const TechniqueSetting& setting) {
+  return "--" + std::string(setting.name);
+}
 
-struct TechniqueFlag {
-  std::string_view flag;
-  unsigned readers;
-};
-constexpr std::array kFlags{TechniqueFlag{"--map-size", kIndices | kDepthCube | kShadowMaps},
+std::string check_setting(const TechniqueSetting& setting, const std::string& text) {
+  if (setting.value_of(text)) return {};
+  if (setting.noun.empty()) return fmt::format("'{}' is out of range; expected {}", text, setting.expected);
+  return fmt::format("invalid {} '{}'; expected {}", setting.noun, text, setting.expected);
+}
 
-                            TechniqueFlag{"--index-format", kIndices},
-                            TechniqueFlag{"--index-scope", kIndices},
-                            TechniqueFlag{"--index-step", kIndices},
-                            TechniqueFlag{"--section-size", kIndices},
-                            TechniqueFlag{"--index-order", kIndices},
-                            TechniqueFlag{"--patch-angle", kIndices},
-                            TechniqueFlag{"--index-scales", kIndices},
-                            TechniqueFlag{"--depth-bits", kDepthCube},
-                            TechniqueFlag{"--bias", kDepthCube},
-                            TechniqueFlag{"--polygon-offset", kShadowMaps},
-                            TechniqueFlag{"--depth-encoding", kShadowMaps},
-                            TechniqueFlag{"--depth-storage", kShadowMaps},
-                            TechniqueFlag{"--volume-method", kShadowVolume},
-                            TechniqueFlag{"--stencil-sides", kShadowVolume},
-                            TechniqueFlag{"--samples", kReflective},
-                            TechniqueFlag{"--kernel", kReflective},
-                            TechniqueFlag{"--pattern", kReflective},
-                            TechniqueFlag{"--gather-scale", kReflective},
-                            TechniqueFlag{"--cookie", kLightCookie},
-                            TechniqueFlag{"--light-rotate", kLightCookie},
-                            TechniqueFlag{"--cookie-shadows", kLightCookie}};
-
-unsigned readers_of(const SceneFlags& flags) {
-  constexpr std::array<std::string_view, 6> kNames{"index-cube",    "depth-cube", "shadow-map",
-                                                   "shadow-volume", "reflective", "light-cookie"};
-  unsigned readers = 0;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] == flags.technique) readers = 1U << i;
+// Adds the flag of a setting that is not files.
+CLI::Option* add_value_flag(CLI::App& verb, const TechniqueSetting& setting, RenderSettings& settings) {
+  const auto set = [&](const std::string& text) { setting.set(settings, *setting.value_of(text)); };
+  const std::string flag = flag_of(setting), help(setting.help);
+  if (setting.kind == SettingKind::word) {
+    std::vector<std::string> words;
+    for (const SettingWord& word : setting.words) words.emplace_back(word.word);
+    return verb.add_option_function<std::string>(flag, set, help)->check(CLI::IsMember(words));
   }
-  if (readers == kLightCookie && flags.settings.light_cookie.shadows) readers |= kCookieIndices;
-  return readers;
+  if (setting.kind == SettingKind::whole && setting.expected.empty()) {
+    const auto set_whole = [&](int number) { setting.set(settings, {static_cast<double>(number)}); };
+    const int least = static_cast<int>(setting.least), greatest = static_cast<int>(setting.greatest);
+    return verb.add_option_function<int>(flag, set_whole, help)->check(CLI::Range(least, greatest));
+  }
+  const auto check = [&setting](const std::string& text) { return check_setting(setting, text); };
+  return verb.add_option_function<std::string>(flag, set, help)->check(CLI::Validator(check, ""));
+}
+
+// Flags that are not in the table, and the groups that they belong to.
+struct FlagGroup {
+  std::string_view title;
+  std::vector<std::string_view> flags;
+};
+
+const std::array<FlagGroup, 4>& flag_groups() {
+  static const std::array<FlagGroup, 4> groups{
+      FlagGroup{"Picture",
+                {"--technique", "--size", "--light-facing", "--supersample", "--turntable", "--only", "--layers"}},
+      FlagGroup{"Scene, camera and light",
+                {"--up", "--allow-outside", "--floor", "--camera", "--look-at", "--fov", "--light", "--light-type",
+                 "--light-target", "--spot-angle"}},
+      FlagGroup{find_technique_setting("index-order")->group->title, {"--check-order", "--pick"}},
+      FlagGroup{"Checks", {"--ground-truth"}}};
+  return groups;
+}
+
+void put_into_group(CLI::App& verb, std::string_view flag, std::string_view title) {
+  CLI::Option* const option = verb.get_option_no_throw(std::string(flag));
+  if (option != nullptr) option->group(std::string(title));
 }
 
 }  // namespace
 
-std::string unread_flag(const CLI::App& verb, const SceneFlags& flags) {
-  const unsigned technique = readers_of(flags);
-  const auto option = [&](std::string_view flag) { return verb.get_option_no_throw(std::string(flag)); };
-  std::string own;
-  for (const TechniqueFlag& f : kFlags) {
-    if ((f.readers & technique) != 0 && option(f.flag) != nullptr)
-      own += (own.empty() ? "" : ", ") + std::string(f.flag);
+void add_technique_flags(CLI::App& verb, SceneFlags& flags) {
+  for (const TechniqueSetting& setting : technique_settings()) {
+    CLI::Option* option = nullptr;
+    if (setting.kind == SettingKind::files) {
+      option = verb.add_option(flag_of(setting), flags.cookie, std::string(setting.help));
+      option->check(CLI::Validator([](const std::string& text) { return check_cookie(text); }, ""));
+    } else {
+      option = add_value_flag(verb, setting, flags.settings);
+      // The help of settings with several numbers names their default.
+      const SettingValue value = setting.get(flags.settings);
+      if (value.size() == 1) option->default_str(setting.text_of(value));
+    }
+    if (!setting.form.empty()) option->type_name(std::string(setting.form));
   }
-  for (const TechniqueFlag& f : kFlags) {
-    const CLI::Option* const given = option(f.flag);
-    if (given == nullptr || given->count() == 0 || (f.readers & technique) != 0) continue;
-    const bool without_indices = flags.technique == "light-cookie" && (f.readers & kCookieIndices) != 0;
-    return fmt::format("{}: technique {}{} does not read it; expected {}", f.flag, flags.technique,
-                       without_indices ? " with --cookie-shadows none" : "", own);
+}
+
+std::string unread_flag(const CLI::App& verb, const SceneFlags& flags) {
+  std::string own;
+  for (const TechniqueSetting& setting : technique_settings()) {
+    const bool is_own = setting.group->readers != kAllTechniques && is_read(setting, flags.technique, flags.settings);
+    if (is_own && verb.get_option_no_throw(flag_of(setting)) != nullptr) {
+      own += (own.empty() ? "" : ", ") + flag_of(setting);
+    }
+  }
+  RenderSettings with_shadows = flags.settings;
+  with_shadows.light_cookie.shadows = true;
+  for (const TechniqueSetting& setting : technique_settings()) {
+    const CLI::Option* const given = verb.get_option_no_throw(flag_of(setting));
+    if (given == nullptr || given->count() == 0 || is_read(setting, flags.technique, flags.settings)) continue;
+    const bool reads_with_shadows = is_read(setting, flags.technique, with_shadows);
+    return fmt::format("{}: technique {}{} does not read it; expected {}", flag_of(setting), flags.technique,
+                       reads_with_shadows ? " with --cookie-shadows none" : "", own);
   }
   return {};
 }
 
-std::vector<std::string> technique_flags() {
-  std::vector<std::string> names;
-  for (const TechniqueFlag& f : kFlags) names.emplace_back(f.flag);
-  return names;
+bool reads_flag(const SceneFlags& flags, std::string_view flag) {
+  const TechniqueSetting* const setting = find_technique_setting(flag.substr(2));
+  return setting == nullptr || is_read(*setting, flags.technique, flags.settings);
 }
 
-bool reads_flag(const SceneFlags& flags, std::string_view flag) {
-  for (const TechniqueFlag& f : kFlags) {
-    if (f.flag == flag) return (f.readers & readers_of(flags)) != 0;
+Json settings_json(std::string_view technique, const RenderSettings& settings) {
+  Json out = Json::object();
+  for (const TechniqueSetting& setting : technique_settings()) {
+    if (setting.get == nullptr || !is_read(setting, technique, settings)) continue;
+    const SettingValue value = setting.get(settings);
+    Json numbers = Json::array();
+    for (const double n : value)
+      numbers.push_back(setting.kind == SettingKind::whole ? Json(static_cast<int>(n)) : Json(n));
+    out[setting.key()] = value.empty()                       ? Json()
+                         : setting.kind == SettingKind::word ? Json(setting.text_of(value))
+                         : setting.numbers == 1              ? numbers[0]
+                                                             : numbers;
   }
-  return true;
+  return out;
+}
+
+void group_scene_flags(CLI::App& verb) {
+  for (const FlagGroup& group : flag_groups()) {
+    for (const std::string_view flag : group.flags) put_into_group(verb, flag, group.title);
+  }
+  for (const TechniqueSetting& setting : technique_settings()) {
+    put_into_group(verb, flag_of(setting), setting.group->title);
+  }
 }
 
 }  // namespace ninebit::tools

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -21,19 +20,22 @@ struct VariedFlag {
   std::vector<std::string> values;
 };
 
-// Flags whose values contain commas; their lists have semicolons.
-constexpr std::array<std::string_view, 3> kCommaFlags{"polygon-offset", "light-rotate", "cookie"};
-
-// Flags whose values are whole numbers; their lists have ranges such as 1-4.
-bool has_range(std::string_view flag) {
-  constexpr std::array<std::string_view, 5> kWhole{"map-size", "index-step", "section-size", "samples", "gather-scale"};
-  return std::find(kWhole.begin(), kWhole.end(), flag) != kWhole.end();
+std::vector<std::string> flags_to_vary() {
+  std::vector<std::string> names{"technique", "profile"};
+  for (const TechniqueSetting& setting : technique_settings()) names.emplace_back(setting.name);
+  return names;
 }
 
-std::vector<std::string> flags_to_vary() {
-  std::vector<std::string> names{"technique", "profile", "cull", "depth-stencil"};
-  for (const std::string& flag : technique_flags()) names.push_back(flag.substr(2));
-  return names;
+// The values of the flag's list: separated by semicolons if they contain commas; whole numbers may have ranges.
+std::vector<std::string> values_of(const std::string& flag, std::string_view list) {
+  const TechniqueSetting* const setting = find_technique_setting(flag);
+  if (setting == nullptr) return items_of(list);
+  const bool has_commas = setting->numbers > 1 || setting->kind == SettingKind::files;
+  const auto range = setting->kind == SettingKind::whole ? whole_numbers_in(list) : std::nullopt;
+  if (!range) return items_of(list, has_commas ? ';' : ',');
+  std::vector<std::string> values;
+  for (const int n : *range) values.push_back(std::to_string(n));
+  return values;
 }
 
 [[noreturn]] void refuse_vary(const std::string& text, const std::string& why) {
@@ -52,14 +54,7 @@ VariedFlag varied_flag(const std::string& text) {
     refuse_vary(text, fmt::format("'{}' cannot be varied; expected one of {}{}", flag, fmt::join(known, ", "),
                                   did_you_mean(flag, known)));
   }
-  const bool has_commas = std::find(kCommaFlags.begin(), kCommaFlags.end(), flag) != kCommaFlags.end();
-  const std::string_view list = std::string_view(text).substr(equals + 1);
-  const auto numbers = has_range(flag) ? whole_numbers_in(list) : std::nullopt;
-  VariedFlag varied{std::move(flag), items_of(list, has_commas ? ';' : ',')};
-  if (numbers) {
-    varied.values.clear();
-    for (const int n : *numbers) varied.values.push_back(std::to_string(n));
-  }
+  VariedFlag varied{flag, values_of(flag, std::string_view(text).substr(equals + 1))};
   for (auto value = varied.values.begin(); value != varied.values.end(); ++value) {
     if (value->empty()) refuse_vary(text, "a value is empty; expected a value before and after each separator");
     if (std::find(varied.values.begin(), value, *value) != value) {

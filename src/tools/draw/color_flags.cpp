@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "ninebit/combiner/state.h"
-#include "src/tools/common/number_list.h"
+#include "src/system/number_list.h"
 
 namespace ninebit::tools {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "ninebit/effect/generated_meshes.h"
 #include "src/effect/effect_words.h"
+#include "src/system/number_list.h"
 #include "src/tools/common/list_flag.h"
 #include "src/tools/common/number_flag.h"
-#include "src/tools/common/number_list.h"
 #include "src/tools/common/scene_flag_checks.h"
 #include "src/tools/draw/color_flags.h"
 #include "src/tools/draw/fragment_words.h"

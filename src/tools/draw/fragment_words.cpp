@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/effect/effect_words.h"
-#include "src/tools/common/number_list.h"
+#include "src/system/number_list.h"
 
 namespace ninebit::tools {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "src/system/number_list.h"
 #include "src/tools/common/number_flag.h"
-#include "src/tools/common/number_list.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {

@@ -5,9 +5,10 @@
 #include <utility>
 #include <variant>
 
+#include "src/system/number_list.h"
 #include "src/tools/common/index_order.h"
-#include "src/tools/common/number_list.h"
 #include "src/tools/common/picture_hashes.h"
+#include "src/tools/common/technique_flags.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
@@ -66,12 +67,12 @@ std::string error_line(const Rendering& rendering, const std::optional<GroundTru
 }
 
 Json index_json(const RenderSettings& settings, const Rendering& rendering) {
-  Json out{{"format", name_in(kIndexFormats, settings.index.format)},
-           {"scope", name_in(kIndexScopes, settings.index.scope)},
+  Json out{{"format", name_of(settings.index.format)},
+           {"scope", name_of(settings.index.scope)},
            {"step", settings.index.step},
            {"used", rendering.codes_used},
            {"capacity", rendering.codes.capacity()},
-           {"scales", name_in(kIndexScales, settings.index.scales)}};
+           {"scales", name_of(settings.index.scales)}};
   add_order(out, rendering.index_order);
   return out;
 }
@@ -118,6 +119,7 @@ Json render_json(const RenderFlags& flags, const FinishedRender& done) {
            {"size", {done.settings.width / flags.supersample, done.settings.height / flags.supersample}},
            {"supersample", flags.supersample},
            {"map_size", done.settings.map_size},
+           {"settings", settings_json(flags.scene.technique, done.settings)},
            {"index", index_json(done.settings, r)},
            {"pixels", {{"background", r.background}, {"lit", r.lit}, {"shadowed", r.shadowed}}},
            {"time_ms", time_json(done)},

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "src/system/hashing/sha256.h"
+#include "src/system/number_list.h"
 #include "src/tools/common/number_flag.h"
-#include "src/tools/common/number_list.h"
 #include "src/tools/input/input_file.h"
 
 namespace ninebit::tools {

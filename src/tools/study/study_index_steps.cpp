@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ninebit/study/index_steps.h"
-#include "src/tools/common/number_list.h"
+#include "src/system/number_list.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/study/study.h"
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,8 +9,7 @@
 #include "ninebit/study/shadow_sweep.h"
 #include "src/study/part/sweep_axes.h"
 #include "src/tools/common/cookie_file.h"
-#include "src/tools/common/number_flag.h"
-#include "src/tools/common/number_list.h"
+#include "src/tools/common/list_flag.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/study/study.h"
 
@@ -24,86 +22,48 @@ struct ShadowsFlags {
   StudyFlags study;
   SceneFlags scene;
   std::vector<CLI::Option*> scene_options;
-  std::string map_sizes, formats, scopes, steps, orders, scales, depth_bits, biases, encodings, polygon_offsets;
+  std::vector<std::string> lists = std::vector<std::string>(technique_settings().size());  // of the axes' flags
   bool find_offset = false;
-
-  // The axes: flag and list; an empty list is not swept.
-  [[nodiscard]] std::vector<std::pair<const char*, const std::string*>> axes() const {
-    return {{"--map-sizes", &map_sizes},   {"--formats", &formats},
-            {"--scopes", &scopes},         {"--steps", &steps},
-            {"--orders", &orders},         {"--scales", &scales},
-            {"--depth-bits", &depth_bits}, {"--biases", &biases},
-            {"--encodings", &encodings},   {"--polygon-offsets", &polygon_offsets}};
-  }
 };
 
-bool is_map_size(int n) {
-  return n >= 1 && n <= kMaxSurfaceSize && (n & (n - 1)) == 0;
-}
-bool is_step(int n) {
-  return n >= 1 && n <= kMaxIndexStep;
-}
-bool is_bias(float b) {
-  return b >= 0.0F && b <= static_cast<float>(kMostDistance);  // false for NaN
+std::string axis_flag(const TechniqueSetting& setting) {
+  return fmt::format("--{}", setting.axis.flag);
 }
 
-// The whole numbers of a list; empty unless all of them pass the test.
-std::optional<std::vector<int>> numbers_that(const std::string& list, bool (*will_do)(int)) {
-  auto n = whole_numbers_in(list);
-  if (!n || !std::all_of(n->begin(), n->end(), will_do)) return std::nullopt;
-  return n;
-}
-
-std::optional<std::vector<float>> biases_in(const std::string& list) {
-  auto n = numbers<float>(list, ',');
-  if (!n || !std::all_of(n->begin(), n->end(), is_bias)) return std::nullopt;
-  return n;
-}
-
-// Pairs of factor and units, such as "0,0;1,16".
-std::optional<std::vector<OffsetArguments>> offsets_in(std::string_view list) {
-  std::vector<OffsetArguments> offsets;
-  for (const std::string& item : items_of(list, ';')) {
-    const auto n = numbers<float>(item, ',');
-    if (!n || n->size() != 2 || !std::isfinite(n->at(0)) || !std::isfinite(n->at(1))) return std::nullopt;
-    offsets.push_back({n->at(0), n->at(1)});
+// The settings that are axes, each with its list; an empty list is not swept.
+template <class Flags, class Each>
+void for_each_axis(Flags& flags, const Each& each) {
+  const auto settings = technique_settings();
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (!settings[i].axis.flag.empty()) each(settings[i], flags.lists[i]);
   }
-  return offsets;
 }
 
-template <class E>
-std::vector<std::string> names_of(const Names<E>& names) {
-  std::vector<std::string> all;
-  for (const auto& [name, value] : names) all.push_back(name);
-  return all;
-}
-
-// The values of a checked list; an empty text has none.
-template <class E>
-std::vector<E> values_in(const Names<E>& names, const std::string& list) {
-  std::vector<E> values;
-  if (list.empty()) return values;
-  for (const std::string& item : items_of(list)) {
-    for (const auto& [name, value] : names) {
-      if (name == item) values.push_back(value);
-    }
+// The items of a setting's list; empty if one of them is not valid.
+std::optional<std::vector<std::string>> items_in(const TechniqueSetting& setting, const std::string& list) {
+  std::vector<std::string> items;
+  if (setting.kind == SettingKind::whole) {
+    const auto numbers = whole_numbers_in(list);
+    if (!numbers) return std::nullopt;
+    for (const int n : *numbers) items.push_back(std::to_string(n));
+  } else {
+    items = items_of(list, setting.numbers > 1 ? ';' : ',');
   }
-  return values;
+  const auto is_valid = [&](const std::string& item) { return setting.value_of(item).has_value(); };
+  if (!std::all_of(items.begin(), items.end(), is_valid)) return std::nullopt;
+  return items;
 }
 
 ShadowGrid grid_of(const ShadowsFlags& flags) {
   ShadowGrid grid;
-  if (!flags.map_sizes.empty()) grid.map_sizes = *whole_numbers_in(flags.map_sizes);
-  if (!flags.steps.empty()) grid.index_steps = *whole_numbers_in(flags.steps);
-  if (!flags.biases.empty()) grid.biases = *numbers<float>(flags.biases, ',');
-  if (!flags.polygon_offsets.empty()) grid.polygon_offsets = *offsets_in(flags.polygon_offsets);
-  if (flags.find_offset) grid.polygon_offsets = {offsets_to_search().begin(), offsets_to_search().end()};
-  grid.index_formats = values_in(kIndexFormats, flags.formats);
-  grid.index_scopes = values_in(kIndexScopes, flags.scopes);
-  grid.index_orders = values_in(kIndexOrders, flags.orders);
-  grid.index_scales = values_in(kIndexScales, flags.scales);
-  grid.depth_bits = values_in(kDepthBits, flags.depth_bits);
-  grid.encodings = values_in(kDepthEncodings, flags.encodings);
+  for_each_axis(flags, [&](const TechniqueSetting& setting, const std::string& list) {
+    if (!list.empty()) grid.push_back({setting.name, *items_in(setting, list)});
+  });
+  if (!flags.find_offset) return grid;
+  grid.push_back({"polygon-offset"});
+  for (const OffsetArguments& offset : offsets_to_search()) {
+    grid.back().values.push_back(fmt::format("{},{}", offset.factor, offset.units));
+  }
   return grid;
 }
 
@@ -125,9 +85,9 @@ Result<StudyQuestion> question_of(const ShadowsFlags& flags) {
   for (const CLI::Option* option : flags.scene_options) {
     add_option(*question, *option, option->get_name() == "--technique" || option->get_name() == "--size");
   }
-  for (const auto& [flag, list] : flags.axes()) {
-    if (!list->empty()) question->options.emplace_back(flag, *list);
-  }
+  for_each_axis(flags, [&](const TechniqueSetting& setting, const std::string& list) {
+    if (!list.empty()) question->options.emplace_back(axis_flag(setting), list);
+  });
   if (flags.find_offset) question->options.emplace_back("--find-offset", "");
   std::vector<std::string> files{flags.scene.file};
   if (!flags.scene.cookie.empty()) {
@@ -143,18 +103,19 @@ Result<StudyQuestion> question_of(const ShadowsFlags& flags) {
 void complete_grid(ShadowsFlags& flags) {
   const auto known = swept_settings(*find_technique(flags.scene.technique), flags.scene.settings);
   if (!known) throw CLI::ValidationError(known.error().message);
-  const auto axes = flags.axes();
-  const bool none = std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.second->empty(); });
-  if (none && !flags.find_offset && known->map_size) flags.map_sizes = kDefaultMapSizes;
-  const ShadowGrid grid = grid_of(flags);
-  const auto found = axes_of(*known, grid);
+  if (grid_of(flags).empty() && known->has("map-size")) {
+    for_each_axis(flags, [](const TechniqueSetting& setting, std::string& list) {
+      if (setting.name == "map-size") list = kDefaultMapSizes;
+    });
+  }
+  const auto found = axes_of(*known, grid_of(flags));
   if (!found) throw CLI::ValidationError(found.error().message);
   std::size_t points = 1;
   for (const SweepAxis& axis : *found) {
-    points *= axis.size;
+    points *= axis.values.size();
     if (points <= kMaxStudyUnits) continue;
     throw CLI::ValidationError(
-        fmt::format("{}: the lists have more than {} combinations; give fewer values", axis.flag, kMaxStudyUnits));
+        fmt::format("{}: the lists have more than {} combinations; give fewer values", axis.flag(), kMaxStudyUnits));
   }
 }
 
@@ -174,36 +135,33 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
                            grid_of(flags));
 }
 
+// Removes the flag of a single value where its list has the same name; else the two exclude each other.
+void add_axis(CLI::App& verb, ShadowsFlags& flags, const TechniqueSetting& setting, std::string& list) {
+  CLI::Option* const single = verb.get_option(fmt::format("--{}", setting.name));
+  const bool same_name = setting.axis.flag == setting.name;
+  if (same_name) {
+    flags.scene_options.erase(std::find(flags.scene_options.begin(), flags.scene_options.end(), single));
+    verb.remove_option(single);
+  }
+  CLI::Option* const option = verb.add_option(axis_flag(setting), list, std::string(setting.axis.help));
+  if (!same_name) option->excludes(single);
+  option->type_name("LIST");
+  if (setting.axis.expected.empty()) {
+    std::vector<std::string> words;
+    for (const SettingWord& word : setting.words) words.emplace_back(word.word);
+    option->check(list_of(std::move(words)));
+  } else {
+    const auto parse = [&setting](const std::string& text) { return items_in(setting, text); };
+    option->check(list_by(parse, std::string(setting.axis.expected)));
+  }
+}
+
 void add_axes(CLI::App& verb, ShadowsFlags& flags) {
-  const auto add = [&](const char* flag, const char* single, std::string& text, const char* help,
-                       const CLI::Validator& check) {
-    CLI::Option* option = verb.add_option(flag, text, help)->type_name("LIST")->check(check);
-    if (single != nullptr) option->excludes(verb.get_option(single));
-    return option;
-  };
-  add("--map-sizes", "--map-size", flags.map_sizes,
-      "Sizes of the map, in texels per side (default without another list: 128 to 1024)",
-      list_by([](const std::string& t) { return numbers_that(t, is_map_size); }, "powers of two such as 128,256"));
-  add("--formats", "--index-format", flags.formats, "Formats of an index", list_of(names_of(kIndexFormats)));
-  add("--scopes", "--index-scope", flags.scopes, "Units that get their own index", list_of(names_of(kIndexScopes)));
-  add("--steps", "--index-step", flags.steps, "Steps between indices",
-      list_by([](const std::string& t) { return numbers_that(t, is_step); },
-              fmt::format("steps from 1 to {}, such as 1-4", kMaxIndexStep)));
-  add("--orders", "--index-order", flags.orders, "Orders of indices", list_of(names_of(kIndexOrders)));
-  add("--scales", "--index-scales", flags.scales, "Products that the comparison scales by four",
-      list_of(names_of(kIndexScales)));
-  add("--depth-bits", nullptr, flags.depth_bits, "Formats of the depth cube map: 8,16,float",
-      list_of(names_of(kDepthBits)));
-  add("--biases", "--bias", flags.biases, "Biases of the depth comparison, in world units",
-      list_by(&biases_in, "distances from 0 to 1e12, such as 0.01,0.1"));
-  add("--encodings", "--depth-encoding", flags.encodings, "Encodings of depth in the shadow map",
-      list_of(names_of(kDepthEncodings)));
-  CLI::Option* offsets = add("--polygon-offsets", "--polygon-offset", flags.polygon_offsets,
-                             "Polygon offsets of the shadow map, such as '0,0;1,16'",
-                             list_by(&offsets_in, "FACTOR,UNITS, such as '0,0;1,16'"));
+  for_each_axis(flags,
+                [&](const TechniqueSetting& setting, std::string& list) { add_axis(verb, flags, setting, list); });
   verb.add_flag("--find-offset", flags.find_offset,
                 "Search the polygon offset: factors from 0 to 4, units from 0 to 65536")
-      ->excludes(offsets)
+      ->excludes(verb.get_option("--polygon-offsets"))
       ->excludes(verb.get_option("--polygon-offset"));
 }
 
@@ -220,10 +178,6 @@ void add_study_shadows(CLI::App& verbs, StudyRequest& request) {
   add_study_flags(*verb, flags->study);
   add_scene_file(*verb, "scene", flags->scene)->required();
   flags->scene_options = add_scene_flags(*verb, flags->scene);
-  // The list replaces the flag for a single value.
-  CLI::Option* bits = verb->get_option("--depth-bits");
-  flags->scene_options.erase(std::find(flags->scene_options.begin(), flags->scene_options.end(), bits));
-  verb->remove_option(bits);
   add_axes(*verb, *flags);
   verb->callback([flags, &request] {
     complete_grid(*flags);

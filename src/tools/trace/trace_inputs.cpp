@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "src/tools/common/number_list.h"
+#include "src/system/number_list.h"
 
 namespace ninebit::tools {
 namespace {

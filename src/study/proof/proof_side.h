@@ -4,6 +4,8 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "ninebit/combiner/batch_program.h"
@@ -48,8 +50,8 @@ struct Source {
   s9 code = 0;     // then
 };
 
-struct Subject {
-  explicit Subject(const ProofSubject& from, const std::vector<ProofInput>& fixed = {});
+struct ProofSide {
+  explicit ProofSide(const ProofSubject& from, const std::vector<ProofInput>& fixed = {});
 
   [[nodiscard]] bool is_integer() const { return profile.arithmetic == Arithmetic::integer; }
   // The target's value as the program shows it, with these inputs, by the reference.
@@ -69,10 +71,33 @@ struct Subject {
 };
 
 // The program's first `count` general combiners, as one that ends with registers.
-[[nodiscard]] Program head_of(const Program& program, int count);
+[[nodiscard]] Program first_combiners(const Program& program, int count);
 // The rest after them, with the final combiner.
-[[nodiscard]] Program tail_of(const Program& program, int count);
+[[nodiscard]] Program later_combiners(const Program& program, int count);
 // The outputs of a batch that show the target.
 [[nodiscard]] BatchOutputs outputs_for(const ProofTarget& target);
+
+// A part of a side's program over batches of cases, where constants that are not set vary, too.
+class SideBatch {
+ public:
+  // `side` must outlive it. Without a program run() does nothing.
+  SideBatch(const ProofSide& side, const std::optional<Program>& program, const BatchOutputs& outputs);
+
+  // The values of one of the side's components, one a case.
+  [[nodiscard]] s9* plane(int index);
+  // Runs the cases; registers change only if `outputs` has them, or for real numbers.
+  void run(std::size_t count, OutputBatch& out);
+
+ private:
+  void run_in_rows(std::size_t count, OutputBatch& out);
+
+  const ProofSide& side_;
+  std::optional<Program> program_;
+  BatchOutputs outputs_;
+  std::optional<BatchProgram> batch_;  // none if cases are run one after another
+  std::array<std::optional<ConstantName>, 2> varying_{};
+  std::unique_ptr<RegisterBatch> registers_;
+  std::vector<std::array<s9, kBatchSize>> constants_;  // of side_.components past the registers
+};
 
 }  // namespace ninebit::proof

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ninebit::tools {
+namespace ninebit {
 
 // The text as numbers between separators; empty if any part is not a number.
 template <class T>
@@ -25,4 +25,4 @@ std::optional<std::vector<T>> numbers(std::string_view text, char separator) {
   }
 }
 
-}  // namespace ninebit::tools
+}  // namespace ninebit

@@ -1,4 +1,4 @@
-#include "src/study/proof/subject.h"
+#include "src/study/proof/proof_side.h"
 
 #include <algorithm>
 
@@ -7,6 +7,7 @@
 namespace ninebit::proof {
 namespace {
 
+constexpr std::array kConstants{Register::constant0, Register::constant1};
 constexpr Portion kDead{{}, {}, {}, {}, {.sum = Register::discard}};
 
 }  // namespace
@@ -17,7 +18,7 @@ ProofInput input_at(int index, std::uint8_t byte) {
   return {Register::zero, index % 4, byte, static_cast<ConstantName>((index - first) / 4)};
 }
 
-Subject::Subject(const ProofSubject& from, const std::vector<ProofInput>& fixed)
+ProofSide::ProofSide(const ProofSubject& from, const std::vector<ProofInput>& fixed)
     : profile(from.profile), program(normalize(from.state, from.profile)) {
   // With all inputs at 0, what the profile decides is what is left.
   FragmentInputs inputs;
@@ -58,11 +59,11 @@ Subject::Subject(const ProofSubject& from, const std::vector<ProofInput>& fixed)
   }
 }
 
-bool Subject::runs_in_rows() const {
+bool ProofSide::runs_in_rows() const {
   return !unset_constants(program).empty() && (!is_integer() || !varying_constants(program));
 }
 
-int Subject::evaluate(const ProofTarget& target, const std::array<std::uint8_t, kComponents>& bytes) const {
+int ProofSide::evaluate(const ProofTarget& target, const std::array<std::uint8_t, kComponents>& bytes) const {
   RegisterFile registers;
   Program with_constants = program;
   for (const int i : components) {
@@ -79,13 +80,13 @@ int Subject::evaluate(const ProofTarget& target, const std::array<std::uint8_t, 
   return shown(target, value[static_cast<std::size_t>(target.component)]);
 }
 
-Program head_of(const Program& program, int count) {
-  Program head = program;
-  head.num_general_combiners = count;
-  return head;
+Program first_combiners(const Program& program, int count) {
+  Program part = program;
+  part.num_general_combiners = count;
+  return part;
 }
 
-Program tail_of(const Program& program, int count) {
+Program later_combiners(const Program& program, int count) {
   Program tail = program;
   const auto from = static_cast<std::size_t>(count);
   for (std::size_t i = 0; i < tail.general.size(); ++i) {
@@ -105,6 +106,59 @@ BatchOutputs outputs_for(const ProofTarget& target) {
   outputs.registers = target.reg.has_value();
   for (int c = 0; c < 4; ++c) outputs.color[static_cast<std::size_t>(c)] = !target.reg && c == target.component;
   return outputs;
+}
+
+SideBatch::SideBatch(const ProofSide& side, const std::optional<Program>& program, const BatchOutputs& outputs)
+    : side_(side),
+      program_(program),
+      outputs_(outputs),
+      registers_(std::make_unique<RegisterBatch>()),
+      constants_(static_cast<std::size_t>(std::count_if(side.components.begin(), side.components.end(), is_constant))) {
+  if (!program_ || side.runs_in_rows()) return;
+  varying_ = *varying_constants(side.program);
+  ComponentSet varying;
+  for (std::size_t which = 0; which < 2; ++which) {
+    for (int c = 0; varying_[which] && c < 4; ++c) varying.add(kConstants[which], c);
+  }
+  batch_.emplace(*program_, outputs_, varying);
+}
+
+s9* SideBatch::plane(int index) {
+  if (!is_constant(index)) return (*registers_)(register_at(index), index % 4);
+  const auto first = std::find_if(side_.components.begin(), side_.components.end(), is_constant);
+  const auto at = std::find(first, side_.components.end(), index);
+  return constants_[static_cast<std::size_t>(at - first)].data();
+}
+
+void SideBatch::run(std::size_t count, OutputBatch& out) {
+  if (!program_) return;
+  if (!batch_) return run_in_rows(count, out);
+  for (std::size_t which = 0; which < 2; ++which) {
+    for (int c = 0; varying_[which] && c < 4; ++c) {
+      std::copy_n(plane(index_of(*varying_[which], c)), count, (*registers_)(kConstants[which], c));
+    }
+  }
+  batch_->run(*registers_, count, out);
+}
+
+void SideBatch::run_in_rows(std::size_t count, OutputBatch& out) {
+  for (std::size_t k = 0; k < count; ++k) {
+    RegisterFile file;
+    for (const int i : side_.components) {
+      const s9 code = plane(i)[k];
+      if (is_constant(i)) {
+        replace_unset_constant(*program_, *input_at(i, 0).constant, i % 4, code);
+      } else {
+        file[register_at(i)][static_cast<std::size_t>(i % 4)] = code;
+      }
+    }
+    const EvaluatedFragment result = evaluate_fragment(*program_, file);
+    for (std::size_t c = 0; c < 4; ++c) out.plane[c][k] = result.color[c];
+    for (const int i : side_.components) {
+      if (!outputs_.registers || is_constant(i)) continue;
+      plane(i)[k] = result.registers[register_at(i)][static_cast<std::size_t>(i % 4)];
+    }
+  }
 }
 
 }  // namespace ninebit::proof
