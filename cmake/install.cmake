@@ -8,7 +8,7 @@ set(rooms numerics combiner language)
 set(without PATTERN *json.h EXCLUDE)  # they are of another library
 if(NOT NINEBIT_COMBINER_ONLY)
   list(APPEND components json capi raster ninebit)
-  list(APPEND rooms capi raster scene image shadow effect study)
+  list(APPEND rooms capi raster scene image frame shadow effect study)
   set(without)
   install(EXPORT ninebit-glm NAMESPACE ninebit:: DESTINATION ${package_dir})
   install(FILES ${PROJECT_SOURCE_DIR}/include/ninebit/ninebit.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ninebit)

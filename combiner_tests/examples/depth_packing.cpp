@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <ninebit/shadow/depth_packing.h>
+#include <ninebit/frame/depth_packing.h>
 
 TEST(Examples, DepthPacking) {
   using namespace ninebit;

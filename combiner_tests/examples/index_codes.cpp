@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <ninebit/shadow/index_codes.h>
+#include <ninebit/frame/index_codes.h>
 
 TEST(Examples, IndexCodes) {
   using namespace ninebit;

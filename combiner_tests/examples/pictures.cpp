@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <ninebit/shadow/pictures.h>
+#include <ninebit/frame/pictures.h>
 
 TEST(Examples, Pictures) {
   using namespace ninebit;

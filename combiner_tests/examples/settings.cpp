@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <ninebit/shadow/settings.h>
+#include <ninebit/frame/settings.h>
 
 TEST(Examples, Settings) {
   using namespace ninebit;

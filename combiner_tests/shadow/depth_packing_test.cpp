@@ -1,5 +1,5 @@
 // Depth packings: the numbers of a round trip through bytes, and the digits that the bytes ought to be.
-#include "ninebit/shadow/depth_packing.h"
+#include "ninebit/frame/depth_packing.h"
 
 #include <gtest/gtest.h>
 

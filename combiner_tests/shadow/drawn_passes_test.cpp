@@ -1,5 +1,5 @@
 // What techniques say that they draw: passes, texture units, memory of maps.
-#include "src/shadow/frame/drawn_passes.h"
+#include "src/frame/drawn_passes.h"
 
 #include <algorithm>
 #include <filesystem>

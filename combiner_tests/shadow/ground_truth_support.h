@@ -10,7 +10,7 @@
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/ground_truth.h"
-#include "src/shadow/frame/camera_frame.h"
+#include "src/frame/camera_frame.h"
 
 namespace shadow_test {
 

@@ -1,4 +1,4 @@
-#include "ninebit/shadow/index_codes.h"
+#include "ninebit/frame/index_codes.h"
 
 #include <gtest/gtest.h>
 

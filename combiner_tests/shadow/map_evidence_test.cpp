@@ -1,13 +1,13 @@
 // What each fragment met in the light's map, against the texels that the combiners read and against a formula.
-#include "src/shadow/frame/map_evidence.h"
+#include "src/frame/map_evidence.h"
 
 #include <cmath>
 #include <set>
 
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/scene/scene_io.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/views.h"
 
 namespace shadow_test {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "combiner_tests/shadow/support.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/pass_timer.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/pass_timer.h"
 
 namespace ninebit {
 namespace {

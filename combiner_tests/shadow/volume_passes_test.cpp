@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "combiner_tests/shadow/volume_support.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/views.h"
 #include "src/shadow/shadow_volume/volume_extrusion.h"
 
 namespace {

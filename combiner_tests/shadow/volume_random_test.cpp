@@ -7,7 +7,7 @@
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/shadow/volume_support.h"
 #include "combiner_tests/support/random.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/views.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Vertices at the same position, as meshoptimizer's library finds them.
-#include "src/shadow/frame/weld.h"
+#include "src/frame/weld.h"
 
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>

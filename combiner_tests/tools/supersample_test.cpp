@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "combiner_tests/tools/support.h"
-#include "ninebit/shadow/pictures.h"
+#include "ninebit/frame/pictures.h"
 
 namespace tools_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "src/shadow/frame/camera_frame.h"
+#include "src/frame/camera_frame.h"
 
 namespace ninebit {
 

@@ -4,8 +4,8 @@
 #include <deque>
 #include <string>
 
+#include "ninebit/frame/rendering.h"
 #include "ninebit/raster/surface.h"
-#include "ninebit/shadow/technique.h"
 
 namespace ninebit {
 

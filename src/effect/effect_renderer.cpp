@@ -14,8 +14,8 @@
 #include "src/effect/effect_words.h"
 #include "src/effect/tangents.h"
 #include "src/effect/vertex_sources.h"
-#include "src/shadow/frame/pass_timer.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/pass_timer.h"
+#include "src/frame/views.h"
 
 namespace ninebit {
 namespace {

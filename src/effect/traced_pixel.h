@@ -11,7 +11,7 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/effect/effect_renderer.h"
-#include "ninebit/shadow/technique.h"
+#include "ninebit/frame/rendering.h"
 
 namespace ninebit {
 

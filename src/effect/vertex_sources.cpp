@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/shadow/frame/shading.h"
+#include "src/frame/shading.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

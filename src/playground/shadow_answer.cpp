@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "ninebit/effect/generated_meshes.h"
+#include "ninebit/frame/pictures.h"
 #include "ninebit/shadow/index_cube.h"
-#include "ninebit/shadow/pictures.h"
 #include "src/playground/drawing.h"
 
 namespace ninebit::playground {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "ninebit/frame/settings.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/settings.h"
 #include "src/playground/engine.h"
 
 namespace ninebit::playground {

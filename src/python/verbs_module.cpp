@@ -19,8 +19,8 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/frame/technique_settings.h"
 #include "ninebit/image/image_io.h"
-#include "ninebit/shadow/technique_settings.h"
 #include "src/image/texture/picture_loader.h"
 #include "src/python/waiting.h"
 #include "src/tools/input/fault_log.h"

@@ -47,15 +47,6 @@ std::span<const Technique> techniques() {
   return kTechniques;
 }
 
-const ProbedFragment* deciding_fragment(const ProbedPass& pass) {
-  const ProbedFragment* decided = nullptr;
-  for (const ProbedFragment& fragment : pass.fragments) {
-    const bool outranked = decided != nullptr && decided->fate == FragmentFate::written;
-    if (fragment.fate == FragmentFate::written || (fragment.depth_passes && !outranked)) decided = &fragment;
-  }
-  return decided;
-}
-
 const ProbedPass* deciding_pass(const Rendering& rendering) {
   const std::vector<ProbedPass>& passes = rendering.probed;
   const ProbedPass *changed = nullptr, *judged = nullptr, *written = nullptr;

@@ -8,7 +8,7 @@ import json
 import math
 import struct
 
-AMBIENT, DIFFUSE, DIFFUSE_IN_SHADOW = 0.22, 0.78, 0.25  # src/shadow/frame/shading.cpp
+AMBIENT, DIFFUSE, DIFFUSE_IN_SHADOW = 0.22, 0.78, 0.25  # src/frame/shading.cpp
 NEAR, FAR = 0.25, 25.0  # the room's diagonal is 15.4; the nearest wall is 0.4 from the camera
 
 

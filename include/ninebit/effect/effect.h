@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
+#include "ninebit/frame/index_codes.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
@@ -18,7 +19,6 @@
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene_io.h"
-#include "ninebit/shadow/index_codes.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

@@ -17,13 +17,13 @@
 #include "ninebit/combiner/registers.h"
 #include "ninebit/combiner/state.h"
 #include "ninebit/effect/effect.h"
+#include "ninebit/frame/rendering.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/technique.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/frame/settings.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/settings.h"
 #include "ninebit/shadow/technique.h"
 
 namespace NINEBIT_PUBLIC ninebit {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/frame/pictures.h"
 #include "ninebit/image/staged_files.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/shadow/pictures.h"
 #include "ninebit/shadow/technique.h"
 
 namespace NINEBIT_PUBLIC ninebit {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/frame/depth_packing.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/shadow/depth_packing.h"
 #include "ninebit/study/study.h"
 
 namespace NINEBIT_PUBLIC ninebit {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/frame/technique_settings.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/technique.h"
-#include "ninebit/shadow/technique_settings.h"
 #include "ninebit/study/study.h"
 
 namespace NINEBIT_PUBLIC ninebit {

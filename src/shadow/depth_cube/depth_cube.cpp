@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "src/frame/pass_timer.h"
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
-#include "src/shadow/frame/pass_timer.h"
 
 namespace ninebit {
 namespace {

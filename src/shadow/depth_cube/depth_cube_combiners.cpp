@@ -1,7 +1,7 @@
 // The register-combiner set-ups of the depth cube, made with the GL-named entry points.
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/depth_cube.h"
-#include "src/shadow/frame/combiner_setup.h"
+#include "src/frame/combiner_setup.h"
 
 namespace ninebit {
 namespace {

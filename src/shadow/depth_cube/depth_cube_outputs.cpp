@@ -3,10 +3,10 @@
 #include <string>
 #include <utility>
 
+#include "src/frame/cube_cross.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/texture_units.h"
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
-#include "src/shadow/frame/cube_cross.h"
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/texture_units.h"
 
 namespace ninebit {
 

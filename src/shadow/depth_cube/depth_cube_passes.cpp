@@ -7,8 +7,8 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/shadow/depth_cube.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/views.h"
 
 namespace ninebit {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/map_evidence.h"
 #include "src/raster/texture/texture_wrap.h"
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/map_evidence.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

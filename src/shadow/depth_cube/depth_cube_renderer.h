@@ -10,8 +10,8 @@
 
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/shadow/depth_cube.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/views.h"
 
 namespace ninebit {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "src/shadow/frame/upright.h"
+#include "src/frame/upright.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

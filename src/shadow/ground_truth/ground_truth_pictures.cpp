@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 
+#include "ninebit/frame/pictures.h"
 #include "ninebit/shadow/ground_truth.h"
-#include "ninebit/shadow/pictures.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/upright.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/upright.h"
 #include "src/shadow/ground_truth/cause_plane.h"
 
 namespace ninebit {

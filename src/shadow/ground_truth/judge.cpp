@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/shadow/frame/views.h"
+#include "src/frame/views.h"
 #include "src/shadow/ground_truth/ground_truth_causes.h"
 #include "src/system/parallel/parallel_loop.h"
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "ninebit/frame/index_codes.h"
+#include "ninebit/frame/settings.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/index_codes.h"
-#include "ninebit/shadow/settings.h"
 #include "ninebit/shadow/technique.h"
 
 namespace ninebit {

@@ -2,7 +2,7 @@
 // similar ones for the smaller formats.
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/index_cube.h"
-#include "src/shadow/frame/combiner_setup.h"
+#include "src/frame/combiner_setup.h"
 
 namespace ninebit {
 namespace {

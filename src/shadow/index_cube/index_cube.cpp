@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "src/shadow/frame/pass_timer.h"
+#include "src/frame/pass_timer.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 namespace ninebit {

@@ -9,10 +9,10 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/map_evidence.h"
-#include "src/shadow/frame/pass_timer.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/map_evidence.h"
+#include "src/frame/pass_timer.h"
+#include "src/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

@@ -9,8 +9,8 @@
 #include "ninebit/raster/plane_samples.h"
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/shadow/index_cube.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/vanished_polygons.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/vanished_polygons.h"
 #include "src/shadow/index_cube/index_assignment.h"
 
 namespace ninebit {

@@ -1,7 +1,7 @@
 // The article's passes as pipeline states.
 #include "ninebit/combiner/program.h"
 #include "ninebit/shadow/index_cube.h"
-#include "src/shadow/frame/camera_frame.h"
+#include "src/frame/camera_frame.h"
 
 namespace ninebit {
 

@@ -8,8 +8,8 @@
 #include <glm/glm.hpp>
 #include <utility>
 
-#include "ninebit/shadow/index_codes.h"
-#include "src/shadow/frame/weld.h"
+#include "ninebit/frame/index_codes.h"
+#include "src/frame/weld.h"
 
 namespace ninebit {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ninebit/combiner/program.h"
+#include "ninebit/frame/index_codes.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
-#include "ninebit/shadow/index_codes.h"
 
 namespace ninebit {
 

@@ -37,10 +37,10 @@
 #include <span>
 #include <vector>
 
+#include "ninebit/frame/settings.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/settings.h"
 #include "ninebit/shadow/technique.h"
 #include "src/shadow/index_order/lost_differences.h"
 

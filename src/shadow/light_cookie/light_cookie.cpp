@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/pass_timer.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/pass_timer.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 namespace ninebit {

@@ -4,8 +4,8 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/shadow/light_cookie.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/combiner_setup.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/combiner_setup.h"
 
 namespace ninebit {
 namespace {

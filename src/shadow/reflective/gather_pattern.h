@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "ninebit/shadow/settings.h"
+#include "ninebit/frame/settings.h"
 
 namespace ninebit {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/shadow/frame/shading.h"
+#include "src/frame/shading.h"
 #include "src/shadow/reflective/indirect_light.h"
 #include "src/system/parallel/parallel_loop.h"
 

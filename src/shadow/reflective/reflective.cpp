@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "ninebit/shadow/shadow_map.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/pass_timer.h"
-#include "src/shadow/frame/surface_planes.h"
-#include "src/shadow/frame/upright.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/pass_timer.h"
+#include "src/frame/surface_planes.h"
+#include "src/frame/upright.h"
+#include "src/frame/views.h"
 #include "src/shadow/reflective/indirect_light.h"
 #include "src/shadow/reflective/reflective_reference.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "ninebit/shadow/reflective.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/surface_planes.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/surface_planes.h"
+#include "src/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

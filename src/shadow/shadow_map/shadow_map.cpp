@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "ninebit/raster/rasterizer.h"
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/light_beam.h"
-#include "src/shadow/frame/map_evidence.h"
-#include "src/shadow/frame/packed_map.h"
-#include "src/shadow/frame/pass_timer.h"
-#include "src/shadow/frame/texture_units.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/light_beam.h"
+#include "src/frame/map_evidence.h"
+#include "src/frame/packed_map.h"
+#include "src/frame/pass_timer.h"
+#include "src/frame/texture_units.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

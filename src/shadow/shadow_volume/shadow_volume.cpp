@@ -12,10 +12,10 @@
 #include <string>
 #include <utility>
 
-#include "src/shadow/frame/camera_frame.h"
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/pass_timer.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/camera_frame.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/pass_timer.h"
+#include "src/frame/views.h"
 #include "src/shadow/shadow_volume/volume_extrusion.h"
 #include "src/shadow/shadow_volume/volume_mesh.h"
 

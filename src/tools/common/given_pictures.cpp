@@ -6,9 +6,9 @@
 #include <utility>
 #include <variant>
 
-#include "ninebit/shadow/pictures.h"
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/upright.h"
+#include "ninebit/frame/pictures.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/upright.h"
 #include "src/tools/input/host.h"
 
 namespace ninebit::tools {

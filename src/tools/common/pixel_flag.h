@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "ninebit/shadow/settings.h"
+#include "ninebit/frame/settings.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "ninebit/frame/settings.h"
 #include "ninebit/raster/surface.h"
-#include "ninebit/shadow/settings.h"
 #include "src/system/number_list.h"
 #include "src/tools/common/number_flag.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/frame/settings.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/settings.h"
 #include "src/tools/common/scene_flags.h"
 
 namespace ninebit::tools {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "ninebit/shadow/technique_settings.h"
+#include "ninebit/frame/technique_settings.h"
 #include "src/tools/common/scene_flags.h"
 
 namespace ninebit::tools {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "ninebit/frame/pictures.h"
 #include "ninebit/image/image_io.h"
-#include "ninebit/shadow/pictures.h"
 #include "src/shadow/ground_truth/cause_plane.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ninebit/shadow/pictures.h"
+#include "ninebit/frame/pictures.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"
 

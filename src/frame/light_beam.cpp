@@ -1,9 +1,9 @@
-#include "src/shadow/frame/light_beam.h"
+#include "src/frame/light_beam.h"
 
 #include <cmath>
 #include <cstdint>
 
-#include "src/shadow/frame/views.h"
+#include "src/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

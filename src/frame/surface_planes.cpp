@@ -1,10 +1,10 @@
-#include "src/shadow/frame/surface_planes.h"
+#include "src/frame/surface_planes.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-#include "src/shadow/frame/shading.h"
+#include "src/frame/shading.h"
 
 namespace ninebit {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "ninebit/shadow/depth_packing.h"
-#include "ninebit/shadow/technique.h"
+#include "ninebit/frame/depth_packing.h"
+#include "ninebit/frame/rendering.h"
 
 namespace ninebit {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ninebit/frame/rendering.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/texture.h"
-#include "ninebit/shadow/technique.h"
 
 namespace ninebit {
 

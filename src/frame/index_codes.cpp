@@ -1,4 +1,4 @@
-#include "ninebit/shadow/index_codes.h"
+#include "ninebit/frame/index_codes.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ninebit/shadow/technique_settings.h"
+#include "ninebit/frame/technique_settings.h"
 
 namespace ninebit {
 namespace {

@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/frame/settings.h"
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/shadow/settings.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

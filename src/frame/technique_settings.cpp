@@ -1,4 +1,4 @@
-#include "ninebit/shadow/technique_settings.h"
+#include "ninebit/frame/technique_settings.h"
 
 #include <fmt/format.h>
 

@@ -5,14 +5,14 @@
 #include <memory>
 #include <optional>
 
+#include "ninebit/frame/depth_packing.h"
+#include "ninebit/frame/index_codes.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/depth_packing.h"
-#include "ninebit/shadow/index_codes.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

@@ -1,9 +1,9 @@
-#include "src/shadow/frame/surface_combiners.h"
+#include "src/frame/surface_combiners.h"
 
 #include <array>
 
 #include "ninebit/language/gl_nv.h"
-#include "src/shadow/frame/combiner_setup.h"
+#include "src/frame/combiner_setup.h"
 
 namespace ninebit {
 

@@ -1,4 +1,4 @@
-#include "src/shadow/frame/camera_frame.h"
+#include "src/frame/camera_frame.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <bit>
 #include <utility>
 
-#include "src/shadow/frame/drawn_passes.h"
-#include "src/shadow/frame/pass_timer.h"
-#include "src/shadow/frame/views.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/pass_timer.h"
+#include "src/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

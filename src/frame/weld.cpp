@@ -1,4 +1,4 @@
-#include "src/shadow/frame/weld.h"
+#include "src/frame/weld.h"
 
 #include <array>
 #include <bit>

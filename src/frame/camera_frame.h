@@ -12,10 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/frame/rendering.h"
 #include "ninebit/raster/rasterizer.h"
-#include "ninebit/shadow/technique.h"
-#include "src/shadow/frame/shading.h"
-#include "src/shadow/frame/surface_groups.h"
+#include "ninebit/scene/scene_io.h"
+#include "src/frame/shading.h"
+#include "src/frame/surface_groups.h"
 
 namespace ninebit {
 

@@ -1,10 +1,10 @@
-#include "src/shadow/frame/packed_map.h"
+#include "src/frame/packed_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "src/shadow/frame/camera_frame.h"
+#include "src/frame/camera_frame.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

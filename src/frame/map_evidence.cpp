@@ -1,4 +1,4 @@
-#include "src/shadow/frame/map_evidence.h"
+#include "src/frame/map_evidence.h"
 
 #include <algorithm>
 #include <array>

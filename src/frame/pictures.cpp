@@ -1,11 +1,11 @@
-#include "ninebit/shadow/pictures.h"
+#include "ninebit/frame/pictures.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "src/shadow/frame/cube_cross.h"
+#include "src/frame/cube_cross.h"
 
 namespace ninebit {
 namespace {

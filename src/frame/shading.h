@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "ninebit/frame/settings.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/scene/scene.h"
-#include "ninebit/shadow/settings.h"
 
 namespace ninebit {
 

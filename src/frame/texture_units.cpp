@@ -1,4 +1,4 @@
-#include "src/shadow/frame/texture_units.h"
+#include "src/frame/texture_units.h"
 
 #include <array>
 

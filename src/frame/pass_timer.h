@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "ninebit/shadow/technique.h"
+#include "ninebit/frame/rendering.h"
 
 namespace ninebit {
 

@@ -1,9 +1,9 @@
 // A rendering as pictures.
 #pragma once
 
+#include "ninebit/frame/rendering.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/shadow/technique.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

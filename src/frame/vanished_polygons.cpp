@@ -1,4 +1,4 @@
-#include "src/shadow/frame/vanished_polygons.h"
+#include "src/frame/vanished_polygons.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "ninebit/shadow/depth_packing.h"
+#include "ninebit/frame/depth_packing.h"
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-#include "src/shadow/frame/surface_groups.h"
+#include "src/frame/surface_groups.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ninebit/combiner/program.h"
-#include "src/shadow/frame/surface_combiners.h"
+#include "src/frame/surface_combiners.h"
 
 namespace ninebit {
 namespace {

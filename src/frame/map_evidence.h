@@ -8,7 +8,7 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
-#include "src/shadow/frame/camera_frame.h"
+#include "src/frame/camera_frame.h"
 
 namespace ninebit {
 

@@ -1,4 +1,4 @@
-#include "src/shadow/frame/views.h"
+#include "src/frame/views.h"
 
 #include <algorithm>
 #include <cmath>

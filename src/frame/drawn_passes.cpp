@@ -1,10 +1,10 @@
-#include "src/shadow/frame/drawn_passes.h"
+#include "src/frame/drawn_passes.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "src/shadow/frame/texture_units.h"
+#include "src/frame/texture_units.h"
 
 namespace ninebit {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/shadow/frame/shading.h"
+#include "src/frame/shading.h"
 
 #include <algorithm>
 #include <array>

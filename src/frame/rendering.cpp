@@ -1,0 +1,14 @@
+#include "ninebit/frame/rendering.h"
+
+namespace ninebit {
+
+const ProbedFragment* deciding_fragment(const ProbedPass& pass) {
+  const ProbedFragment* decided = nullptr;
+  for (const ProbedFragment& fragment : pass.fragments) {
+    const bool outranked = decided != nullptr && decided->fate == FragmentFate::written;
+    if (fragment.fate == FragmentFate::written || (fragment.depth_passes && !outranked)) decided = &fragment;
+  }
+  return decided;
+}
+
+}  // namespace ninebit
