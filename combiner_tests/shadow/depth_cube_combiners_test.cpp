@@ -9,7 +9,7 @@
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
-#include "src/frame/texture_units.h"
+#include "src/frame/drawn_passes.h"
 
 namespace {
 

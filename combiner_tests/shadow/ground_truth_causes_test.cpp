@@ -1,9 +1,8 @@
 // Why pixels are wrong: the article's faults counted, and the rules one by one.
-#include "src/shadow/ground_truth/ground_truth_causes.h"
-
 #include <numeric>
 
 #include "combiner_tests/shadow/ground_truth_support.h"
+#include "src/shadow/ground_truth/judge.h"
 
 namespace shadow_test {
 namespace {

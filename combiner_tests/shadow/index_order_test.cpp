@@ -11,7 +11,6 @@
 #include "combiner_tests/shadow/support.h"
 #include "src/shadow/index_order/borders.h"
 #include "src/shadow/index_order/code_lattice.h"
-#include "src/shadow/index_order/hidden_backs.h"
 #include "src/shadow/index_order/lost_differences.h"
 #include "src/shadow/index_order/neighbour_order.h"
 #include "src/shadow/index_order/order_check.h"

@@ -9,7 +9,7 @@
 
 #include "combiner_tests/shadow/volume_support.h"
 #include "src/frame/views.h"
-#include "src/shadow/shadow_volume/volume_extrusion.h"
+#include "src/shadow/shadow_volume/volume_mesh.h"
 
 namespace {
 

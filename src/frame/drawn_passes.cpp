@@ -1,12 +1,14 @@
 #include "src/frame/drawn_passes.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
-#include "src/frame/texture_units.h"
+#include "ninebit/combiner/batch_program.h"
 
 namespace ninebit {
+
 namespace {
 
 bool changes_stencil(const StencilFace& face) {
@@ -64,6 +66,18 @@ std::uint64_t texture_bytes(const Texture& texture) {
     }
   }
   return texels * texel_size(texture.format);
+}
+
+int texture_units_read(const Program& program) {
+  constexpr std::array kRegisters{Register::texture0, Register::texture1, Register::texture2, Register::texture3};
+  const ComponentSet reads = BatchProgram(program).reads();
+  int count = 0;
+  for (const Register reg : kRegisters) {
+    bool read = false;
+    for (int c = 0; c < 4; ++c) read = read || reads.contains(reg, c);
+    count += read ? 1 : 0;
+  }
+  return count;
 }
 
 }  // namespace ninebit

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ninebit/combiner/program.h"
 #include "ninebit/frame/rendering.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/texture.h"
@@ -22,5 +23,10 @@ void note_float_pass(Rendering& rendering, std::string_view name, bool marks_sha
 
 // Memory of all levels and faces: three components take four bytes, 24 bits of depth as well.
 [[nodiscard]] std::uint64_t texture_bytes(const Texture& texture);
+
+// Counting the texture units that a technique needs.
+
+// The number of texture registers that the program's output colour depends on.
+[[nodiscard]] int texture_units_read(const Program& program);
 
 }  // namespace ninebit

@@ -2,12 +2,17 @@
 // (ShadowEvidence in technique.h).
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/pipeline_state.h"
+#include "ninebit/raster/prepared_draw.h"
 #include "ninebit/raster/surface.h"
+#include "ninebit/scene/scene.h"
 #include "src/frame/camera_frame.h"
 
 namespace ninebit {
@@ -28,5 +33,19 @@ struct LightMap {
 // in the texel that NEAREST selects for the visible fragment of each pixel, and which triangles own a texel. The
 // frame's depth must be drawn. Does nothing without settings.evidence. Reports what rasterize() reports.
 [[nodiscard]] Status add_map_evidence(CameraFrame& frame, const LightMap& map);
+
+// Polygons that are too small or too thin for the light's cube map.
+
+struct VanishedPolygons {
+  std::vector<std::uint32_t> triangles;  // their numbers in the scene, in its order
+  double texels = 0.0;                   // their total area on the faces, in texels
+};
+
+// Finds the scene's triangles that cover no texel centre of the six faces, of `size` texels a side, although they have
+// an area on one beyond the near plane. `faces` were prepared from the positions relative to the light. Culled
+// triangles are not included.
+[[nodiscard]] VanishedPolygons find_vanished_polygons(const Scene& scene, std::span<const glm::vec3> from_light,
+                                                      std::span<const PreparedDraw, 6> faces, int size,
+                                                      float near_plane, CullFace cull_face);
 
 }  // namespace ninebit

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "ninebit/language/gl_nv.h"
-#include "src/frame/combiner_setup.h"
 
 namespace ninebit {
 

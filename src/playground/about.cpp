@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "src/language/json/printed_form.h"
-#include "src/playground/profile_fields.h"
 #include "src/playground/texts.h"
+#include "src/playground/vocabulary.h"
 
 namespace ninebit::playground {
 namespace {

@@ -1,8 +1,8 @@
 // One field of a profile changed, and with it the fields that depend on it, so that the profile stays valid.
 #include <utility>
 
-#include "src/playground/profile_fields.h"
 #include "src/playground/texts.h"
+#include "src/playground/vocabulary.h"
 
 namespace ninebit::playground {
 namespace {

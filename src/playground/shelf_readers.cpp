@@ -5,7 +5,6 @@
 
 #include "ninebit/effect/generated_meshes.h"
 #include "src/playground/drawing.h"
-#include "src/playground/room_text.h"
 #include "src/playground/texts.h"
 #include "src/raster/texture/resample.h"
 #include "src/scene/files/scene_bytes.h"

@@ -33,4 +33,8 @@ namespace ninebit::playground {
 [[nodiscard]] Parsed<TextProgram> valid_program(std::string_view text, std::string_view name,
                                                 const HardwareProfile& profile);
 
+// scenes/index_room.gltf, embedded at build time.
+
+extern const std::string_view kRoomText;
+
 }  // namespace ninebit::playground

@@ -4,6 +4,9 @@
 #include <span>
 #include <string_view>
 
+#include "ninebit/numerics/profile_fields.h"
+#include "src/playground/reply.h"
+
 namespace ninebit::playground {
 
 // A word and its help, one or two sentences.
@@ -16,5 +19,13 @@ struct HelpedWord {
 [[nodiscard]] std::span<const HelpedWord> rc10_help();
 [[nodiscard]] std::span<const HelpedWord> pixel_shader_help();
 [[nodiscard]] std::span<const HelpedWord> json_help();
+
+// A hardware profile as the page's controls show it.
+
+// The field's value as a profile file has it.
+[[nodiscard]] Json value_of_field(const ProfileField& field, const HardwareProfile& profile);
+
+// The profile as `about` lists it.
+[[nodiscard]] Json profile_object(const HardwareProfile& profile);
 
 }  // namespace ninebit::playground

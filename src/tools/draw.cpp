@@ -14,7 +14,7 @@
 #include "ninebit/shadow/picture_files.h"
 #include "src/system/hashing/sha256.h"
 #include "src/tools/common/given_pictures.h"
-#include "src/tools/common/program_flags.h"
+#include "src/tools/common/program_file.h"
 #include "src/tools/draw/draw_files.h"
 #include "src/tools/draw/draw_flags.h"
 #include "src/tools/input/host.h"

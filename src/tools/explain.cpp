@@ -6,7 +6,7 @@
 #include "ninebit/language/json.h"
 #include "src/system/stream.h"
 #include "src/tools/common/explanation.h"
-#include "src/tools/common/page_file.h"
+#include "src/tools/common/output_file.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"

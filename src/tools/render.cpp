@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "ninebit/shadow/picture_files.h"
+#include "src/tools/common/flag_values.h"
 #include "src/tools/common/given_pictures.h"
-#include "src/tools/common/index_order.h"
 #include "src/tools/common/output_file.h"
-#include "src/tools/common/pixel_flag.h"
+#include "src/tools/common/rendering_answer.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/common/technique_flags.h"
 #include "src/tools/input/host.h"

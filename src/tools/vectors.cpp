@@ -14,7 +14,6 @@
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/host.h"
 #include "src/tools/vectors/packed_text.h"
-#include "src/tools/vectors/runner_text.h"
 
 namespace ninebit::tools {
 namespace {

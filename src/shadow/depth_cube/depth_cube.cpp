@@ -1,13 +1,23 @@
 // The technique's entry point: renders one frame.
 #include "ninebit/shadow/depth_cube.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "ninebit/combiner/program.h"
+#include "ninebit/language/gl_nv.h"
+#include "src/frame/camera_frame.h"
 #include "src/frame/pass_timer.h"
+#include "src/frame/surface_combiners.h"
+#include "src/frame/views.h"
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
 
 namespace ninebit {
+
 namespace {
 
 // The passes that mark shadow: 6 with 8 bits, 12 with 16 bits.
@@ -56,6 +66,160 @@ Result<Rendering> render_depth_cube(const Scene& scene, const RenderSettings& se
   times.shadow = taken.shadow;
   taken = times;
   return std::move(renderer->rendering());
+}
+
+namespace {
+
+using namespace gl;
+
+// spare0 = texture0 · 1 + texture1 · (-1), of the portion's own components.
+void subtract_textures(GLenum stage, GLenum portion) {
+  glCombinerInputNV(stage, portion, GL_VARIABLE_A_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, portion);
+  glCombinerInputNV(stage, portion, GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, portion);
+  glCombinerInputNV(stage, portion, GL_VARIABLE_C_NV, GL_TEXTURE1_ARB, GL_UNSIGNED_IDENTITY_NV, portion);
+  glCombinerInputNV(stage, portion, GL_VARIABLE_D_NV, GL_ZERO, GL_EXPAND_NORMAL_NV, portion);
+  glCombinerOutputNV(stage, portion, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_NONE, GL_NONE, GL_FALSE, GL_FALSE,
+                     GL_FALSE);
+}
+
+// RGB = D, alpha = G. A negative alpha is clamped to 0.
+void final_combiner(GLenum d, GLenum g, GLenum g_usage) {
+  for (const GLenum variable : {GL_VARIABLE_A_NV, GL_VARIABLE_B_NV, GL_VARIABLE_C_NV}) {
+    glFinalCombinerInputNV(variable, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+  }
+  glFinalCombinerInputNV(GL_VARIABLE_D_NV, d, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+  glFinalCombinerInputNV(GL_VARIABLE_G_NV, g, GL_UNSIGNED_IDENTITY_NV, g_usage);
+}
+
+}  // namespace
+
+Result<CombinerState> ramp_copy_state(const HardwareProfile& profile) {
+  return combiner_state_after(profile, "copy of the ramp", [] {
+    glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
+    discard_portion(GL_COMBINER0_NV, GL_RGB);
+    discard_portion(GL_COMBINER0_NV, GL_ALPHA);
+    final_combiner(GL_TEXTURE0_ARB, GL_TEXTURE0_ARB, GL_ALPHA);
+  });
+}
+
+Result<CombinerState> luminance_above_state(const HardwareProfile& profile) {
+  return combiner_state_after(profile, "comparison of luminances", [] {
+    glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
+    subtract_textures(GL_COMBINER0_NV, GL_RGB);
+    discard_portion(GL_COMBINER0_NV, GL_ALPHA);
+    final_combiner(GL_ZERO, GL_SPARE0_NV, GL_BLUE);
+  });
+}
+
+Result<CombinerState> high_byte_above_state(const HardwareProfile& profile) {
+  return combiner_state_after(profile, "comparison of high bytes", [] {
+    glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
+    discard_portion(GL_COMBINER0_NV, GL_RGB);
+    subtract_textures(GL_COMBINER0_NV, GL_ALPHA);
+    final_combiner(GL_ZERO, GL_SPARE0_NV, GL_ALPHA);
+  });
+}
+
+Result<CombinerState> low_byte_above_state(const HardwareProfile& profile) {
+  return combiner_state_after(profile, "comparison of low bytes", [] {
+    glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
+
+    // Stage 0, RGB: the difference of the low bytes. Alpha: texture1 · 1 + (1 - texture0) · 1 - 1/2, which is one half
+    // or more exactly if texture 1 has the larger high byte: the sum is 255 where they are equal, and 255 - 128 is 127.
+    subtract_textures(GL_COMBINER0_NV, GL_RGB);
+    glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_TEXTURE1_ARB, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
+    glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
+    glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_C_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
+    glCombinerInputNV(GL_COMBINER0_NV, GL_ALPHA, GL_VARIABLE_D_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
+    glCombinerOutputNV(GL_COMBINER0_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_NONE,
+                       GL_BIAS_BY_NEGATIVE_ONE_HALF_NV, GL_FALSE, GL_FALSE, GL_FALSE);
+
+    // Stage 1, alpha: 0 if the mux finds one half or more, otherwise the difference of the low bytes.
+    discard_portion(GL_COMBINER1_NV, GL_RGB);
+    glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_A_NV, GL_SPARE0_NV, GL_SIGNED_IDENTITY_NV, GL_BLUE);
+    glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_B_NV, GL_ZERO, GL_UNSIGNED_INVERT_NV, GL_ALPHA);
+    glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_C_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
+    glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_D_NV, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
+    glCombinerOutputNV(GL_COMBINER1_NV, GL_ALPHA, GL_DISCARD_NV, GL_DISCARD_NV, GL_SPARE0_NV, GL_NONE, GL_NONE,
+                       GL_FALSE, GL_FALSE, GL_TRUE);
+
+    final_combiner(GL_ZERO, GL_SPARE0_NV, GL_ALPHA);
+  });
+}
+
+namespace {
+
+constexpr float kDefaultBiasTexels = 3.0F;
+
+// Textures of a GeForce 2 have at most 2048 texels a side: the ramp is one such row, with 8 texels per luminance.
+constexpr int kLuminanceRampBits = 11;
+
+struct NamedState {
+  const char* name;
+  Result<CombinerState> (*state)(const HardwareProfile& profile);
+};
+constexpr std::array kEight{NamedState{"comparison", &luminance_above_state}};
+constexpr std::array kSixteen{NamedState{"high byte", &high_byte_above_state},
+                              NamedState{"low byte", &low_byte_above_state}};
+
+Result<Program> program_of(const Result<CombinerState>& state, const HardwareProfile& profile) {
+  if (!state) return state.error();
+  return compile(*state, profile);
+}
+
+// The range of the ramp: no planar distance is larger than the largest component.
+DepthRange range_of(const Scene& scene) {
+  const glm::vec3& light = scene.lights[0].position;
+  const Bounds bounds = bounds_of(scene);
+  const glm::vec3 farthest = glm::max(glm::abs(bounds.low - light), glm::abs(bounds.high - light));
+  const DepthRange views = depth_range(scene, light, kCubeCornerCosine);
+  // If the near plane is at its limit, parts of the scene may be nearer.
+  const bool limited = views.near_plane <= views.far_plane / 65536.0F;
+  return {limited ? 0.0F : views.near_plane, std::max({farthest.x, farthest.y, farthest.z, 1e-6F}) * 1.01F};
+}
+
+}  // namespace
+
+float default_depth_cube_bias(const Scene& scene, const RenderSettings& settings) {
+  return kDefaultBiasTexels * 2.0F * range_of(scene).far_plane / static_cast<float>(settings.map_size);
+}
+
+DistanceCode distance_code(const Scene& scene, const RenderSettings& settings) {
+  const DepthRange range = range_of(scene);
+  DistanceCode code;
+  code.low = range.near_plane;
+  code.high = range.far_plane;
+  const bool sixteen = settings.depth_cube.bits == DepthCubeBits::sixteen;
+  code.code_bits = sixteen ? 16 : 8;
+  code.ramp_bits = sixteen ? 16 : kLuminanceRampBits;
+  const double bias = settings.depth_cube.bias.value_or(default_depth_cube_bias(scene, settings));
+  const double texels = std::ceil(bias / code.ramp_step());
+  code.offset = static_cast<std::uint32_t>(std::min(texels, static_cast<double>(code.ramp_size())));
+  return code;
+}
+
+Result<DepthCubePasses> depth_cube_passes(const RenderSettings& settings) {
+  const FramePasses frame = frame_passes(settings);
+  DepthCubePasses passes{frame.depth, frame.depth, {}, marking_pass(settings)};
+  const HardwareProfile& profile = settings.profile;
+  const bool sixteen = settings.depth_cube.bits == DepthCubeBits::sixteen;
+  // Floats go into a plane of an interpolated attribute.
+  if (settings.depth_cube.bits == DepthCubeBits::real) return passes;
+
+  auto copy = program_of(ramp_copy_state(profile), profile);
+  if (!copy) return copy.error();
+  passes.map.program = std::move(*copy);
+  passes.map.color_mask = {true, false, false, sixteen};
+  const std::span<const NamedState> comparisons = sixteen ? std::span<const NamedState>(kSixteen) : kEight;
+  for (const NamedState& named : comparisons) {
+    auto program = program_of(named.state(profile), profile);
+    if (!program) return program.error();
+    PipelineState state = marking_pass(settings);
+    state.program = std::move(*program);
+    state.alpha_test = {.enabled = true, .function = CompareFunction::greater, .reference = 0};
+    passes.comparisons.push_back({named.name, std::move(state)});
+  }
+  return passes;
 }
 
 }  // namespace ninebit

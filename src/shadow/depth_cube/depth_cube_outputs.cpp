@@ -5,7 +5,6 @@
 
 #include "src/frame/cube_cross.h"
 #include "src/frame/drawn_passes.h"
-#include "src/frame/texture_units.h"
 #include "src/shadow/depth_cube/depth_cube_renderer.h"
 
 namespace ninebit {

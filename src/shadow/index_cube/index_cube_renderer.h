@@ -10,7 +10,7 @@
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/shadow/index_cube.h"
 #include "src/frame/camera_frame.h"
-#include "src/frame/vanished_polygons.h"
+#include "src/frame/map_evidence.h"
 #include "src/shadow/index_cube/index_assignment.h"
 
 namespace ninebit {

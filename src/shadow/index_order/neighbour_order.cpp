@@ -7,7 +7,6 @@
 #include "src/shadow/index_order/borders.h"
 #include "src/shadow/index_order/code_embedding.h"
 #include "src/shadow/index_order/code_lattice.h"
-#include "src/shadow/index_order/hidden_backs.h"
 #include "src/shadow/index_order/order_check.h"
 #include "src/shadow/index_order/patches.h"
 #include "src/shadow/index_order/scene_surface.h"

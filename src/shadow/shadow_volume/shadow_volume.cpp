@@ -16,7 +16,6 @@
 #include "src/frame/drawn_passes.h"
 #include "src/frame/pass_timer.h"
 #include "src/frame/views.h"
-#include "src/shadow/shadow_volume/volume_extrusion.h"
 #include "src/shadow/shadow_volume/volume_mesh.h"
 
 namespace ninebit {

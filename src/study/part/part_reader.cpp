@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "ninebit/study/study_part.h"
-#include "src/study/part/part_state.h"
 #include "src/study/part/part_text.h"
 #include "src/system/hashing/sha256.h"
 #include "src/system/stream.h"

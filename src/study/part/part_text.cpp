@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "src/study/part/study_value_json.h"
 #include "src/system/hashing/sha256.h"
 
 namespace ninebit {

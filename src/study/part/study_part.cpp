@@ -11,7 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "src/study/part/part_state.h"
 #include "src/study/part/part_text.h"
 #include "src/system/file_lock.h"
 

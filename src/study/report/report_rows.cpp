@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ninebit/study/report_files.h"
-#include "src/study/part/study_value_json.h"
+#include "src/study/part/part_text.h"
 
 namespace ninebit {
 namespace {

@@ -2,7 +2,7 @@
 #include "src/tools/bench/bench.h"
 
 #include "src/system/parallel/parallel_loop.h"
-#include "src/tools/common/number_flag.h"
+#include "src/tools/common/flag_values.h"
 
 namespace ninebit::tools {
 

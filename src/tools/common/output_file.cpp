@@ -7,6 +7,7 @@
 #include "src/tools/input/fault_log.h"
 
 namespace ninebit::tools {
+
 namespace {
 
 Diagnostic cannot_write(const std::string& name, std::error_code why) {
@@ -77,6 +78,16 @@ Result<std::optional<StagedFiles>> open_folder(const std::string& path) {
 
 Status write_staged(StagedFiles& files, const std::string& name, std::string_view text) {
   return write_output(files.stage(name).string(), text);
+}
+
+CLI::Option* add_page_flag(CLI::App& verb, std::string& output) {
+  return verb
+      .add_option("-o,--output", output, "Write a page with a diagram to this file, instead of text to standard output")
+      ->type_name("FILE.html");
+}
+
+Status write_page(const std::string& path, const DiagramPage& page) {
+  return write_output(path, diagram_page(page));
 }
 
 }  // namespace ninebit::tools

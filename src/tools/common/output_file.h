@@ -7,7 +7,9 @@
 
 #include "ninebit/image/staged_files.h"
 #include "ninebit/numerics/result.h"
+#include "src/page/diagram_page.h"
 #include "src/system/stream.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 
@@ -38,5 +40,13 @@ class OutputFile {
 
 // Writes a text under the staged name of a file.
 [[nodiscard]] Status write_staged(StagedFiles& files, const std::string& name, std::string_view text);
+
+// -o PAGE.html of the verbs that write one page.
+
+// Adds -o, --output.
+CLI::Option* add_page_flag(CLI::App& verb, std::string& output);
+
+// Writes the page under a temporary name and renames it.
+[[nodiscard]] Status write_page(const std::string& path, const DiagramPage& page);
 
 }  // namespace ninebit::tools

@@ -6,7 +6,7 @@
 
 #include "src/system/number_list.h"
 #include "src/system/parallel/parallel_loop.h"
-#include "src/tools/common/scene_flag_checks.h"
+#include "src/tools/common/flag_values.h"
 #include "src/tools/common/technique_flags.h"
 
 namespace ninebit::tools {

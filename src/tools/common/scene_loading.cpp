@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "src/system/number_list.h"
-#include "src/tools/common/cookie_file.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/input/file_kind.h"

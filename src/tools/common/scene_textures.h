@@ -1,10 +1,14 @@
 // The pictures that a scene's materials name, and what a rendering of the scene leaves out.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ninebit/frame/settings.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene.h"
 #include "src/tools/common/scene_flags.h"
 
@@ -28,5 +32,16 @@ struct DrawnScene {
 
 // One warning that names what is ignored; prints nothing if that is empty or `quiet`.
 void warn_of_ignored(const std::string& scene_file, const std::vector<std::string>& ignored, bool quiet);
+
+// The flag --cookie: a light's cube map.
+
+// Empty if the text names one file or six, else the reason.
+[[nodiscard]] std::string check_cookie(const std::string& text);
+
+// Reads the cube map that a checked text names: one file with six faces, or six files with one face each, in the order
+// +X,-X,+Y,-Y,+Z,-Z. Reports what the readers of texture_io.h report, and a single file that is not a cube map; each
+// names the file.
+[[nodiscard]] Result<std::shared_ptr<const Texture>> read_cookie(const HardwareProfile& profile,
+                                                                 const std::string& text);
 
 }  // namespace ninebit::tools

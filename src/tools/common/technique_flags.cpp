@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "src/tools/common/cookie_file.h"
+#include "src/tools/common/scene_textures.h"
 
 namespace ninebit::tools {
 namespace {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "src/system/hashing/base64.h"
-#include "src/tools/compare/compare_texts.h"
 
 namespace ninebit::tools {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "src/language/source/nearest_name.h"
-#include "src/tools/common/list_flag.h"
+#include "src/tools/common/flag_values.h"
 #include "src/tools/common/technique_flags.h"
 
 namespace ninebit::tools {

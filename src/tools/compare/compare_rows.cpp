@@ -8,7 +8,7 @@
 #include "ninebit/image/image_io.h"
 #include "src/shadow/ground_truth/cause_plane.h"
 #include "src/tools/common/given_pictures.h"
-#include "src/tools/common/picture_hashes.h"
+#include "src/tools/common/rendering_answer.h"
 
 namespace ninebit::tools {
 namespace {

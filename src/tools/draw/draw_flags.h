@@ -5,9 +5,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ninebit/effect/effect.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/raster/pipeline_state.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/program.h"
 
@@ -50,5 +53,25 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags);
 // Replaces the size, mesh, camera and light of an effect file by those of the flags. The Diagnostic is wrong usage: a
 // flag that an effect file does not combine with.
 [[nodiscard]] Status override_effect(const DrawFlags& flags, Effect& effect);
+
+// The colours of `draw`: --fog-color, --const0 and --const1.
+
+// The part of "[COMBINER:]R,G,B,A" before the colon, and the colour.
+[[nodiscard]] std::pair<std::string_view, std::string> split_constant(std::string_view text);
+
+// The fault of "[COMBINER:]R,G,B,A", or of "R,G,B"; empty: none.
+[[nodiscard]] std::string check_constant(const std::string& text);
+[[nodiscard]] std::string check_rgb(const std::string& text);
+
+// The words of the fragment state's flags.
+
+// Reads "SOURCE,DESTINATION[,EQUATION]".
+[[nodiscard]] Result<Blend> parse_blend(std::string_view text);
+// Reads "FUNCTION,REFERENCE".
+[[nodiscard]] Result<AlphaTest> parse_alpha_test(std::string_view text);
+// Reads "FUNCTION" or "none".
+[[nodiscard]] Result<DepthTest> parse_depth(std::string_view text);
+// Reads the letters of the components that are written, such as "rgb", or "none".
+[[nodiscard]] Result<std::array<bool, 4>> parse_color_mask(std::string_view text);
 
 }  // namespace ninebit::tools

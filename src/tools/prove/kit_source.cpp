@@ -7,7 +7,6 @@
 
 #include "ninebit/language/gl_calls.h"
 #include "src/tools/common/kit_table.h"
-#include "src/tools/prove/kit_text.h"
 
 namespace ninebit::tools {
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/study/chip_kit.h"
@@ -13,5 +14,10 @@ namespace ninebit::tools {
 
 // The page that tells an owner of a card what to do, in Markdown.
 [[nodiscard]] std::string kit_page(const ChipKit& kit);
+
+// The C file of all kits, without the rows.
+
+// kit.c beside this file. A line that begins with the comment "ROWS" stands for the rows.
+extern const std::string_view kKitText;
 
 }  // namespace ninebit::tools

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "src/system/number_list.h"
-#include "src/tools/common/number_flag.h"
+#include "src/tools/common/flag_values.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {

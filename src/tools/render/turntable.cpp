@@ -7,7 +7,7 @@
 
 #include "ninebit/frame/pictures.h"
 #include "src/tools/common/given_pictures.h"
-#include "src/tools/common/picture_hashes.h"
+#include "src/tools/common/rendering_answer.h"
 
 namespace ninebit::tools {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "src/system/hashing/sha256.h"
 #include "src/system/number_list.h"
-#include "src/tools/common/number_flag.h"
+#include "src/tools/common/flag_values.h"
 #include "src/tools/input/input_file.h"
 
 namespace ninebit::tools {

@@ -11,7 +11,7 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/study.h"
 #include "ninebit/study/study_part.h"
-#include "src/tools/common/list_flag.h"
+#include "src/tools/common/flag_values.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "ninebit/study/report_files.h"
-#include "src/study/part/part_state.h"
 #include "src/study/part/part_text.h"
 #include "src/system/hashing/sha256.h"
 #include "src/system/inside_folder.h"

@@ -8,9 +8,9 @@
 
 #include "ninebit/study/shadow_sweep.h"
 #include "src/study/part/sweep_axes.h"
-#include "src/tools/common/cookie_file.h"
-#include "src/tools/common/list_flag.h"
+#include "src/tools/common/flag_values.h"
 #include "src/tools/common/scene_flags.h"
+#include "src/tools/common/scene_textures.h"
 #include "src/tools/study/study.h"
 
 namespace ninebit::tools {

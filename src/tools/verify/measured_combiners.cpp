@@ -6,7 +6,7 @@
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/fixed9.h"
-#include "src/tools/verify/measured_words.h"
+#include "src/tools/verify/measured_rows.h"
 
 namespace ninebit::tools {
 namespace {

@@ -11,7 +11,6 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/surface.h"
 #include "src/tools/verify/measured_rows.h"
-#include "src/tools/verify/measured_state.h"
 #include "src/tools/verify/measured_table.h"
 
 namespace ninebit::tools {

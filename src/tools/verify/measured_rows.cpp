@@ -10,8 +10,6 @@
 #include "ninebit/raster/s3tc.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
-#include "src/tools/verify/measured_state.h"
-#include "src/tools/verify/measured_words.h"
 
 namespace ninebit::tools {
 namespace {

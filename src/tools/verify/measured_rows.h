@@ -1,10 +1,17 @@
 // A profile's results for the rows of measured tables: the values of the picture, in the order of their columns.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/raster/rasterizer.h"
+#include "src/effect/effect_words.h"
+#include "src/tools/verify/measured_table.h"
 
 namespace ninebit::tools {
 
@@ -53,5 +60,33 @@ class MeasuredRow;
 [[nodiscard]] std::string wrong_line_color(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_lines(const MeasuredRow& row, const HardwareProfile& profile);
 [[nodiscard]] std::string wrong_shadow(const MeasuredRow& row, const HardwareProfile& profile);
+
+// Shared by the drawings of measured rows.
+
+// AARRGGBB, or RRGGBB, whose alpha is 0.
+[[nodiscard]] inline ColorBytes color_of(std::uint32_t digits) {
+  const auto byte = [digits](unsigned shift) { return static_cast<std::uint8_t>(digits >> shift); };
+  return {byte(16), byte(8), byte(0), byte(24)};
+}
+
+// Without tests.
+[[nodiscard]] inline PipelineState plain_state(const HardwareProfile& profile) {
+  PipelineState state;
+  state.profile = profile;
+  state.depth_test.enabled = false;
+  return state;
+}
+
+// Checks of the words in measured tables.
+
+using effect_detail::value_of;
+using effect_detail::Words;
+
+// The fault of the word in a column; empty: none.
+template <class T, std::size_t N>
+[[nodiscard]] std::string wrong_word(const MeasuredRow& row, std::string_view column, const Words<T, N>& words) {
+  if (value_of(words, row.text(column))) return "";
+  return fmt::format("{} must be one of {}, not '{}'", column, effect_detail::list_of(words), shown(row.text(column)));
+}
 
 }  // namespace ninebit::tools
