@@ -34,14 +34,6 @@ TEST(StartUp, LoadsFewLibraries) {
   EXPECT_LE(std::count(libraries.begin(), libraries.end(), '\n'), 40) << libraries;
 }
 
-// It would take 3 ms whenever the library is loaded.
-TEST(StartUp, HighwayDoesNotMeasureItsClock) {
-  const std::string bindings =
-      output_of("LD_DEBUG=bindings '" + kProgram + "' -V 2>&1 >/dev/null | grep hwy8platform15TimerResolution");
-  if (bindings.empty()) GTEST_SKIP() << "this Highway has no clock to measure, or the loader does not say so";
-  EXPECT_NE(bindings.find(" to " + kProgram + ' '), std::string::npos) << bindings;
-}
-
 TEST(StartUp, ACopyRendersAlone) {
   const TempFolder folder;
   const std::string copy = folder / "copy";

@@ -36,7 +36,7 @@ std::string shipped_names() {
 
 }  // namespace
 
-void Request::allow(std::initializer_list<std::string_view> keys) {
+void Request::allow(const std::vector<std::string_view>& keys) {
   for (const json::Value& child : root_.children) {
     if (child.key == "do" || std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
     std::string message = "unknown key " + json::in_quotes(child.key) + "; the keys here are do";

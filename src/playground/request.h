@@ -1,7 +1,6 @@
 // A request to the playground's engine.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +29,7 @@ class Request {
       : text_(text), root_(root), faults_(faults), reader_(text, faults) {}
 
   // Reports keys other than these and "do".
-  void allow(std::initializer_list<std::string_view> keys);
+  void allow(const std::vector<std::string_view>& keys);
   [[nodiscard]] bool failed() const { return !faults_.empty(); }
   [[nodiscard]] Reply refused() { return refusals(faults_.take(), text_); }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <utility>
 
 #include "ninebit/effect/generated_meshes.h"
 #include "ninebit/frame/pictures.h"
+#include "ninebit/frame/technique_settings.h"
 #include "ninebit/shadow/index_cube.h"
 #include "src/playground/drawing.h"
 
@@ -49,6 +49,40 @@ void read_shadow_camera(Request& request, SceneSetup& setup) {
   }
 }
 
+// The settings of techniques that the page may ask for, with their keys.
+std::vector<std::pair<std::string, const TechniqueSetting*>> page_settings() {
+  std::vector<std::pair<std::string, const TechniqueSetting*>> all;
+  for (const TechniqueSetting& setting : technique_settings()) {
+    if (setting.name == "index-scope" || setting.name == "section-size") continue;  // a browser cannot make sections
+    if (setting.group->readers == kAllTechniques || !is_read(setting, "index-cube", {})) continue;
+    const std::string key = setting.key();
+    all.emplace_back(key.starts_with("index_") ? key.substr(6) : key, &setting);
+  }
+  return all;
+}
+
+void read_setting(Request& request, const std::string& key, const TechniqueSetting& setting, RenderSettings& settings) {
+  const json::Value* const value = request.find(key);
+  if (value == nullptr) return;
+  std::optional<SettingValue> asked;
+  if (setting.kind == SettingKind::word) {
+    asked = setting.value_of(request.word(key));
+  } else {
+    const double most = setting.power_of_two ? kMaxShadowMap : setting.greatest;
+    if (setting.kind == SettingKind::whole) {
+      asked = SettingValue{
+          static_cast<double>(request.number(key, static_cast<int>(setting.least), static_cast<int>(most)))};
+    } else if (const auto number = request.real_of(*value, setting.least, most)) {
+      asked = SettingValue{*number};
+    }
+  }
+  if (request.failed()) return;
+  if (asked && setting.allows(*asked)) return setting.set(settings, *asked);
+  std::string expected(setting.expected);
+  for (const SettingWord& word : setting.words) expected += (expected.empty() ? "" : " or ") + std::string(word.word);
+  request.reader().fault(value->offset, key + " is not valid; expected " + expected);
+}
+
 AskedShadow asked_shadow(Request& request) {
   AskedShadow asked;
   asked.scene = request.word_or("scene", kRoomName);
@@ -56,17 +90,7 @@ AskedShadow asked_shadow(Request& request) {
   settings.width = 640;
   settings.height = 480;
   request.picture_size(settings.width, settings.height);
-  if (request.has("step")) settings.index.step = request.number("step", 1, kMaxIndexStep);
-  if (request.has("map_size")) settings.map_size = request.number("map_size", 1, kMaxShadowMap);
-  if (!request.failed() && !std::has_single_bit(static_cast<unsigned>(settings.map_size))) {
-    request.reader().fault(request.find("map_size")->offset, "map_size must be a power of two");
-  }
-  const std::string order = request.word_or("order", "file");
-  if (order == "neighbour") settings.index.order = IndexOrder::neighbour;
-  if (!request.failed() && order != "file" && order != "neighbour") {
-    request.reader().fault(request.find("order")->offset,
-                           json::in_quotes(order) + " is not an order; expected file or neighbour");
-  }
+  for (const auto& [key, setting] : page_settings()) read_setting(request, key, *setting, settings);
   settings.cartoon = request.flag_or("cartoon", false);
   settings.light_facing = request.flag_or("light_facing", false);
   read_shadow_camera(request, asked.setup);
@@ -115,8 +139,10 @@ Json view_of(const Scene& scene) {
 }  // namespace
 
 std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, ShadowRequest& out) {
-  request.allow(
-      {"scene", "step", "map_size", "profile", "order", "camera", "light", "size", "cartoon", "light_facing"});
+  const auto settings = page_settings();
+  std::vector<std::string_view> keys{"scene", "profile", "camera", "light", "size", "cartoon", "light_facing"};
+  for (const auto& [key, setting] : settings) keys.push_back(key);
+  request.allow(keys);
   AskedShadow asked = asked_shadow(request);
   out.profile = request.profile("profile");
   if (request.failed()) return request.refused();

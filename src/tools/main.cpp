@@ -1,5 +1,4 @@
 // The ninebit program. Each verb is a file of its own; verbs.cpp dispatches to them.
-#include <cstdint>
 #include <new>
 
 #include "src/system/memory.h"
@@ -7,16 +6,6 @@
 #include "src/tools/common/fault_answer.h"
 #include "src/tools/input/program.h"
 #include "src/tools/verbs.h"
-
-// When libhwy is loaded, it measures the clock of its benchmarks for 3 ms, half of a short run, by this function. Its
-// own is replaced by the program's, because no benchmark of Highway runs here. Where Highway is linked otherwise, or
-// lacks the function, nothing calls this one.
-namespace hwy::platform {
-std::uint64_t TimerResolution();
-std::uint64_t TimerResolution() {
-  return 1;
-}
-}  // namespace hwy::platform
 
 int main(int argc, char** argv) {
   using namespace ninebit::tools;

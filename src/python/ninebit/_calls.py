@@ -11,8 +11,7 @@ from contextlib import ExitStack
 import numpy as np
 
 from . import _verbs
-from ._combiner import Error, nearest_name
-from ._programs import Program, State
+from ._combiner import Error, Program, State, nearest_name  # the bases of ninebit.Program and ninebit.State
 
 _verbs.set_file(_verbs.__file__)
 
@@ -163,6 +162,11 @@ class _Call:
             answer = answer.replace(json.dumps(file)[1:-1], name)
             found["texts"] = {key: text.replace(file, name) for key, text in found["texts"].items()}
         return json.loads(answer) if answer else {}, found["texts"], found["arrays"]
+
+
+def page_of(verb, state, **options):
+    """The page that a verb makes of a state."""
+    return run_verb(verb, [("program", state, True)], options, None)[1].get("page")
 
 
 def run_verb(verb, positional, options, progress):

@@ -128,8 +128,9 @@ class Program(_combiner.Program):
         return f"<ninebit.Program of {stages} general combiner{'' if stages == 1 else 's'}, {self.profile}>"
 
     def _repr_html_(self):
-        from ._questions import explain
-        return explain(self.state)._repr_html_()
+        from ._calls import page_of  # loads many libraries
+        from ._results import framed
+        return framed(page_of(("explain",), self.state))
 
     def __reduce__(self):
         return Program, (self.state,)
@@ -147,7 +148,7 @@ class Trace(dict):
 
     def _repr_html_(self):
         if self._page is None and self._state is not None:
-            from ._pictures import trace
-            self._page = trace(self._state, set=self._codes)._page
+            from ._calls import page_of  # loads many libraries
+            self._page = page_of(("trace",), self._state, set=self._codes)
         from ._results import framed
         return framed(self._page)
