@@ -1,6 +1,4 @@
 // A heat map's values as a page holds them come back bit for bit.
-#include "src/study/report/map_values.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "combiner_tests/support/random.h"
+#include "src/study/report/page_data.h"
 
 namespace {
 

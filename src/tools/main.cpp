@@ -3,7 +3,7 @@
 
 #include "src/system/memory.h"
 #include "src/system/process.h"
-#include "src/tools/common/fault_answer.h"
+#include "src/tools/common/usage.h"
 #include "src/tools/input/program.h"
 #include "src/tools/verbs.h"
 

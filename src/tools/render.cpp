@@ -15,7 +15,6 @@
 #include "src/tools/input/host.h"
 #include "src/tools/render/render_answer.h"
 #include "src/tools/render/render_files.h"
-#include "src/tools/render/turntable.h"
 
 namespace ninebit::tools {
 namespace {

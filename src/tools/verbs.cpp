@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "src/tools/common/build_facts.h"
-#include "src/tools/common/fault_answer.h"
 #include "src/tools/common/usage.h"
 #include "src/tools/input/fault_log.h"
 #include "src/tools/input/program.h"

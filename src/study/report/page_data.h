@@ -1,6 +1,7 @@
 // The data for the page's script: plots and heat maps as JSON.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "ninebit/study/report.h"
@@ -11,5 +12,15 @@ namespace ninebit {
 // <script> element. Points that a plot cannot show are left out. Reports a heat map whose size does not match its
 // number of values.
 [[nodiscard]] Result<std::string> page_data(const StudyReport& report);
+
+// A heat map's values as a page holds them: as few bytes as they can be restored from, bit for bit.
+
+// Adds to `out`, the map's JSON object:
+//  "by"      "product" or "sum" if the value depends on x · y or x + y alone, for whole coordinates of evenly spaced
+//            columns and rows; the list then has one value for each product or sum that occurs, ascending
+//  "known"   the different values, if there are at most 65,536 and numbering them saves bytes; NaN is null
+//  "values"  the list in base64: numbers of "known" values, of one byte if there are at most 256, else of two, or
+//            floats; little-endian
+void put_map_values(const HeatMap& map, nlohmann::ordered_json& out);
 
 }  // namespace ninebit

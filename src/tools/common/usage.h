@@ -1,4 +1,4 @@
-// The message after wrong usage.
+// What the program prints after wrong usage, and its answer of faults.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,5 +8,12 @@ namespace ninebit::tools {
 
 // One sentence: what is wrong with the arguments, what was expected or possibly meant, and the help to read.
 [[nodiscard]] std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
+
+// The answer of --json to a command that failed.
+
+// If the command line has --json and nothing was answered, prints the errors to stdout as one object:
+// {"command", "version", "exit_code", "error": {"message", "file"?, "line"?, "column"?}, "errors": […]}.
+// `error` is the first of `errors`. Does nothing after exit code 0.
+void answer_with_faults(int argc, char** argv, int exit_code);
 
 }  // namespace ninebit::tools

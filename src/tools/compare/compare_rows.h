@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ninebit/shadow/ground_truth.h"
@@ -47,5 +48,18 @@ struct Comparison {
 
 // The object of --json and report.json.
 [[nodiscard]] Json compare_json(const CompareFlags& flags, const Comparison& comparison);
+
+// The page of `ninebit compare`: one file without network or other files.
+
+// The HTML text. Names of files and settings are data of its script, which shows them as text.
+[[nodiscard]] std::string compare_page(const CompareFlags& flags, const Comparison& comparison);
+
+// The texts that the page of `compare` contains, embedded in the program at build time.
+
+extern const std::string_view kPictureSwipe;   // src/page/web/picture_swipe.js
+extern const std::string_view kSortableTable;  // src/page/web/sortable_table.js
+extern const std::string_view kWrongPixels;    // src/page/web/wrong_pixels.js
+extern const std::string_view kCompareScript;  // compare.js beside this file
+extern const std::string_view kCompareStyle;   // compare.css beside this file
 
 }  // namespace ninebit::tools
