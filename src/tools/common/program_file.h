@@ -19,6 +19,38 @@
 
 namespace ninebit::tools {
 
+// The flags of verbs that read a program.
+struct ProgramFlags {
+  std::string file{};                    // "-": stdin; LOG#N: a set-up of a log; SOURCE#N: a program of a function
+  std::string from{};                    // a form, as --from names it; empty: detected
+  std::string chip{};                    // of register words: "nv10" or "nv20"; empty: from the profile
+  std::vector<std::string> functions{};  // of a source
+  std::vector<std::string> defines{};    // of a source or a pixel shader: NAME=VALUE
+  bool writes_words = false;             // the verb writes register words, for --chip
+};
+
+// Adds the argument PROGRAM to a verb.
+void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags);
+// Adds --define, whose values are NAME=VALUE.
+void add_define_flag(CLI::App& verb, std::vector<std::string>& defines);
+// Adds PROGRAM, --from, --chip, --function and --define to a verb.
+void add_program_flags(CLI::App& verb, ProgramFlags& flags);
+
+// The chip whose register words are read.
+[[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
+
+// The values of --function and --define.
+[[nodiscard]] SourceSelection selection_of(const ProgramFlags& flags);
+
+// A name of a program as it is given: the file and, of LOG#N, the set-up N of the log of register writes in it.
+struct SetupName {
+  std::string file;                    // "-": standard input
+  std::optional<std::size_t> setup{};  // the number behind #, which may be 0; empty: there is none
+};
+
+// Takes "#N" from the end of a name, unless there is a file of the whole name.
+[[nodiscard]] SetupName setup_name(const std::string& name);
+
 // A file whose form is known, before it is parsed.
 struct ProgramSource {
   std::string name;  // for messages
@@ -84,40 +116,5 @@ void say_assumed_constants(const std::string& file, const Program& program, cons
 // Prints every fault as "ninebit: error: FILE:LINE:COLUMN: MESSAGE", then the line of `text`, which has the faults,
 // with a mark under the place, as compilers do. Without the text, only the first line. Returns kInvalidInput.
 [[nodiscard]] int report(const std::vector<TextFault>& faults, std::string_view text = {});
-
-// LOG#N: the set-up N of the log of register writes in the file LOG.
-
-// A name of a program as it is given: the file, and the set-up in it.
-struct SetupName {
-  std::string file;                    // "-": standard input
-  std::optional<std::size_t> setup{};  // the number behind #, which may be 0; empty: there is none
-};
-
-// Takes "#N" from the end of a name, unless there is a file of the whole name.
-[[nodiscard]] SetupName setup_name(const std::string& name);
-
-// The flags of verbs that read a program.
-
-struct ProgramFlags {
-  std::string file{};                    // "-": stdin; LOG#N: a set-up of a log; SOURCE#N: a program of a function
-  std::string from{};                    // a form, as --from names it; empty: detected
-  std::string chip{};                    // of register words: "nv10" or "nv20"; empty: from the profile
-  std::vector<std::string> functions{};  // of a source
-  std::vector<std::string> defines{};    // of a source or a pixel shader: NAME=VALUE
-  bool writes_words = false;             // the verb writes register words, for --chip
-};
-
-// Adds the argument PROGRAM to a verb.
-void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags& flags);
-// Adds --define, whose values are NAME=VALUE.
-void add_define_flag(CLI::App& verb, std::vector<std::string>& defines);
-// Adds PROGRAM, --from, --chip, --function and --define to a verb.
-void add_program_flags(CLI::App& verb, ProgramFlags& flags);
-
-// The chip whose register words are read.
-[[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
-
-// The values of --function and --define.
-[[nodiscard]] SourceSelection selection_of(const ProgramFlags& flags);
 
 }  // namespace ninebit::tools

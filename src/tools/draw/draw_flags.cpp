@@ -332,7 +332,8 @@ Result<Blend> parse_blend(std::string_view text) {
   if (!source || !destination || !equation || words.size() > 3) {
     return Diagnostic{.message = fmt::format("'{}' is not a blend; expected SOURCE,DESTINATION[,EQUATION] with the "
                                              "factors {}, and the equation {}",
-                                             text, list_of(kBlendFactors), list_of(kBlendEquations))};
+                                             text, effect_detail::list_of(kBlendFactors),
+                                             effect_detail::list_of(kBlendEquations))};
   }
   blend.source = *source;
   blend.destination = *destination;
@@ -348,7 +349,7 @@ Result<AlphaTest> parse_alpha_test(std::string_view text) {
   if (!function || !reference || reference->at(0) < 0 || reference->at(0) > 255) {
     return Diagnostic{.message = fmt::format("'{}' is not an alpha test; expected FUNCTION,REFERENCE with {}, and a "
                                              "reference from 0 to 255",
-                                             text, list_of(kCompareFunctions))};
+                                             text, effect_detail::list_of(kCompareFunctions))};
   }
   return AlphaTest{true, *function, static_cast<std::uint8_t>(reference->at(0))};
 }
