@@ -21,6 +21,7 @@
 #include "ninebit/effect/generated_textures.h"
 #include "ninebit/frame/depth_packing.h"
 #include "ninebit/frame/pictures.h"
+#include "ninebit/frame/technique_settings.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
 #include "ninebit/image/texture_io.h"

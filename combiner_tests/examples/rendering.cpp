@@ -1,0 +1,10 @@
+#include <gtest/gtest.h>
+#include <ninebit/frame/rendering.h>
+
+TEST(Examples, Rendering) {
+  using namespace ninebit;
+  ProbedPass pass{.name = "lit", .program = {}, .fragments = {}};
+  EXPECT_EQ(deciding_fragment(pass), nullptr);
+  pass.fragments.push_back(ProbedFragment{.fate = FragmentFate::written});
+  EXPECT_EQ(deciding_fragment(pass), &pass.fragments[0]);
+}
