@@ -5,6 +5,6 @@ TEST(Examples, Rendering) {
   using namespace ninebit;
   ProbedPass pass{.name = "lit", .program = {}, .fragments = {}};
   EXPECT_EQ(deciding_fragment(pass), nullptr);
-  pass.fragments.push_back(ProbedFragment{.fate = FragmentFate::written});
+  pass.fragments.emplace_back();  // was written
   EXPECT_EQ(deciding_fragment(pass), &pass.fragments[0]);
 }
