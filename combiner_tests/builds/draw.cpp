@@ -13,7 +13,7 @@
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/technique.h"
 #include "src/image/texture/texture_file.h"
-#include "src/tools/common/rendering_answer.h"
+#include "src/tools/common/picture_hashes.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "ninebit/shadow/technique.h"
 #include "src/image/texture/picture_loader.h"
 #include "src/system/parallel/parallel_loop.h"
-#include "src/tools/common/rendering_answer.h"
+#include "src/tools/common/picture_hashes.h"
 
 namespace ninebit::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "src/shadow/ground_truth/cause_plane.h"
 #include "src/system/hashing/base64.h"
 #include "src/tools/common/given_pictures.h"
-#include "src/tools/common/rendering_answer.h"
+#include "src/tools/common/picture_hashes.h"
 
 namespace ninebit::tools {
 

@@ -6,7 +6,8 @@
 #include <variant>
 
 #include "src/system/number_list.h"
-#include "src/tools/common/rendering_answer.h"
+#include "src/tools/common/index_order.h"
+#include "src/tools/common/picture_hashes.h"
 #include "src/tools/common/technique_flags.h"
 #include "src/tools/input/printable.h"
 

@@ -13,7 +13,7 @@
 #include "ninebit/shadow/picture_files.h"
 #include "src/system/stream.h"
 #include "src/tools/common/given_pictures.h"
-#include "src/tools/common/rendering_answer.h"
+#include "src/tools/common/picture_hashes.h"
 
 namespace ninebit::tools {
 

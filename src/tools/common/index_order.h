@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "ninebit/shadow/technique.h"
 #include "src/tools/input/program.h"
@@ -19,10 +17,5 @@ void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport
 
 // Adds `order` to the object and, for IndexOrder::neighbour, the counts of the report.
 void add_order(Json& index, const IndexOrderReport& report);
-
-// Hashes of the drawn planes, to compare two renderings to the bit.
-
-// SHA-256 by name: color, stencil, index_map if there is one, then the maps in the order of their names.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> picture_hashes(const Rendering& rendering);
 
 }  // namespace ninebit::tools
