@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -147,18 +146,18 @@ TEST(DrawnPasses, HaveAllThatAreProbed) {
   }
 }
 
-// A file that calls the rasterizer notes its passes. The evidence of ground truth is not part of the picture, and the
-// reflective map is noted by its caller.
+// A file that calls the rasterizer notes its passes. The evidence of ground truth is not part of the picture.
 TEST(DrawnPasses, AreNotedWhereTheRasterizerIsCalled) {
-  const std::set<std::string> others{"map_evidence.cpp", "reflective_map.cpp"};
   int files = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(NINEBIT_SOURCE_DIR "/src/shadow")) {
-    if (entry.path().extension() != ".cpp" || others.contains(entry.path().filename())) continue;
-    std::ifstream in(entry.path());
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    if (text.find(" rasterize(") == std::string::npos) continue;
-    ++files;
-    EXPECT_NE(text.find("note_pass("), std::string::npos) << entry.path();
+  for (const char* folder : {"/src/frame", "/src/shadow"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(NINEBIT_SOURCE_DIR) + folder)) {
+      if (entry.path().extension() != ".cpp" || entry.path().filename() == "map_evidence.cpp") continue;
+      std::ifstream in(entry.path());
+      const std::string text(std::istreambuf_iterator<char>(in), {});
+      if (text.find(" rasterize(") == std::string::npos) continue;
+      ++files;
+      EXPECT_NE(text.find("note_pass("), std::string::npos) << entry.path();
+    }
   }
   EXPECT_GE(files, 6);
 }
