@@ -12,7 +12,6 @@
 #include "src/language/gl_calls/gl_calls_lexer.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/gl_calls/gl_calls_spelling.h"
-#include "src/language/source/assembled_shader.h"
 #include "src/language/source/foreign_language.h"
 
 namespace ninebit {
@@ -223,10 +222,6 @@ Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwarePro
   if (detail::too_long(source, faults)) return faults.take();
   Parsed<CombinerState> parsed = Parser(source, profile).parse();
   if (parsed) return parsed;
-  if (const auto shader = assembled_shader_in(source.text)) {
-    faults.add(shader->offset, shader->message);
-    return faults.take();
-  }
   std::string_view language = foreign_language(source.text);
   const bool names_combiners = source.text.find("ombiner") != std::string_view::npos;
   if (language.empty() && !names_combiners) language = foreign_calls(source.text);

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "src/language/pixel_shader/shader_translate.h"
+#include "src/language/pixel_shader/shader_stage.h"
 
 namespace ninebit::detail {
 namespace {

@@ -33,6 +33,9 @@ class ShaderCursor {
   std::size_t at_ = 0;
 };
 
+// The number of registers of a file.
+[[nodiscard]] int registers_of(ShaderFile file, const ShaderVersion& version);
+
 // Reads operands of one version; functions that return nothing have reported a fault.
 class ShaderOperandReader {
  public:
@@ -61,6 +64,8 @@ class ShaderOperandReader {
   bool name_register(Register& out, const std::string& name);
   bool check_index(Register& out);
   bool read_suffix(Register& out);
+  // A number that Cxbx prints where the words have zero, one or a half.
+  std::optional<ShaderOperand> printed_number(ShaderOperand out);
   bool apply_modifiers(ShaderOperand& out, const Register& from);
   bool apply_selector(ShaderOperand& out, const Register& from);
 

@@ -1,10 +1,9 @@
-#include "src/language/pixel_shader/shader_translate.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/pixel_shader/shader_stages.h"
 
 namespace ninebit::detail {

@@ -57,6 +57,9 @@ struct FoundSlot {
 };
 [[nodiscard]] FoundSlot find_slot(std::string_view name, ChipClass chip);
 
+// Whether a text begins like a struct that gdb printed: "$1 = {", or "{combiner_control = " of xemu's PshState.
+[[nodiscard]] bool is_printed_struct(std::string_view text);
+
 // "0x0badcafe".
 [[nodiscard]] std::string hex_text(std::uint32_t value, int digits = 8);
 

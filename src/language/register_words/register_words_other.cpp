@@ -23,6 +23,10 @@ constexpr OtherAlias kOtherAliases[] = {
     {"tex_shader_dotmapping", "PSDotMapping"},
     {"shader_other_stage_input", "PSInputTexture"},
     {"tex_shader_previous", "PSInputTexture"},
+    {"shaderclipmode", "PSCompareMode"},
+    {"shaderprog", "PSTextureModes"},
+    {"shaderctl", "PSInputTexture"},
+    {"other_stage_input", "PSInputTexture"},
 };
 
 }  // namespace
@@ -48,7 +52,12 @@ bool OtherWords::take(const RegisterWord& word, ChipClass chip, TextFaults& faul
   } else if (before != found.end()) {
     faults.add(word.place, before->name + " was given before, in line " + std::to_string(before->place.line));
   } else {
-    found.push_back({std::string(name), word.value, word.place});
+    const std::string bare = bare_name(word.name);
+    // SHADERCTL holds two words; xemu's PshState has it as other_stage_input.
+    const bool holds_two = bare == "shaderctl" || bare == "other_stage_input";
+    constexpr std::uint32_t kDotMapping = 0xfff;
+    found.push_back({std::string(name), holds_two ? word.value & ~kDotMapping : word.value, word.place});
+    if (holds_two) found.push_back({"PSDotMapping", word.value & kDotMapping, word.place});
   }
   return true;
 }

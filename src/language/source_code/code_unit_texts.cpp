@@ -1,5 +1,5 @@
 // Programs in string literals.
-#include "src/language/pixel_shader/shader_literal.h"
+#include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_units.h"
 

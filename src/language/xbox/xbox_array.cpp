@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "src/language/source/assembled_shader.h"
 #include "src/language/xbox/xbox_dump.h"
 #include "src/language/xbox/xbox_expression.h"
 #include "src/language/xbox/xbox_numbers.h"
@@ -176,17 +175,13 @@ bool is_definition_array(std::string_view text) {
   const std::optional<ArrayHead> head = take_head(lexer);
   if (!head || head->of_opengl) return false;
   const std::optional<std::size_t> count = count_elements(lexer);
-  if (!count || assembled_shader_in(text)) return false;
+  if (!count) return false;
   if (head->bytes > 0) return *count * head->bytes == kXboxDefinitionBytes;
   return *count == kXboxDefinitionBytes || (*count == kXboxDefinitionWords && head->names > 0);
 }
 
 Definition read_array(std::string_view text, TextFaults& faults) {
   Definition definition;
-  if (const auto shader = assembled_shader_in(text)) {
-    faults.add(place_of(text, shader->offset), shader->message);
-    return definition;
-  }
   Lexer lexer(text);
   const ArrayHead head = take_head(lexer).value_or(ArrayHead{});
   const std::vector<Element> elements = take_elements(lexer, faults);

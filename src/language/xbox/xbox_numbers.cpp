@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <charconv>
 
-#include "src/language/source/assembled_shader.h"
 #include "src/language/source/source_faults.h"
 #include "src/language/xbox/xbox_dump_line.h"
 
 namespace ninebit::xbox {
 namespace {
+
+// A D3DPIXELSHADERDEF_FILE of the Xbox's development kit begins with it.
+constexpr std::string_view kFileMagic = "PSB0";
 
 std::uint32_t value_of(std::string_view digits) {
   std::uint32_t value = 0;
@@ -63,8 +65,21 @@ bool is_binary(std::string_view bytes) {
   return bytes.find('\0') != std::string_view::npos;
 }
 
+bool is_definition_file(std::string_view bytes) {
+  return bytes.starts_with(kFileMagic);
+}
+
 Definition read_bytes(std::string_view bytes, TextFaults& faults) {
   Definition definition;
+  if (is_definition_file(bytes)) {
+    const std::size_t expected = kFileMagic.size() + kXboxDefinitionBytes;
+    if (bytes.size() != expected) {
+      faults.add({}, "a file 'PSB0' of " + std::to_string(bytes.size()) + " bytes; expected " +
+                         std::to_string(expected) + ", the magic and one D3DPIXELSHADERDEF");
+      return definition;
+    }
+    bytes.remove_prefix(kFileMagic.size());
+  }
   if (bytes.size() != kXboxDefinitionBytes) {
     const bool several = !bytes.empty() && bytes.size() % kXboxDefinitionBytes == 0;
     faults.add({}, std::to_string(bytes.size()) + " bytes" +
@@ -105,11 +120,7 @@ Definition read_number_list(std::string_view text, TextFaults& faults) {
       definition.words[bytes / 4] |= value_of(number.digits.substr(at, step)) << (8 * (bytes % 4));
     }
   }
-  const std::string shader = assembled_shader(definition.words[0]);
-  if (complete && !shader.empty()) {
-    (void)faults.take();  // of numbers that are not alike
-    faults.add(definition.places[0].value_or(TextPlace{}), shader);
-  } else if (complete && style.unit == 4) {
+  if (complete && style.unit == 4) {
     check_count(bytes / 4, "words of 32 bits", kXboxDefinitionWords, last, faults);
   } else if (complete) {
     check_count(bytes, "bytes", kXboxDefinitionBytes, last, faults);

@@ -10,7 +10,9 @@ namespace ninebit::xbox {
 
 // Whether bytes are not text: one of them is 0.
 [[nodiscard]] bool is_binary(std::string_view bytes);
-// The words of 240 bytes, little endian; another size is a fault.
+// Whether bytes are a file with the magic "PSB0" before the definition, or one that is damaged.
+[[nodiscard]] bool is_definition_file(std::string_view bytes);
+// The words of 240 bytes, little endian, after "PSB0" or without it; another size is a fault.
 [[nodiscard]] Definition read_bytes(std::string_view bytes, TextFaults& faults);
 
 // Reads a text for which is_number_list() is true. Numbers have eight digits, or any number of them after 0x; or two,

@@ -28,7 +28,7 @@ void add_define_flag(CLI::App& verb, std::vector<std::string>& defines) {
 void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
   add_program_argument(verb, "program", flags);
   verb.add_option("--from", flags.from, "Form of the program (default: detected from the content)")
-      ->check(CLI::IsMember({"gl", "source", "rc10", "ps", "words", "json", "xbox", "log"}));
+      ->check(CLI::IsMember(read_form_names()));
   verb.add_option("--function", flags.functions, "Function of a source file to execute; several run in this order")
       ->type_name("NAME")
       ->delimiter(',')
