@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "src/language/source/source_blanks.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::code {

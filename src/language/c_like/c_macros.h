@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/language/c_like/c_token.h"
+#include "src/language/c_like/c_lexer.h"
 
 namespace ninebit::code {
 

@@ -9,7 +9,7 @@
 
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/foreign_language.h"
-#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
 #include "src/language/source/string_literals.h"
 
 namespace ninebit {

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {
 namespace {
 
-char lower(char c) {
+char lower_letter(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 bool begins_with(std::string_view text, std::string_view lower_word) {
-  return text.size() >= lower_word.size() &&
-         std::equal(lower_word.begin(), lower_word.end(), text.begin(), [](char a, char b) { return a == lower(b); });
+  return text.size() >= lower_word.size() && std::equal(lower_word.begin(), lower_word.end(), text.begin(),
+                                                        [](char a, char b) { return a == lower_letter(b); });
 }
 
 bool is_name_letter(char c) {
@@ -98,7 +98,7 @@ class ShaderLexer {
     std::size_t length = 0;
     while (length < rest.size()) {
       const char c = rest[length];
-      const bool sign = (c == '+' || c == '-') && lower(rest[length - 1]) == 'e' && length + 1 < rest.size() &&
+      const bool sign = (c == '+' || c == '-') && lower_letter(rest[length - 1]) == 'e' && length + 1 < rest.size() &&
                         is_digit(rest[length + 1]);
       if (!is_word(c) && c != '.' && !(length > 0 && sign)) break;
       ++length;
@@ -121,7 +121,7 @@ class ShaderLexer {
 
 std::string lower_case(std::string_view text) {
   std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), lower);
+  std::transform(out.begin(), out.end(), out.begin(), lower_letter);
   return out;
 }
 

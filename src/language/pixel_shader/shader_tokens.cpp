@@ -15,7 +15,7 @@
 #include "src/language/pixel_shader/shader_lexer.h"
 #include "src/language/pixel_shader/shader_operands.h"
 #include "src/language/pixel_shader/shader_parser.h"
-#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {
 namespace {
@@ -166,10 +166,10 @@ std::vector<PlacedToken> tokens_in(std::string_view text, std::size_t most) {
 }
 
 std::string_view register_name(ShaderFile file, int index) {
-  constexpr std::string_view kNames =
+  constexpr std::string_view kTokenRegisters =
       "r0r1r2r3r4r5r6r7r8r9v0v1v2v3v4v5v6v7v8v9c0c1c2c3c4c5c6c7c8c9t0t1t2t3t4t5t6t7t8t9";
   const auto row = static_cast<std::size_t>(std::find(kFiles.begin(), kFiles.end(), file) - kFiles.begin());
-  return kNames.substr(20 * row + 2 * static_cast<std::size_t>(index), 2);
+  return kTokenRegisters.substr(20 * row + 2 * static_cast<std::size_t>(index), 2);
 }
 
 class TokenReader {

@@ -6,9 +6,7 @@
 
 #include "src/language/c_like/c_lexer.h"
 #include "src/language/c_like/c_number.h"
-#include "src/language/register_words/register_words_faults.h"
 #include "src/language/register_words/register_words_layout.h"
-#include "src/language/register_words/register_words_other.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit {

@@ -6,7 +6,7 @@
 
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
-#include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"

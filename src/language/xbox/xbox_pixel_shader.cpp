@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "src/language/register_words/register_words_faults.h"
-#include "src/language/xbox/xbox_array.h"
+#include "src/language/source/source_faults.h"
 #include "src/language/xbox/xbox_dump.h"
 #include "src/language/xbox/xbox_fields.h"
 #include "src/language/xbox/xbox_lexer.h"
