@@ -26,6 +26,9 @@ struct Token {
   [[nodiscard]] bool is_name() const { return kind == Kind::name; }
 };
 
+// How closely a binary operator of C binds, from 1 for ||; 0: the token is not one.
+[[nodiscard]] int precedence(const Token& token);
+
 class Lexer {
  public:
   explicit Lexer(std::string_view text) : text_(text) {}

@@ -146,7 +146,7 @@ Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, con
     faults.add(shader_begin(source.text), cannot_run(language));
     return faults.take();
   }
-  const auto tokens = detail::preprocess_shader(detail::lex_shader(source.text, faults), definitions, faults, notes);
+  const auto tokens = detail::preprocess_shader(source.text, definitions, faults, notes);
   used.insert(tokens.used.begin(), tokens.used.end());
   if (!tokens.is_whole) return {faults.take(), notes.take()};
   const ShaderText text = detail::parse_shader(tokens, faults, notes);

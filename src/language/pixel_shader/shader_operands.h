@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "src/language/pixel_shader/shader_instruction.h"
-#include "src/language/pixel_shader/shader_lexer.h"
+#include "src/language/pixel_shader/shader_macros.h"
 
 namespace ninebit::detail {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ninebit/language/pixel_shader.h"
-#include "src/language/pixel_shader/shader_lexer.h"
+#include "src/language/pixel_shader/shader_macros.h"
 #include "src/language/pixel_shader/shader_operands.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/source_faults.h"
@@ -395,7 +395,7 @@ Result<std::string> print_shader_tokens(const CombinerState& state, const Hardwa
   const auto assembly = print_pixel_shader(state, profile);
   if (!assembly) return assembly.error();
   detail::SourceFaults none({*assembly, {}});
-  const auto tokens = detail::preprocess_shader(detail::lex_shader(*assembly, none), {}, none, none);
+  const auto tokens = detail::preprocess_shader(*assembly, {}, none, none);
   const detail::ShaderText shader = detail::parse_shader(tokens, none, none);
   std::string text = "static const DWORD shader[] = {\n";
   detail::add_line(text, {0xffff'0101});

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <string>
 
+#include "src/language/c_like/c_lexer.h"
+#include "src/language/c_like/c_number.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/source/nearest_name.h"
 
@@ -174,17 +176,10 @@ namespace {
 constexpr int kDeepest = 32;  // brackets in brackets
 constexpr std::int64_t kBeyondWords = std::int64_t{1} << 32;
 
-struct Operator {
-  std::string_view mark;
-  int rank;  // a higher one binds closer
-};
-constexpr Operator kOperators[] = {{"|", 1}, {"^", 2}, {"&", 3}, {"<<", 4}, {">>", 4}, {"+", 5}, {"-", 5}};
-
 int rank_of(const Token& token) {
-  if (token.kind != TokenKind::mark) return 0;
-  const auto found = std::find_if(std::begin(kOperators), std::end(kOperators),
-                                  [&](const Operator& one) { return one.mark == token.text; });
-  return found == std::end(kOperators) ? 0 : found->rank;
+  return code::precedence(
+      {.kind = token.kind == TokenKind::mark ? code::Token::Kind::punctuation : code::Token::Kind::end,
+       .text = token.text});
 }
 
 bool is_type(const Token& token) {
@@ -258,24 +253,19 @@ Expressions::Value Expressions::binary(int lowest, int depth) {
 }
 
 Expressions::Value Expressions::apply(const Token& mark, std::int64_t left, std::int64_t right) {
-  if (mark.is("|")) return left | right;
-  if (mark.is("^")) return left ^ right;
-  if (mark.is("&")) return left & right;
-  if (mark.is("<<") || mark.is(">>")) {
-    if (right < 0 || right > 31) {
-      faults_.add(mark.place, "a shift by " + std::to_string(right) + " bits is out of range; expected 0 to 31");
-      return 0;
-    }
-    if (mark.is(">>")) return left >> right;
-    // Bits that a shift moves out of the word are gone, as in C.
-    return static_cast<std::int64_t>(static_cast<std::uint32_t>(left) << right);
-  }
-  const std::int64_t value = mark.is("+") ? left + right : left - right;
-  if (value >= kBeyondWords || value <= -kBeyondWords) {
-    faults_.add(mark.place, "the value does not fit in 32 bits");
+  const bool shifts = mark.is("<<") || mark.is(">>");
+  if (shifts && (right < 0 || right > 31)) {
+    faults_.add(mark.place, "a shift by " + std::to_string(right) + " bits is out of range; expected 0 to 31");
     return 0;
   }
-  return value;
+  // Bits that a shift to the left moves out of the word are gone, as in C.
+  const bool cuts = mark.is("<<");
+  const auto value = code::calculate(
+      mark.text, code::int_number(cuts ? static_cast<std::uint32_t>(left) : left, cuts ? code::kUint32 : code::kInt64),
+      code::int_number(right, code::kInt64));
+  if (value && value->integer < kBeyondWords && value->integer > -kBeyondWords) return value->integer;
+  faults_.add(mark.place, value ? "the value does not fit in 32 bits" : shown(mark) + " gives no value here");
+  return 0;
 }
 
 Expressions::Value Expressions::unary(int depth) {
