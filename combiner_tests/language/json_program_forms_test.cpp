@@ -141,6 +141,9 @@ TEST(ProgramForms, AssembledShadersAreRead) {
       {"ffff0101 00000033 0000ffff", "the token 0x00000033 is not an instruction of ps.1.1"},
       {"ffff0101 00000001 830f0000 90e40000 0000ffff", "they have _x2, _x4 and _d2"},
       {"ffff0101 00000001 800f0002 90e40000 0000ffff", "names a register that ps.1.1 does not have"},
+      {"ffff0101 00000001 800f0000 90e40000 0000ffff 00000000",
+       "the token 0x00000000 stands behind the end of the shader"},
+      {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff}; DWORD b[] = {1};", "expected one shader"},
       {"ffff0101 00000001 800f0000 901b0000 0000ffff", "reads components in an order that combiners do not have"},
       {"ffff0101 00000001 800f0000 80e40001 0000ffff", "'r1' is read before it is written"}};
   for (const auto& [text, words_of_fault] : refused) {

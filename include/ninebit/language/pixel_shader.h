@@ -37,8 +37,8 @@ namespace NINEBIT_PUBLIC ninebit {
 // some, too.
 [[nodiscard]] bool is_shader_tokens(std::string_view text);
 
-// Translates the tokens of an assembled ps.1.0 to ps.1.4, as parse_pixel_shader() translates its text. Text behind the
-// last token is not read. Other shaders are a fault that names them.
+// Translates the tokens of an assembled ps.1.0 to ps.1.4, as parse_pixel_shader() translates its text. Other
+// shaders are a fault that names them, and so is other text behind the last token.
 [[nodiscard]] Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile);
 
 // What print_pixel_shader() prints, assembled: a C array of words.

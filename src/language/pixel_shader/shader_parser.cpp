@@ -122,6 +122,7 @@ class ShaderParser {
   // Cxbx prints no mask before an instruction that writes alpha: the first of the pair writes only the colour, then.
   void leave_alpha_to(const ShaderInstruction& second) {
     if (out_.instructions.empty() || second.writes(false) || !second.writes(true)) return;
+    if (out_.instructions.back().op() < ShaderOp::xmma) return;
     for (ShaderTarget& target : out_.instructions.back().targets) {
       if (target.rgb) target.alpha = false;
     }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ninebit/language/pixel_shader.h"
+#include "src/language/c_like/c_lexer.h"
 #include "src/language/pixel_shader/shader_macros.h"
 #include "src/language/pixel_shader/shader_operands.h"
 #include "src/language/pixel_shader/shader_parser.h"
@@ -106,21 +107,22 @@ bool skip_array_head(std::string_view text, std::size_t& at) {
   return false;
 }
 
-// Takes a number and the comma behind it. Eight digits without 0x are hexadecimal.
-std::optional<PlacedToken> take_number(std::string_view text, std::size_t& at) {
+// Takes a number of C and the comma behind it; of a bare list, eight hexadecimal digits without 0x, too.
+std::optional<PlacedToken> take_number(std::string_view text, std::size_t& at, bool is_bare) {
   if (!next_at(text, at)) return std::nullopt;
   PlacedToken out{.offset = at};
   std::size_t end = at;
   while (end < text.size() && is_word(text[end])) ++end;
   std::string_view digits = text.substr(at, end - at);
   const bool prefixed = digits.starts_with("0x") || digits.starts_with("0X");
-  const bool bare = digits.size() == 8;
+  const bool hex = prefixed || (is_bare && digits.size() == 8);
   if (prefixed) digits.remove_prefix(2);
-  while (!bare && !digits.empty() && std::string_view("uUlL").find(digits.back()) != std::string_view::npos) {
+  while ((prefixed || !hex) && !digits.empty() &&
+         std::string_view("uUlL").find(digits.back()) != std::string_view::npos) {
     digits.remove_suffix(1);
   }
-  const auto [last, error] =
-      std::from_chars(digits.data(), digits.data() + digits.size(), out.value, prefixed || bare ? 16 : 10);
+  const int base = hex ? 16 : digits.size() > 1 && digits[0] == '0' ? 8 : 10;
+  const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), out.value, base);
   if (digits.empty() || error != std::errc() || last != digits.data() + digits.size()) return std::nullopt;
   at = end;
   if (next_at(text, at) && text[at] == ',') ++at;
@@ -144,18 +146,21 @@ std::vector<PlacedToken> bytes_of_file(std::string_view text) {
   return bytes;
 }
 
-// The tokens that a text begins with, at most `most`; empty: the first is not a version.
-std::vector<PlacedToken> tokens_in(std::string_view text, std::size_t most) {
+// The tokens that a text begins with, at most `most`; empty: the first is not a version. `end`: behind them.
+std::vector<PlacedToken> tokens_in(std::string_view text, std::size_t most, std::size_t& end) {
   std::vector<PlacedToken> words = words_of_bytes(bytes_of_file(text.substr(0, 4)));
   if (!words.empty() && is_version(words[0].value)) {
+    end = text.size();
     return words_of_bytes(bytes_of_file(text.substr(0, std::min(4 * most, text.size()))));
   }
   const std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  std::size_t at = begin;
-  if (!skip_array_head(text, at)) at = begin;
+  std::size_t& at = end;
+  at = begin;
+  const bool is_array = skip_array_head(text, at);
+  if (!is_array) at = begin;
   std::vector<PlacedToken> numbers;
   while (numbers.size() < 4 * most) {
-    const auto number = take_number(text, at);
+    const auto number = take_number(text, at, !is_array);
     if (!number) break;
     numbers.push_back(*number);
     if (numbers.size() == 1 && number->value > 0xff && !is_version(number->value)) return {};
@@ -189,7 +194,10 @@ class TokenReader {
     for (at_ = 1; at_ < tokens_.size(); ++at_) {
       const PlacedToken& token = tokens_[at_];
       const std::uint32_t code = token.value & 0xffff;
-      if (code == kEnd) return std::move(out_);
+      if (code == kEnd) {
+        if (at_ + 1 < tokens_.size()) fault(tokens_[at_ + 1], "stands behind the end of the shader");
+        return std::move(out_);
+      }
       if (code == kComment) {
         at_ += token.value >> 16 & 0x7fff;
       } else if (!instruction(token, code)) {
@@ -328,6 +336,16 @@ class TokenReader {
   ShaderText out_;
 };
 
+// Behind the tokens may stand declarations of single numbers, such as the length that xxd -i prints.
+void check_rest(std::string_view text, std::size_t end, SourceFaults& faults) {
+  code::Lexer lexer(text.substr(std::min(end, text.size())));
+  for (auto token = lexer.next(); token.kind != code::Token::Kind::end; token = lexer.next()) {
+    if (!token.is("[") && !token.is("{") && !token.is("(")) continue;
+    faults.add(end + token.offset, "more text stands behind the tokens; expected one shader and nothing else");
+    return;
+  }
+}
+
 std::uint32_t register_bits(ShaderFile file, int index) {
   const auto type = static_cast<std::uint32_t>(std::find(kFiles.begin(), kFiles.end(), file) - kFiles.begin());
   return kParameter | type << 28 | static_cast<std::uint32_t>(index);
@@ -374,19 +392,22 @@ namespace ninebit {
 
 bool is_shader_tokens(std::string_view text) {
   constexpr std::size_t kLookedAt = std::size_t{1} << 16;
-  return !detail::tokens_in(text.substr(0, kLookedAt), 1).empty();
+  std::size_t end = 0;
+  return !detail::tokens_in(text.substr(0, kLookedAt), 1, end).empty();
 }
 
 Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile) {
   constexpr std::size_t kMostTokens = std::size_t{1} << 16;
   detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return faults.take();
-  const auto tokens = detail::tokens_in(source.text, kMostTokens);
+  std::size_t end = 0;
+  const auto tokens = detail::tokens_in(source.text, kMostTokens, end);
   if (tokens.empty()) {
     faults.add(0, "expected the tokens of an assembled pixel shader, which begin with 0xffff0101");
     return faults.take();
   }
   const detail::ShaderText text = detail::TokenReader(tokens, faults).read();
+  if (faults.empty()) detail::check_rest(source.text, end, faults);
   if (!faults.empty()) return faults.take();
   return detail::program_of_shader(text, profile, faults, notes);
 }
