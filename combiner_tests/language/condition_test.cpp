@@ -1,6 +1,4 @@
 // The expressions of #if: C's operators, and what of an expression must be known.
-#include "src/language/source/condition.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -8,6 +6,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "src/language/c_like/c_condition.h"
 
 namespace ninebit::detail {
 namespace {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
@@ -27,6 +29,139 @@ TEST(ProgramForms, ADumpOfCallsIsReadAsCalls) {
   EXPECT_EQ(form_of("1235 glCombinerParameteriNV(pname = GL_NUM_GENERAL_COMBINERS_NV, param = 2)\n"
                     "1236 glEnable(cap = GL_REGISTER_COMBINERS_NV)\n"),
             ProgramForm::gl);
+}
+
+// The program of a text in its detected form.
+Parsed<TextProgram> read_as(ProgramForm form, std::string_view text) {
+  EXPECT_EQ(form_of(text), form) << text;
+  return parse_program({text, "f"}, form, kFormsProfile);
+}
+
+void expect_same(const Parsed<TextProgram>& found, const Parsed<TextProgram>& expected) {
+  ASSERT_TRUE(found) << all_faults(found);
+  ASSERT_TRUE(expected) << all_faults(expected);
+  EXPECT_EQ(found->state, expected->state);
+}
+
+TEST(ProgramForms, ABracketedPrefixBeforeEachLineIsIgnored) {
+  const std::string calls =
+      "glCombinerParameteriNV(pname=0x854e, param=1)\n"
+      "glCombinerInputNV(stage=0x8550, portion=0x1907, variable=0x8523, input=0x84c0, mapping=0x8536, "
+      "componentUsage=0x1907)\n";
+  const std::string shader =
+      "xps.1.1\nxmma t0,discard,discard, t0,c0,0.000000f,0.000000f ; d0=s0*s1\n"
+      "+xmma r0.a,discard,discard, v0.a,t0.a,0.000000f,0.000000f\n"
+      "xfc 0.000000f, 0.000000f, 0.000000f, t0, 0.000000f, 0.000000f, r0.a\n";
+  const auto prefixed = [](const std::string& prefix, std::string text) {
+    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
+      text.insert(at, prefix);
+    }
+    return text;
+  };
+  expect_same(read_as(ProgramForm::gl, prefixed("[NVRC] ", calls)), read_as(ProgramForm::gl, calls));
+  expect_same(read_as(ProgramForm::ps, prefixed("[0x27A0] ", shader)), read_as(ProgramForm::ps, shader));
+  const auto faulty = read_as(ProgramForm::gl, "[12] glEnable(0x8522);\n\n[13] glBar();\n");
+  ASSERT_EQ(faulty.faults().size(), 1U) << all_faults(faulty);
+  EXPECT_EQ(faulty.faults()[0].line, 3);
+  EXPECT_EQ(faulty.faults()[0].column, 6);
+  // A line without a prefix, and JSON.
+  EXPECT_FALSE(read_as(ProgramForm::gl, "[12] glEnable(0x8522);\nglDisable(0x8522);\n"));
+  EXPECT_EQ(form_of("[\"a\"]\n"), ProgramForm::words_json);
+}
+
+TEST(ProgramForms, CxbxPrintsNumbersForZeroOneAndAHalf) {
+  const auto same = [](const std::string& numbers, const std::string& registers) {
+    const std::string begin = "xps.1.1\nxmma discard,discard,r0, t0,", end = "\nxfc zero,zero,zero,r0,zero,zero,r0.a\n";
+    expect_same(read_as(ProgramForm::ps, begin + numbers + end), read_as(ProgramForm::ps, begin + registers + end));
+  };
+  same("1.000000f, t1, 0.000000f", "one, t1, zero");
+  same("-1.000000f, t1, 0.500000f", "-one, t1, -zero_bias");
+  same("-0.500000f, t1, v0", "zero_bias, t1, v0");
+  const auto faulty = read_as(ProgramForm::ps, "xps.1.1\nxmma r0,discard,discard, t0,0.25f,zero,zero\n");
+  ASSERT_EQ(faulty.faults().size(), 1U);
+  EXPECT_NE(faulty.faults()[0].message.find("one of the numbers 0.0, 0.5 and 1.0, found '0.25f'"), std::string::npos)
+      << all_faults(faulty);
+}
+
+TEST(ProgramForms, WordsAreReadByRegistersAddressesAndMembers) {
+  const auto expected = read_as(ProgramForm::words,
+                                "RC_ENABLE = 0x00011101\nRC_IN_RGB[0] = 0x08040000\nRC_OUT_RGB[0] = 0x000000c0\n"
+                                "RC_FINAL0 = 12\nRC_FINAL1 = 7296\n");
+  expect_same(read_as(ProgramForm::words,
+                      "NV_PGRAPH_COMBINECTL = 0x00011101\nNV_PGRAPH_COMBINECOLORI0 = 0x08040000\n"
+                      "NV_PGRAPH_COMBINECOLORO0 = 0x000000c0\nNV_PGRAPH_COMBINESPECFOG0 = 12\n"
+                      "NV_PGRAPH_COMBINESPECFOG1 = 7296\n"),
+              expected);
+  expect_same(read_as(ProgramForm::words,
+                      "0x401940 = 0x00011101\n0x401900 = 0x08040000\n0x401920 = 0x000000c0\n0x401944 = 12\n"
+                      "0x401948 = 7296\n"),
+              expected);
+  const auto printed = read_as(ProgramForm::words,
+                               "$1 = {combiner_control = 69889, shader_stage_program = 33, other_stage_input = 69632,\n"
+                               "  final_inputs_0 = 0xc, final_inputs_1 = 7296, rgb_inputs = {134479872}, rgb_outputs = "
+                               "{192}, alpha_test = false, rect_tex = {false, true}, border = {{0, 1}, {2, 3}}}\n");
+  expect_same(printed, expected);
+  EXPECT_EQ(text_of(printed->other_words),
+            "PSTextureModes=0x00000021 PSInputTexture=0x00011000 PSDotMapping=0x00000000 ");
+  // The words of stage 1, by index and by address.
+  expect_same(read_as(ProgramForm::words, "NV_PGRAPH_COMBINECOLORI0[1] = 1\nNV_PGRAPH_COMBINEFACTOR1[7] = 2\n"),
+              read_as(ProgramForm::words, "0x401904 = 1\n0x4018bc = 2\n"));
+  for (const char* text : {"0x401950 = 1\n", "0x1940 = 1\n", "$1 = {a = 1}\n", "$1 = {combiner_control = {1}\n",
+                           "$1 = {rgb_inputs = {1, x}}\n", "$1 = {combiner_control = 1.5}\n"}) {
+    EXPECT_FALSE(read_as(ProgramForm::words, text)) << text;
+  }
+}
+
+TEST(ProgramForms, AssembledShadersAreRead) {
+  const auto expected = read_as(ProgramForm::ps,
+                                "ps.1.1\ndef c0, 0.2, 0.2, 0.2, 1\ntex t0\nmul_x2_sat r0.rgb, t0, c0\n"
+                                "+mov r0.a, 1-t0\n");
+  const std::string words =
+      "0xffff0101, 0x00000051, 0xa00f0000, 0x3e4ccccd, 0x3e4ccccd, 0x3e4ccccd, 0x3f800000,\n"
+      "0x0002fffe, 0x12345678, 0x00000000, 0x00000042, 0xb00f0000, 0x00000005, 0x81170000, 0xb0e40000, 0xa0e40000,\n"
+      "0x40000001, 0x80080000, 0xb6e40000, 0x0000ffff";
+  expect_same(read_as(ProgramForm::tokens, "// ps\nstatic const DWORD shader[] = {\n" + words + " };\n"), expected);
+  std::string file, bytes;
+  for (std::size_t at = words.find("0x"); at != std::string::npos; at = words.find("0x", at + 1)) {
+    const auto value = static_cast<std::uint32_t>(std::stoul(words.substr(at, 10), nullptr, 16));
+    for (int low = 0; low < 32; low += 8) {
+      file += static_cast<char>(value >> low & 255);
+      bytes += (bytes.empty() ? "" : ", ") + std::to_string(value >> low & 255);
+    }
+  }
+  expect_same(read_as(ProgramForm::tokens, file), expected);
+  expect_same(read_as(ProgramForm::tokens, "const BYTE g_ps[] = { " + bytes + " };"), expected);
+  EXPECT_TRUE(read_as(ProgramForm::tokens, "ffff0101 00000001 800f0000 90e40000 0000ffff"));
+  const std::pair<const char*, const char*> refused[] = {
+      {"const DWORD vs[] = { 0xfffe0101, 0x0000ffff };",
+       "an assembled vertex shader (vs.1.1), which register combiners"},
+      {"ffff0200 0000ffff", "an assembled pixel shader (ps.2.0), which register combiners cannot run"},
+      {"static const unsigned long ps[3] = { 4294902017UL, 1, 65535 };", "'mov', which has 2 parameters; found 0"},
+      {"ffff0101 00000042 b00f0000", "the tokens have no end; expected 0x0000ffff"},
+      {"ffff0101 00000033 0000ffff", "the token 0x00000033 is not an instruction of ps.1.1"},
+      {"ffff0101 00000001 830f0000 90e40000 0000ffff", "they have _x2, _x4 and _d2"},
+      {"ffff0101 00000001 800f0002 90e40000 0000ffff", "names a register that ps.1.1 does not have"},
+      {"ffff0101 00000001 800f0000 90e40000 0000ffff 00000000",
+       "the token 0x00000000 stands behind the end of the shader"},
+      {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff}; DWORD b[] = {1};", "expected one shader"},
+      {"ffff0101 00000001 800f0000 901b0000 0000ffff", "reads components in an order that combiners do not have"},
+      {"ffff0101 00000001 800f0000 80e40001 0000ffff", "'r1' is read before it is written"}};
+  for (const auto& [text, words_of_fault] : refused) {
+    const auto program = read_as(ProgramForm::tokens, text);
+    EXPECT_NE(all_faults(program).find(words_of_fault), std::string::npos) << text << '\n' << all_faults(program);
+  }
+}
+
+// docs/languages.md lists every form.
+TEST(ProgramForms, AreInTheManual) {
+  std::ifstream file(NINEBIT_SOURCE_DIR "/docs/languages.md");
+  const std::string manual{std::istreambuf_iterator<char>(file), {}};
+  std::string from;
+  for (const std::string& name : read_form_names()) from += (from.empty() ? "" : "|") + name;
+  EXPECT_NE(manual.find("`--from " + from + "`"), std::string::npos) << from;
+  for (const std::string& name : written_form_names()) {
+    EXPECT_NE(manual.find("`" + name + "`"), std::string::npos) << name;
+  }
 }
 
 TEST(ProgramForms, EveryShapeOfADefinitionAndEveryLogIsDetected) {

@@ -86,6 +86,11 @@ TEST(PixelShaderRoundTrip, RandomShadersMeanTheSame) {
     ASSERT_TRUE(back) << "seed " << kSeed << " case " << i << "\n" << *again << test::all_faults(back);
     ASSERT_TRUE(normalize(*back, profile) == normalize(*parsed, profile)) << "seed " << kSeed << " case " << i << "\n"
                                                                           << text << *again;
+    const auto tokens = print_shader_tokens(*parsed, profile);
+    ASSERT_TRUE(tokens && is_shader_tokens(*tokens)) << *again;
+    const auto assembled = parse_shader_tokens({*tokens, ""}, profile);
+    ASSERT_TRUE(assembled) << "seed " << kSeed << " case " << i << "\n" << *tokens << test::all_faults(assembled);
+    ASSERT_TRUE(normalize(*assembled, profile) == normalize(*back, profile)) << *again << *tokens;
     ++printed;
   }
   EXPECT_GT(read, 3000);

@@ -73,19 +73,5 @@ TEST(XboxLists, CharactersAreNotNumbers) {
   }
 }
 
-TEST(XboxLists, AssembledShadersAreNamed) {
-  for (const char* text : {"const DWORD ps[] = { 0xffff0101, 0x00000042, 0xb00f0000, 0x0000ffff };",
-                           "// psa\nstatic const unsigned long dwShader[3] = { 4294902017UL, 1, 65535 };",
-                           "const BYTE g_ps[] = { 1, 1, 255, 255, 66, 0, 0, 0 };"}) {
-    EXPECT_FALSE(is_xbox_pixel_shader(text)) << text;
-    const auto parsed = parse_program({text, ""}, form_of(text), profiles::nv2a);
-    ASSERT_EQ(parsed.faults().size(), 1U) << text;
-    EXPECT_NE(parsed.faults()[0].message.find("an assembled pixel shader (ps.1.1), which ninebit does not read"),
-              std::string::npos)
-        << parsed.faults()[0].text();
-    EXPECT_EQ(parsed.faults()[0].gl_error, GlError::no_error);
-  }
-}
-
 }  // namespace
 }  // namespace ninebit::test

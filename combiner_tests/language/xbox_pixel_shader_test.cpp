@@ -303,9 +303,6 @@ TEST(XboxPixelShader, EveryFaultHasItsPlace) {
       {"DWORD ps[] = {1 2};", 1, 17, "expected ',' or '}' after a number; found '2'"},
       {"DWORD ps[] = {1, 2", 1, 19, "expected ',' or '}' after a number; found the end of the text"},
       {"DWORD ps[] = {1, {2}};", 1, 18, "expected a value; found '{'"},
-      {"const DWORD ps[] = { 0xffff0101, 0x0000ffff };", 1, 22,
-       "these are the tokens of an assembled pixel shader (ps.1.1), which ninebit does not read; disassemble it"},
-      {"ffff0104 00000042 b00f0000 0000ffff", 1, 1, "assembled pixel shader (ps.1.4), which ninebit does not read"},
   };
   for (const Fault& fault : faults) expect_fault(fault, fault.text);
 }
@@ -317,6 +314,19 @@ TEST(XboxPixelShader, BytesOfAnotherCountAreRefused) {
                std::string_view(bytes).substr(0, 239));
   expect_fault({"", 1, 1, "480 bytes, which are 2 definitions; expected the 240"}, bytes + bytes);
   EXPECT_FALSE(is_xbox_pixel_shader(bytes + bytes));
+}
+
+TEST(XboxPixelShader, AFileOfTheDevelopmentKitHasAMagicBefore) {
+  Random random(85);
+  const std::string bytes = as_bytes(random_words(random)), file = "PSB0" + bytes;
+  ASSERT_TRUE(is_xbox_pixel_shader(file));
+  const auto expected = parse_xbox_pixel_shader({bytes, ""}, profiles::nv2a);
+  const auto program = parse_xbox_pixel_shader({file, ""}, profiles::nv2a);
+  ASSERT_TRUE(expected && program) << all_faults(program);
+  EXPECT_EQ(*program, *expected);
+  expect_fault({"", 1, 1, "a file 'PSB0' of 243 bytes; expected 244, the magic and one D3DPIXELSHADERDEF"},
+               std::string_view(file).substr(0, 243));
+  expect_fault({"", 1, 1, "a file 'PSB0' of 484 bytes; expected 244"}, file + bytes);
 }
 
 TEST(XboxPixelShader, CountsOfListsAreChecked) {

@@ -10,7 +10,6 @@
 #include "ninebit/language/profile_json.h"
 #include "ninebit/language/program_text.h"
 #include "src/language/gl_calls/gl_calls_names.h"
-#include "src/language/json/printed_form.h"
 #include "src/language/pixel_shader/shader_instruction.h"
 #include "src/language/rc10/rc10_lexer.h"
 
@@ -118,9 +117,9 @@ TEST(PlaygroundRead, TakesAProfileOfOnesOwn) {
 TEST(PlaygroundConvert, WritesWhatConvertWrites) {
   const auto program = parse_program({kTexelTimesColor, ""}, ProgramForm::gl, profiles::geforce2);
   ASSERT_TRUE(program);
-  for (const std::string_view form : kPrintedForms) {
+  for (const std::string& form : written_form_names()) {
     const PageJson answer = ask({{"do", "convert"}, {"text", kTexelTimesColor}, {"to", form}});
-    const auto expected = print_in_form(form, *program, chip_of(profiles::geforce2), profiles::geforce2);
+    const auto expected = find_form(form)->print(*program, chip_of(profiles::geforce2), profiles::geforce2);
     if (expected) {
       EXPECT_EQ(answer["text"], *expected) << form;
     } else {

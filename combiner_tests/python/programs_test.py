@@ -51,7 +51,7 @@ class States(unittest.TestCase):
             os.mkfifo(pipe)
             with self.assertRaisesRegex(ninebit.Error, "pipe.json: cannot be read"):
                 ninebit.State(pipe)
-        with self.assertRaisesRegex(ninebit.Error, "unknown form 'basic'.*gl, source"):
+        with self.assertRaisesRegex(ninebit.Error, "unknown form 'basic'.*gl, rc10"):
             ninebit.State.parse("", "basic")
         with self.assertRaisesRegex(ninebit.Error, "text is the name of a file, .*index_compare.gl; expected the program itself"):
             ninebit.Program(str(top / "docs/programs/index_compare.gl"))

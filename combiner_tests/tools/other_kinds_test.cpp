@@ -162,43 +162,9 @@ TEST(OtherKinds, GivenAsASceneAPictureAnEffectOrAPart) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-// A first bracket alone makes no text JSON, and the name of a register no text a log.
-TEST(OtherKinds, AreSaidFromTheWholeText) {
+// A first bracket alone does not make a text JSON.
+TEST(OtherKinds, AreNamedFromTheWholeText) {
   const TempFolder folder;
-  const std::string calls =
-      "[NVRC] glCombinerParameteriNV(pname=0x854e, param=1)\n"
-      "[NVRC] glCombinerInputNV(stage=0x8550, portion=0x1907, variable=0x8523)\n";
-  const std::string shader =
-      "[0x27A0] xps.1.1\n[0x27A0] xmma t0,discard,discard, t0,c0,0.0f,0.0f ; d0=s0*s1\n"
-      "[0x27A0] +xmma r0.a,discard,discard, v0.a,t0.a,0.0f,0.0f\n[0x27A0] xfc 0.0f, 0.0f, 0.0f, t0, 0.0f, 0.0f, r0.a\n";
-  const std::string members =
-      "{combiner_control = 69889, shader_stage_program = 1, final_inputs_0 = 12, rgb_inputs = {134479872, 0}}\n";
-  const std::string lines =
-      "$1 = {\n  combiner_control = 69889,\n  final_inputs_0 = 12,\n  final_inputs_1 = 7296,\n  rgb_inputs = {1, "
-      "0}\n}\n";
-  const std::string prefixed = "this is text with a prefix before each line; expected a combiner program: GL calls",
-                    printed = "this is text that gdb printed; expected a combiner program: GL calls";
-  for (const auto& [text, words] :
-       std::vector<std::pair<std::string, std::string>>{{calls, prefixed},
-                                                        {shader, prefixed},
-                                                        {shader.substr(shader.find("[0x27A0] +")), prefixed},
-                                                        {"[12] glFoo();\n[13] glBar();\n", prefixed},
-                                                        {"$1 = " + members, printed},
-                                                        {lines, printed},
-                                                        {members, ":1:1: expected a GL call, found '{'"}}) {
-    const std::string file = write_bytes(folder / "file", text);
-    for (const char* profile : {"geforce2", "nv2a"}) {
-      SCOPED_TRACE(text);
-      const Outcome outcome = ninebit({"explain", file, "--profile", profile});
-      EXPECT_EQ(outcome.code, 3);
-      EXPECT_EQ(outcome.out, "") << "a part of the text was taken for a program";
-      EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-      for (const char* claim :
-           {"JSON of", "not valid JSON", "register writes in", "a table of", "`ninebit explain` reads"}) {
-        EXPECT_EQ(outcome.err.find(claim), std::string::npos) << outcome.err;
-      }
-    }
-  }
   // These are JSON with a fault.
   for (const char* text :
        {"{\"ninebit\": \"program\" ", "{\"a\" 1}", "{ninebit: 1}", "{'a': 1}", "[{\"a\": 1}", "[1, 2"}) {

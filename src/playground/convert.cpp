@@ -5,7 +5,6 @@
 #include "ninebit/combiner/trace.h"
 #include "src/combiner/given_registers.h"
 #include "src/effect/traced_pixel.h"
-#include "src/language/json/printed_form.h"
 #include "src/playground/texts.h"
 
 namespace ninebit::playground {
@@ -75,17 +74,18 @@ Reply convert_text(Request& request) {
   request.allow({"text", "profile", "to"});
   const std::string text = request.word("text"), to = request.word("to");
   const ChosenProfile chosen = request.profile("profile");
-  if (!request.failed() && std::find(kPrintedForms.begin(), kPrintedForms.end(), to) == kPrintedForms.end()) {
-    std::string forms;
-    for (const std::string_view form : kPrintedForms) forms += (forms.empty() ? "" : ", ") + std::string(form);
+  const Form* const form = find_form(to);
+  if (!request.failed() && (form == nullptr || form->print == nullptr)) {
+    std::string names;
+    for (const std::string& name : written_form_names()) names += (names.empty() ? "" : ", ") + name;
     request.reader().fault(request.find("to")->offset,
-                           json::in_quotes(to) + " is not a form to write; expected one of " + forms);
+                           json::in_quotes(to) + " is not a form to write; expected one of " + names);
   }
   if (request.failed()) return request.refused();
   const HardwareProfile& profile = chosen.profile();
   const auto program = valid_program(text, "text", profile);
   if (!program) return refusals(program.faults(), text);
-  const auto printed = print_in_form(to, *program, chip_of(profile), profile);
+  const auto printed = form->print(*program, chip_of(profile), profile);
   if (!printed) return refusal("cannot be written as " + to + ": " + printed.error().message, "text");
   return Json{{"form", to}, {"text", *printed}};
 }

@@ -1,6 +1,5 @@
 // Answers "read": a program's faults, and its equations.
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <utility>
 
@@ -10,9 +9,6 @@
 
 namespace ninebit::playground {
 namespace {
-
-constexpr std::array<std::string_view, 9> kFormNames{"gl",         "source", "rc10", "ps", "words",
-                                                     "words-json", "json",   "xbox", "log"};
 
 // The length of the word at a place, in UTF-16 units; at least 1.
 int marked_length(std::string_view text, int line, int column) {
@@ -64,10 +60,6 @@ Json constants_of(const CombinerState& state) {
 
 }  // namespace
 
-std::string_view name_of_form(ProgramForm form) {
-  return kFormNames[static_cast<std::size_t>(form)];
-}
-
 Parsed<TextProgram> valid_program(std::string_view text, std::string_view name, const HardwareProfile& profile) {
   auto parsed = parse_program({text, name}, form_of(text), profile);
   if (!parsed) return parsed;
@@ -90,7 +82,7 @@ Reply read_text(Request& request) {
   if (request.failed()) return request.refused();
   const HardwareProfile& profile = chosen.profile();
   const auto parsed = valid_program(text, "", profile);
-  Json out{{"form", name_of_form(form_of(text))},
+  Json out{{"form", form_row(form_of(text)).name},
            {"valid", static_cast<bool>(parsed)},
            {"faults", marked_all(parsed.faults(), text)},
            {"notes", marked_all(parsed.notes, text)}};

@@ -26,9 +26,6 @@ namespace ninebit::playground {
 // on it, which "coupled" names.
 [[nodiscard]] Reply edit_profile(Request& request);
 
-// "gl", "rc10", …: the name of a form as --from takes it.
-[[nodiscard]] std::string_view name_of_form(ProgramForm form);
-
 // A program that the profile accepts, or every fault of its text. `name` is for messages.
 [[nodiscard]] Parsed<TextProgram> valid_program(std::string_view text, std::string_view name,
                                                 const HardwareProfile& profile);

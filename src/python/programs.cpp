@@ -17,7 +17,6 @@
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/program_text.h"
-#include "src/language/json/printed_form.h"
 #include "src/language/source/nearest_name.h"
 #include "src/python/evaluation.h"
 #include "src/python/module.h"
@@ -27,13 +26,6 @@ namespace py = pybind11;
 namespace ninebit::python {
 namespace {
 
-// The forms that are read, by name.
-constexpr std::array kForms{std::pair{"gl", ProgramForm::gl},       std::pair{"source", ProgramForm::source},
-                            std::pair{"rc10", ProgramForm::rc10},   std::pair{"ps", ProgramForm::ps},
-                            std::pair{"words", ProgramForm::words}, std::pair{"words-json", ProgramForm::words_json},
-                            std::pair{"json", ProgramForm::json},   std::pair{"xbox", ProgramForm::xbox},
-                            std::pair{"log", ProgramForm::log}};
-
 template <class Names>
 [[noreturn]] void refuse_name(const char* what, const std::string& name, const Names& names) {
   std::string list;
@@ -42,16 +34,9 @@ template <class Names>
 }
 
 ProgramForm form_named(const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& [one, form] : kForms) {
-    if (name == one) return form;
-    names.emplace_back(one);
-  }
-  refuse_name("form", name, names);
-}
-
-std::string_view name_of_form(ProgramForm form) {
-  return std::find_if(kForms.begin(), kForms.end(), [&](const auto& one) { return one.second == form; })->first;
+  const Form* const form = find_form(name);
+  if (form == nullptr || form->parse == nullptr) refuse_name("form", name, read_form_names());
+  return form_id(*form);
 }
 
 ChipClass chip_named(const std::string& name) {
@@ -83,14 +68,13 @@ State parse(const std::string& text, const Words& form, const std::string& profi
 }
 
 std::string print(const State& state, const std::string& form, const Words& chip) {
-  if (std::find(kPrintedForms.begin(), kPrintedForms.end(), form) == kPrintedForms.end()) {
-    refuse_name("form", form, kPrintedForms);
-  }
+  const Form* const named = find_form(form);
+  if (named == nullptr || named->print == nullptr) refuse_name("form", form, written_form_names());
   const HardwareProfile& profile = *state.profile.profile;
   if (form == "c" || form.starts_with("glsl")) {
     if (const auto program = compile(state.state, profile); !program) throw Error{program.error().text()};
   }
-  const auto text = print_in_form(form, {state.state, {}}, chip ? chip_named(*chip) : chip_of(profile), profile);
+  const auto text = named->print({state.state, {}}, chip ? chip_named(*chip) : chip_of(profile), profile);
   if (!text) throw Error{"cannot be written as " + form + ": " + text.error().text()};
   return *text;
 }
@@ -154,7 +138,7 @@ void add_state(py::module_& module) {
           },
           py::is_operator());
   module.def(
-      "form_of", [](const std::string& text) { return std::string(name_of_form(form_of(text))); }, py::arg("text"),
+      "form_of", [](const std::string& text) { return std::string(form_row(form_of(text)).name); }, py::arg("text"),
       "The form that State.parse() finds in a text.");
 }
 

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "src/language/json/printed_form.h"
 #include "src/language/source/beyond_opengl.h"
 #include "src/tools/common/log_listing.h"
 #include "src/tools/common/output_file.h"
@@ -24,9 +23,9 @@ struct ConvertFlags {
 
 // Says which words have no place in the form that is written.
 void say_left_out(const ConvertFlags& flags, const std::vector<RegisterWord>& other_words) {
-  const bool words = flags.to == "words" || flags.to == "words-json";
+  const Form& form = *find_form(flags.to);
   const bool nv20 = chip_of(flags.program, profile_of(flags.common)) == ChipClass::nv20;
-  if (flags.common.quiet || flags.to == "json" || flags.to == "xbox" || (words && nv20)) return;
+  if (flags.common.quiet || (form.keeps_other_words && (nv20 || !form.has_words))) return;
   std::string names;
   for (const RegisterWord& word : other_words) {
     if (word.value != 0) names += (names.empty() ? "" : ", ") + word.name;
@@ -106,7 +105,8 @@ int run(const ConvertFlags& flags) {
   const auto program = load(flags, std::move(*source), exit_code);
   if (!program) return exit_code;
   const HardwareProfile& profile = profile_of(flags.common);
-  const auto text = print_in_form(flags.to, *program, chip_of(flags.program, profile), profile);
+  const Form& form = *find_form(flags.to);
+  const auto text = form.print(*program, chip_of(flags.program, profile), profile);
   if (!text) {
     Diagnostic lacking = text.error();
     if (lacking.file.empty()) lacking.file = flags.program.file == "-" ? "standard input" : flags.program.file;
@@ -114,8 +114,7 @@ int run(const ConvertFlags& flags) {
     return report(lacking);
   }
   say_left_out(flags, program->other_words);
-  const bool has_values = flags.to == "xbox" || flags.to == "c" || flags.to.starts_with("glsl");
-  if (has_values && !flags.common.quiet) {
+  if (form.writes_values && !flags.common.quiet) {
     say_assumed_constants(flags.program.file, normalize(program->state, profile), {});
   }
   if (!flags.common.json) return write(flags, *text);
@@ -150,12 +149,12 @@ void add_convert(CLI::App& app, int& exit_code) {
   add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   verb->add_option("--to", flags->to, "Form to write; without it, list the set-ups of a log")
-      ->check(CLI::IsMember(std::vector<std::string>(kPrintedForms.begin(), kPrintedForms.end())));
+      ->check(CLI::IsMember(written_form_names()));
   verb->add_option("--frame", flags->frame, "Only the draws of this frame of a log, counted from 1")
       ->check(CLI::Range(1U, 0xffffffffU));
   verb->add_option("-o,--output", flags->output, "Write to this file instead of standard output")->type_name("FILE");
   verb->callback([flags, &exit_code] {
-    flags->program.writes_words = flags->to.starts_with("words");
+    flags->program.writes_words = !flags->to.empty() && find_form(flags->to)->has_words;
     exit_code = run(*flags);
   });
 }

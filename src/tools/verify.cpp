@@ -272,7 +272,7 @@ void add_verify(CLI::App& app, int& exit_code) {
                            ->check(named);
   verb->add_option("--program", flags->program.file, "Program of the rows that name none")->type_name("PROGRAM");
   verb->add_option("--from", flags->program.from, "Form of the programs (default: detected from the content)")
-      ->check(CLI::IsMember({"gl", "rc10", "ps", "words", "json"}));
+      ->check(CLI::IsMember(read_form_names()));
   add_define_flag(*verb, flags->program.defines);
   verb->add_option("--chip", flags->program.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));

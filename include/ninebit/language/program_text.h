@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,25 +14,24 @@
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The forms of a program's text.
+// The forms that code names: indices into forms().
 enum class ProgramForm : std::uint8_t {
   gl,          // GL calls: gl_calls.h
-  source,      // a source file with GL calls in it: source_code.h
   rc10,        // !!RC1.0: rc10.h
   ps,          // a pixel shader of Direct3D 8 in assembly: pixel_shader.h
+  tokens,      // an assembled pixel shader of Direct3D 8: pixel_shader.h
+  xbox,        // the Xbox's pixel shader definition, as text or as its bytes: xbox_pixel_shader.h
+  json,        // the canonical form: json.h
   words,       // register words as text: register_words.h
   words_json,  // register words as a JSON object: json.h
-  json,        // the canonical form: json.h
-  xbox,        // the Xbox's pixel shader definition, as text or as its bytes: xbox_pixel_shader.h
+  source,      // a source file with GL calls in it: source_code.h
   log          // a log of register writes, of which one set-up is the program: register_log.h
 };
-
-// The form that a text seems to have; GL calls if it is none of the others.
-[[nodiscard]] ProgramForm form_of(std::string_view text);
 
 // The chip whose register words a profile reads: NV20 with per-stage constants, else NV10.
 [[nodiscard]] ChipClass chip_of(const HardwareProfile& profile);
@@ -47,6 +48,41 @@ struct TextProgram {
   CombinerState state{};                    // the program, not yet validated
   std::vector<RegisterWord> other_words{};  // in the order of the text
 };
+
+// A form of a program's text.
+struct Form {
+  std::string_view name{};   // as --from and --to name it: "rc10"
+  std::string_view title{};  // in a list of choices: "!!RC1.0 (nvparse)"
+  std::string_view kind{};   // in a sentence, with its article: "an !!RC1.0 program"
+  // Whether a text seems to have the form; `content` is the text behind blanks and comments. Null: no text does.
+  bool (*detect)(std::string_view text, std::string_view content) = nullptr;
+  // Reads a program; adds to `other_words` those of kOtherWordNames. Null: the form is only written.
+  Parsed<CombinerState> (*parse)(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
+                                 std::vector<RegisterWord>& other_words) = nullptr;
+  // Writes a valid program, or reports what the form cannot express. Null: the form is only read.
+  Result<std::string> (*print)(const TextProgram& program, ChipClass chip, const HardwareProfile& profile) = nullptr;
+  bool takes_definitions = false;  // reading uses ReadOptions::source.definitions
+  bool has_words = false;          // the text is register words: reading uses ReadOptions::chip, writing the chip
+  bool keeps_other_words = false;  // writing keeps TextProgram::other_words; of register words, those of NV20
+  bool writes_values = false;      // a constant that is not set is written as 0
+};
+
+// All forms, in the order in which a text is tried. A new form is a row here.
+[[nodiscard]] std::span<const Form> forms();
+[[nodiscard]] const Form& form_row(ProgramForm form);
+// The number of a row of forms().
+[[nodiscard]] ProgramForm form_id(const Form& row);
+// The form of this name, or nullptr.
+[[nodiscard]] const Form* find_form(std::string_view name);
+// The names of the forms that are read, and of those that are written.
+[[nodiscard]] std::vector<std::string> read_form_names();
+[[nodiscard]] std::vector<std::string> written_form_names();
+
+// The first form that detects the text; empty: none. A bracketed prefix before each line, such as "[NVRC] ", is
+// ignored, here and by parse_program().
+[[nodiscard]] std::optional<ProgramForm> detected_form(std::string_view text);
+// The same, and GL calls if none does.
+[[nodiscard]] ProgramForm form_of(std::string_view text);
 
 // Parses a program in this form. Reports what the form's parser reports.
 [[nodiscard]] Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "src/language/source/source_blanks.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::code {
@@ -19,6 +18,24 @@ constexpr std::array<std::string_view, 24> kLongPunctuation{
     "||",  "++",  "--",  "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "##"};
 
 }  // namespace
+
+int precedence(const Token& token) {
+  constexpr std::array<std::array<std::string_view, 4>, 10> kOrder{{{"||"},
+                                                                    {"&&"},
+                                                                    {"|"},
+                                                                    {"^"},
+                                                                    {"&"},
+                                                                    {"==", "!="},
+                                                                    {"<", ">", "<=", ">="},
+                                                                    {"<<", ">>"},
+                                                                    {"+", "-"},
+                                                                    {"*", "/", "%"}}};
+  if (token.kind != Token::Kind::punctuation) return 0;
+  for (std::size_t i = 0; i < kOrder.size(); ++i) {
+    if (std::find(kOrder[i].begin(), kOrder[i].end(), token.text) != kOrder[i].end()) return static_cast<int>(i) + 1;
+  }
+  return 0;
+}
 
 // A comment at the current place; false: there is none.
 bool Lexer::skip_comment() {

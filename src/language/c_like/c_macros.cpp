@@ -56,6 +56,7 @@ bool MacroExpander::is_active(const Macro& macro) const {
 bool MacroExpander::expand(Token& name) {
   const auto found = macros_.all.find(name.text);
   if (found == macros_.all.end() || expansions_.size() + depth_ >= kMostNested) return false;
+  found->second.is_used = true;
   const Macro& macro = found->second;
   if (macros_.is_reserved && macros_.is_reserved(name.text, macro)) return false;
   if (is_active(macro)) {

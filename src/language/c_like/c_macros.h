@@ -11,13 +11,15 @@
 #include <string_view>
 #include <vector>
 
-#include "src/language/c_like/c_token.h"
+#include "src/language/c_like/c_lexer.h"
 
 namespace ninebit::code {
 
 struct Macro {
   bool has_parameters = false;
   bool is_variadic = false;
+  bool is_given = false;  // by the caller: the text does not change it
+  bool is_used = false;   // was expanded, asked for or defined again
   std::vector<std::string_view> parameters{};
   std::vector<Token> body{};
 };

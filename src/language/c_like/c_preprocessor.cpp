@@ -1,9 +1,11 @@
 #include "src/language/c_like/c_preprocessor.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "src/language/source/condition.h"
+#include "src/language/c_like/c_condition.h"
+#include "src/language/source/nearest_name.h"
 
 namespace ninebit::code {
 namespace {
@@ -34,6 +36,7 @@ Token Preprocessor::next() {
       continue;
     }
     if (token.is("#") && token.begins_line) {
+      hash_ = token;
       directive();
     } else if (reads()) {
       if (text.include) {
@@ -62,42 +65,75 @@ void Preprocessor::directive() {
 void Preprocessor::obey(const Token& directive, const std::vector<Token>& line) {
   const auto chosen = [&] {
     const Answer said = answer(directive, line);
+    if (!said.fault.empty()) fault(hash_, "#" + std::string(directive.text) + ": " + said.fault);
     const bool is_included = texts_.size() > 1;
     return options_.reads && !is_included ? options_.reads(directive, line, said) : said.value;
   };
   if (directive.is("if") || directive.is("ifdef") || directive.is("ifndef")) {
-    OpenGroup group{.outer = reads()};
+    const bool names = directive.is("if") || (!line.empty() && line[0].is_name());
+    if (!names && reads()) fault(hash_, "expected a name after #" + std::string(directive.text));
+    OpenGroup group{.hash = hash_, .outer = reads()};
     group.reads = group.taken = group.outer && chosen();
     open_.push_back(group);
-  } else if (directive.is("else") || directive.is("elif")) {
-    if (open_.empty()) return;
+  } else if (directive.is("else") || directive.is("elif") || directive.is("endif")) {
+    if (open_.empty()) return fault(hash_, "'#" + std::string(directive.text) + "' without #if");
+    if (directive.is("endif")) return open_.pop_back();
     OpenGroup& group = open_.back();
+    if (group.has_else) fault(hash_, "'#" + std::string(directive.text) + "' after #else");
+    group.has_else = directive.is("else");
     group.reads = group.outer && !group.taken && chosen();
     group.taken = group.taken || group.reads;
-  } else if (directive.is("endif")) {
-    if (!open_.empty()) open_.pop_back();
   } else if (!reads()) {
     return;
   } else if (directive.is("define")) {
-    define(line);
-  } else if (directive.is("undef") && !line.empty()) {
-    macros_.all.erase(line[0].text);
+    if (names_macro(directive, line)) define(line);
+  } else if (directive.is("undef")) {
+    if (names_macro(directive, line)) macros_.all.erase(line[0].text);
   } else if (directive.is("include")) {
     include(directive, line);
+  } else if (directive.is("error")) {
+    fault(hash_, "the text ends itself with #error");
+  } else if (constexpr std::array<std::string_view, 12> kKnown{"define", "undef", "include", "if", "ifdef", "ifndef",
+                                                               "elif", "else", "endif", "line", "error", "pragma"};
+             std::find(kKnown.begin(), kKnown.end(), directive.text) == kKnown.end()) {
+    fault(directive, "'#" + std::string(directive.text) + "' is not a line of the preprocessor" +
+                         did_you_mean(directive.text, kKnown));
   }
 }
 
+void Preprocessor::fault(const Token& at, const std::string& message) const {
+  if (options_.fault && texts_.size() == 1) options_.fault(at, message);
+}
+
+void Preprocessor::finish() {
+  if (!open_.empty()) fault(open_.back().hash, "unterminated condition; expected #endif");
+}
+
+// Whether a line names a macro that the text may change.
+bool Preprocessor::names_macro(const Token& directive, const std::vector<Token>& line) {
+  if (line.empty() || !line[0].is_name()) {
+    fault(directive, "expected a name after #" + std::string(directive.text));
+    return false;
+  }
+  const auto found = macros_.all.find(line[0].text);
+  if (found == macros_.all.end() || !found->second.is_given) return true;
+  found->second.is_used = true;
+  return false;
+}
+
 Answer Preprocessor::answer(const Token& directive, const std::vector<Token>& line) {
-  if (directive.is("else")) return {true, true, {}};
+  if (directive.is("else")) return {true, true, {}, {}};
   const auto value_of = [&](std::string_view name) {
     return options_.value_of ? options_.value_of(name) : std::optional<std::string_view>{};
   };
   const auto is_defined = [&](std::string_view name) {
-    return macros_.all.count(name) != 0 || value_of(name).has_value();
+    const auto macro = macros_.all.find(name);
+    if (macro != macros_.all.end()) macro->second.is_used = true;
+    return macro != macros_.all.end() || value_of(name).has_value();
   };
   if (!directive.is("if") && !directive.is("elif")) {
     const bool known = !line.empty() && is_defined(line[0].text);
-    return {known == directive.is("ifdef"), known, {}};
+    return {known == directive.is("ifdef"), known, {}, {}};
   }
   // The name behind `defined` is not replaced.
   std::vector<Token> asked = line;
@@ -120,11 +156,10 @@ Answer Preprocessor::answer(const Token& directive, const std::vector<Token>& li
                                                   return std::nullopt;
                                                 return text_of(macro->second.body);
                                               }});
-  return {value.holds, is_sure && value.unknown.empty() && value.fault.empty(), value.unknown};
+  return {value.holds, is_sure && value.unknown.empty() && value.fault.empty(), value.unknown, value.fault};
 }
 
 void Preprocessor::define(const std::vector<Token>& line) {
-  if (line.empty() || !line[0].is_name()) return;
   Macro macro;
   std::size_t at = 1;
   macro.has_parameters = line.size() > 1 && line[1].is("(") && !line[1].after_blank;
@@ -145,10 +180,12 @@ void Preprocessor::define(const std::vector<Token>& line) {
 void Preprocessor::include(const Token& directive, const std::vector<Token>& line) {
   constexpr std::size_t kMostIncluded = 16, kMostFiles = 200;
   const bool named = line.size() == 1 && line[0].kind == Token::Kind::text && line[0].text.size() > 2;
-  if (!options_.include || !named || texts_.size() > kMostIncluded || ++included_ > kMostFiles) return;
-  const std::string_view name = line[0].text.substr(1, line[0].text.size() - 2);
-  const std::string* const text = options_.include(name);
-  if (text == nullptr) return;
+  const bool reads = options_.include && named && texts_.size() <= kMostIncluded && ++included_ <= kMostFiles;
+  const std::string* const text = reads ? options_.include(line[0].text.substr(1, line[0].text.size() - 2)) : nullptr;
+  if (text == nullptr) {
+    if (options_.skipped) options_.skipped(directive, line);
+    return;
+  }
   texts_.push_back({Lexer(*text), {}, texts_.back().include ? texts_.back().include : directive});
 }
 

@@ -19,6 +19,7 @@ struct Answer {
   bool value = false;
   bool is_sure = true;
   std::string unknown{};  // a name without a value that decides; empty: none
+  std::string fault{};    // why the condition has no value; empty: it has
 };
 
 struct PreprocessorOptions {
@@ -28,6 +29,10 @@ struct PreprocessorOptions {
   std::function<bool(const Token&, const std::vector<Token>&, Answer)> reads{};
   // The text of an included file; null: it is not there.
   std::function<const std::string*(std::string_view)> include{};
+  // An #include that is not read: the directive, its line.
+  std::function<void(const Token&, const std::vector<Token>&)> skipped{};
+  // What is wrong with a directive of the text itself, and where. Without this function it is passed over.
+  std::function<void(const Token&, const std::string&)> fault{};
 };
 
 class Preprocessor {
@@ -37,12 +42,16 @@ class Preprocessor {
   // The next token with macros expanded; Kind::end at the end.
   Token take() { return expander_.take(); }
   [[nodiscard]] bool too_many() const { return expander_.too_many(); }
+  // Reports a condition that is still open at the end.
+  void finish();
 
  private:
   struct OpenGroup {
+    Token hash{};        // of the line that opens it
     bool outer = true;   // whether the part around it is read
     bool reads = false;  // the current branch
     bool taken = false;  // a branch was read
+    bool has_else = false;
   };
   struct Text {
     Lexer lexer;
@@ -53,6 +62,8 @@ class Preprocessor {
   Token next();
   void directive();
   void obey(const Token& directive, const std::vector<Token>& line);
+  void fault(const Token& at, const std::string& message) const;
+  bool names_macro(const Token& directive, const std::vector<Token>& line);
   void define(const std::vector<Token>& line);
   void include(const Token& directive, const std::vector<Token>& line);
   [[nodiscard]] Answer answer(const Token& directive, const std::vector<Token>& line);
@@ -63,6 +74,7 @@ class Preprocessor {
   std::vector<Text> texts_;  // the file, and those included now
   std::vector<OpenGroup> open_;
   std::size_t included_ = 0;
+  Token hash_{};  // of the directive that is obeyed
   MacroExpander expander_;
 };
 

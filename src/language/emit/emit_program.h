@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/result.h"
 #include "src/language/emit/emit_expression.h"
@@ -49,5 +50,36 @@ V any_code(const Program& program, Graph& graph, std::string text);
 
 // Why the program cannot be emitted under this function name; empty: it can.
 std::optional<Diagnostic> refusal(const Program& program, std::string_view function);
+
+// Comments in the emitted text: the equations of a portion and of the final combiner, in ASCII.
+
+// "General combiner 0, RGB portion", its inputs, and one equation for each output that `is_live` names.
+struct LiveOutputs {
+  bool ab = false, cd = false, sum = false;
+  [[nodiscard]] bool any() const { return ab || cd || sum; }
+};
+std::vector<std::string> comments_of(const Program& program, int stage, PortionName name, const LiveOutputs& live);
+
+std::vector<std::string> comments_of_final(const Program& program);
+
+// The register components that a program's result depends on, after each general combiner.
+
+class LiveSet {
+ public:
+  void add(Register r, int component) { at(r, component) = true; }
+  void remove(Register r, int component) { at(r, component) = false; }
+  [[nodiscard]] bool has(Register r, int component) const {
+    return r < Register::e_times_f && live_[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)];
+  }
+
+ private:
+  bool& at(Register r, int component) {
+    return live_[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)];
+  }
+  std::array<std::array<bool, 4>, kRegisterCount> live_{};
+};
+
+// Element i: the components that are live after general combiner i.
+std::vector<LiveSet> live_after_stages(const Program& program);
 
 }  // namespace ninebit::emit

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "src/language/explain/explain_final.h"
 #include "src/language/explain/explain_notes.h"
 #include "src/language/explain/explain_terms.h"
 

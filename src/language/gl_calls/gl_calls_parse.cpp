@@ -7,12 +7,9 @@
 
 #include "ninebit/language/gl_calls.h"
 #include "src/language/gl_calls/gl_calls_arguments.h"
-#include "src/language/gl_calls/gl_calls_dump.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/gl_calls/gl_calls_lexer.h"
 #include "src/language/gl_calls/gl_calls_names.h"
-#include "src/language/gl_calls/gl_calls_spelling.h"
-#include "src/language/source/assembled_shader.h"
 #include "src/language/source/foreign_language.h"
 
 namespace ninebit {
@@ -28,9 +25,9 @@ using detail::quoted;
 
 // Reads statements and executes each as soon as it is read. A faulty statement is skipped up to its semicolon or the
 // next name of a call.
-class Parser {
+class GlParser {
  public:
-  Parser(const SourceText& source, const HardwareProfile& profile)
+  GlParser(const SourceText& source, const HardwareProfile& profile)
       : text_(source.text),
         faults_(source),
         notes_(source),
@@ -221,12 +218,8 @@ class Parser {
 Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwareProfile& profile) {
   detail::SourceFaults faults(source);
   if (detail::too_long(source, faults)) return faults.take();
-  Parsed<CombinerState> parsed = Parser(source, profile).parse();
+  Parsed<CombinerState> parsed = GlParser(source, profile).parse();
   if (parsed) return parsed;
-  if (const auto shader = assembled_shader_in(source.text)) {
-    faults.add(shader->offset, shader->message);
-    return faults.take();
-  }
   std::string_view language = foreign_language(source.text);
   const bool names_combiners = source.text.find("ombiner") != std::string_view::npos;
   if (language.empty() && !names_combiners) language = foreign_calls(source.text);

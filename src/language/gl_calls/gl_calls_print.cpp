@@ -42,7 +42,7 @@ std::string stage_name(std::size_t stage) {
   return "GL_COMBINER" + std::to_string(stage) + "_NV";
 }
 
-class Printer {
+class GlPrinter {
  public:
   std::string print(const CombinerState& state, const HardwareProfile& profile) {
     call("glCombinerParameteriNV", {"GL_NUM_GENERAL_COMBINERS_NV", std::to_string(state.num_general_combiners)});
@@ -127,7 +127,7 @@ Result<std::string> print_gl_calls(const CombinerState& state, const HardwarePro
   if (const std::string beyond = beyond_opengl(normalize(state, profile)); !beyond.empty()) {
     return Diagnostic{.message = "OpenGL has no " + beyond};
   }
-  return Printer().print(state, profile);
+  return GlPrinter().print(state, profile);
 }
 
 }  // namespace ninebit

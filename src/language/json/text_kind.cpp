@@ -51,15 +51,42 @@ bool is_json(std::string_view text) {
 }
 
 bool is_assignment(std::string_view text) {
-  std::size_t i = 0;
-  const auto is_name = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("_[]()").find(static_cast<char>(c)) != std::string_view::npos;
+  const auto skip_name = [&](std::size_t i) {
+    while (i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_')) ++i;
+    return i;
   };
-  while (i < text.size() && is_name(static_cast<unsigned char>(text[i]))) ++i;
+  std::size_t i = skip_name(0);
+  if (i == 0) return false;
+  if (i < text.size() && (text[i] == '[' || text[i] == '(')) {
+    const char close = text[i] == '[' ? ']' : ')';
+    i = skip_name(i + 1);
+    if (i == text.size() || text[i++] != close) return false;
+  }
   text = after_space(text.substr(i));
-  if (i == 0 || !text.starts_with('=')) return false;
+  if (!text.starts_with('=')) return false;
   text = after_space(text.substr(1));
   return text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) != 0 || text.front() == '\n';
+}
+
+std::optional<std::string> without_line_prefixes(std::string_view text) {
+  if (!after_space(text).starts_with('[') || is_json(after_space(text))) return std::nullopt;
+  std::string out(text);
+  bool has_content = false;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin), content = after_space(line);
+    const std::size_t close = content.find_first_of("[]\"{}", 1);
+    if (!content.empty()) {
+      if (!content.starts_with('[') || close <= 1 || close == std::string_view::npos || content[close] != ']')
+        return {};
+      const std::string_view behind = content.substr(close + 1);
+      if (!behind.empty() && after_space(behind).size() == behind.size()) return {};
+      has_content = has_content || !after_space(behind).empty();
+      std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(end - content.size()), close + 1, ' ');
+    }
+    begin = end + 1;
+  }
+  return has_content ? std::optional(std::move(out)) : std::nullopt;
 }
 
 std::string_view json_kind(std::string_view text) {

@@ -1,6 +1,8 @@
 // The kind of a text by its beginning.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "ninebit/numerics/visibility.h"
@@ -16,6 +18,10 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // Whether the text starts with "NAME = NUMBER", with a name such as RC_IN_RGB[0].
 [[nodiscard]] bool is_assignment(std::string_view text);
+
+// The text with blanks in place of a bracketed prefix before each of its lines, such as "[0x27A0] xps.1.1", so that all
+// places stay the same. Empty: a line has no prefix, or the text is JSON.
+[[nodiscard]] std::optional<std::string> without_line_prefixes(std::string_view text);
 
 // The value of the key "ninebit" in the text of a JSON object, such as "program"; empty without the key.
 [[nodiscard]] std::string_view json_kind(std::string_view text);

@@ -7,11 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "src/language/pixel_shader/shader_literal.h"
 #include "src/language/pixel_shader/shader_parser.h"
-#include "src/language/pixel_shader/shader_translate.h"
 #include "src/language/source/foreign_language.h"
-#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
 #include "src/language/source/string_literals.h"
 
 namespace ninebit {
@@ -148,13 +146,18 @@ Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, con
     faults.add(shader_begin(source.text), cannot_run(language));
     return faults.take();
   }
-  const auto tokens = detail::preprocess_shader(detail::lex_shader(source.text, faults), definitions, faults, notes);
+  const auto tokens = detail::preprocess_shader(source.text, definitions, faults, notes);
   used.insert(tokens.used.begin(), tokens.used.end());
   if (!tokens.is_whole) return {faults.take(), notes.take()};
   const ShaderText text = detail::parse_shader(tokens, faults, notes);
   if (text.version.name.empty()) return {faults.take(), notes.take()};
-  detail::check_shader_rules(text, faults);
-  const CombinerState state = detail::translate_shader(text, profile, faults, notes);
+  return program_of_shader(text, profile, faults, notes);
+}
+
+Parsed<CombinerState> detail::program_of_shader(const ShaderText& text, const HardwareProfile& profile,
+                                                SourceFaults& faults, SourceFaults& notes) {
+  check_shader_rules(text, faults);
+  const CombinerState state = translate_shader(text, profile, faults, notes);
   note_outside(text, notes);
   note_ranges(text, notes);
   note_result(text, notes);

@@ -1,294 +1,243 @@
 #include "src/language/pixel_shader/shader_macros.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <optional>
-#include <set>
-#include <span>
-#include <string>
 #include <utility>
 
-#include "src/language/source/condition.h"
-#include "src/language/source/nearest_name.h"
+#include "src/language/c_like/c_lexer.h"
+#include "src/language/c_like/c_preprocessor.h"
 
 namespace ninebit::detail {
 namespace {
 
-using MacroTokenKind = ShaderToken::Kind;
+char lower_letter(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
-constexpr std::array<std::string_view, 12> kDirectives{"define", "undef", "include", "pragma", "if",   "ifdef",
-                                                       "ifndef", "elif",  "else",    "endif",  "line", "error"};
-constexpr std::size_t kDeepest = 32;  // names in names, conditions in conditions
+bool begins_with(std::string_view text, std::string_view lower_word) {
+  return text.size() >= lower_word.size() && std::equal(lower_word.begin(), lower_word.end(), text.begin(),
+                                                        [](char a, char b) { return a == lower_letter(b); });
+}
 
-class ShaderPreprocessor {
+// The text as C has it, byte for byte: without comments, with the preprocessor's words in lower case, and with lines
+// joined that a backslash and blanks end.
+class PlainShader {
  public:
-  ShaderPreprocessor(std::vector<ShaderToken> tokens, const std::vector<Definition>& definitions, SourceFaults& faults,
-                     SourceFaults& notes)
-      : tokens_(std::move(tokens)), faults_(faults), notes_(notes) {
+  PlainShader(std::string_view text, SourceFaults& faults) : out_(text), faults_(faults) {
+    bool is_directive = false, line_begins = true;
+    for (at_ = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; at_ < out_.size();) {
+      const char c = out_[at_];
+      if (c == '\n') {
+        line_begins = true;
+        is_directive = false;
+        ++at_;
+      } else if (c == '\0') {
+        out_[at_++] = ' ';
+      } else if (is_blank(c)) {
+        ++at_;
+      } else if (!comment() && !continuation()) {
+        is_directive = is_directive || (line_begins && c == '#');
+        line_begins = false;
+        word(is_directive);
+      }
+    }
+  }
+
+  [[nodiscard]] std::string take() { return std::move(out_); }
+
+ private:
+  void clear_to(std::size_t end) {
+    for (; at_ < end; ++at_) {
+      if (out_[at_] != '\n') out_[at_] = ' ';
+    }
+  }
+
+  bool comment() {
+    const std::string_view rest = std::string_view(out_).substr(at_);
+    if (rest.front() == ';' || rest.starts_with("//")) {
+      clear_to(std::min(out_.find('\n', at_), out_.size()));
+    } else if (rest.starts_with("/*")) {
+      const std::size_t end = out_.find("*/", at_ + 2);
+      if (end == std::string::npos) faults_.add(at_, "unterminated comment; expected */");
+      for (std::size_t i = at_; i < std::min(end, out_.size()); ++i) {
+        if (out_[i] == '\n') out_[i] = ' ';  // a comment does not end a line
+      }
+      clear_to(end == std::string::npos ? out_.size() : end + 2);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  // A backslash, if nothing but blanks stands between it and the end of its line.
+  bool continuation() {
+    const std::size_t end = std::min(out_.find('\n', at_), out_.size());
+    const std::string_view between = std::string_view(out_).substr(at_ + 1, end - std::min(end, at_ + 1));
+    const bool is_blank_rest = std::all_of(between.begin(), between.end(), is_blank);
+    if (out_[at_] != '\\' || end == out_.size() || !is_blank_rest) return false;
+    clear_to(end);
+    out_[at_++] = ' ';
+    return true;
+  }
+
+  void word(bool is_directive) {
+    std::size_t end = at_;
+    while (end < out_.size() && is_word(out_[end])) ++end;
+    const auto begin = out_.begin() + static_cast<std::ptrdiff_t>(at_);
+    const std::size_t before = at_ > 0 ? out_.find_last_not_of(" \t", at_ - 1) : std::string::npos;
+    const bool follows_hash = is_directive && before != std::string::npos && out_[before] == '#';
+    const bool is_operator = is_directive && lower_case(std::string_view(out_).substr(at_, end - at_)) == "defined";
+    if (follows_hash || is_operator) {
+      std::transform(begin, begin + static_cast<std::ptrdiff_t>(end - at_), begin, lower_letter);
+    }
+    at_ = std::max(end, at_ + 1);
+  }
+
+  std::string out_;
+  SourceFaults& faults_;
+  std::size_t at_ = 0;
+};
+
+class ShaderReader {
+ public:
+  ShaderReader(std::string_view text, const std::vector<Definition>& definitions, SourceFaults& faults,
+               SourceFaults& notes)
+      : faults_(faults), notes_(notes), macros_(std::make_shared<code::Macros>()) {
+    auto plain = std::make_shared<std::string>(PlainShader(text, faults).take());
+    text_ = *plain;
+    out_.written = std::move(plain);
+    out_.macros = macros_;
     for (const Definition& one : definitions) {
       SourceFaults wrong({one.value, {}});
-      std::vector<ShaderToken> body = lex_shader(one.value, wrong);
+      code::Lexer lexer(macros_->kept.emplace_back(PlainShader(one.value, wrong).take()));
       for (const TextFault& fault : wrong.take()) {
         faults_.add(0, "the definition of " + quoted(one.name) + ": " + fault.message);
       }
-      std::erase_if(body, [](const ShaderToken& token) {
-        return token.kind == MacroTokenKind::end_of_line || token.kind == MacroTokenKind::end;
-      });
-      macros_.insert_or_assign(one.name, ShaderMacro{std::move(body), true});
+      code::Macro macro{.is_given = true};
+      for (auto token = lexer.next(); token.kind != code::Token::Kind::end; token = lexer.next()) {
+        macro.body.push_back(token);
+      }
+      macros_->all.insert_or_assign(one.name, std::move(macro));
     }
   }
 
   ShaderTokens run() {
-    bool line_begins = true;
-    while (at_ < tokens_.size() && !faults_.full()) {
-      const ShaderToken& token = tokens_[at_];
-      if (line_begins && token.is('#')) {
-        directive(line());
-      } else if (token.kind == MacroTokenKind::end || reads()) {
-        line_begins = token.kind == MacroTokenKind::end_of_line;
-        replaced(token);
-        ++at_;
-        continue;
-      } else {
-        line();
+    code::Preprocessor preprocessor(text_, *macros_, options());
+    std::size_t end = 0;  // of the text that was read
+    auto token = preprocessor.take();
+    for (; token.kind != code::Token::Kind::end && !faults_.full(); token = preprocessor.take()) {
+      if (!token.is_made && token.offset < end) continue;  // a part of a version
+      const std::size_t line_end =
+          token.offset > end ? text_.substr(end, token.offset - end).find('\n') : std::string_view::npos;
+      if (line_end != std::string_view::npos) {
+        out_.tokens.push_back({ShaderToken::Kind::end_of_line, end + line_end, {}});
       }
-      line_begins = true;
+      add(token);
+      end = std::max<std::size_t>(end, token.is_made ? token.end : token.offset + length_);
+      if (out_.tokens.size() > kMostShaderTokens) break;
     }
-    if (!conditions_.empty()) faults_.add(conditions_.back().offset, "unterminated condition; expected #endif");
+    if (preprocessor.too_many() || out_.tokens.size() > kMostShaderTokens) {
+      faults_.add(token.offset, "the text is longer than " + std::to_string(kMostShaderTokens) + " words");
+    }
+    preprocessor.finish();
+    const std::size_t last = text_.size();
+    out_.tokens.push_back({ShaderToken::Kind::end_of_line, last, {}});
+    out_.tokens.push_back({ShaderToken::Kind::end, last, {}});
+    for (const auto& [name, macro] : macros_->all) {
+      if (macro.is_given && macro.is_used) out_.used.emplace(name);
+    }
     return std::move(out_);
   }
 
  private:
-  struct ShaderMacro {
-    std::vector<ShaderToken> body{};
-    bool is_given = false;  // by the caller: the text does not change it
-  };
-  struct Condition {
-    std::size_t offset = 0;
-    bool reads = false;     // whether this branch is read
-    bool done = false;      // whether a branch was read, or none may be
-    bool has_else = false;  // whether this branch is the last
-  };
-
-  [[nodiscard]] bool reads() const {
-    return std::all_of(conditions_.begin(), conditions_.end(), [](const Condition& c) { return c.reads; });
-  }
-
-  // Takes the rest of a line, with its end.
-  std::span<const ShaderToken> line() {
-    const std::size_t begin = at_;
-    while (tokens_[at_].kind != MacroTokenKind::end_of_line && tokens_[at_].kind != MacroTokenKind::end) ++at_;
-    const std::span<const ShaderToken> all(tokens_);
-    const std::size_t end = at_;
-    if (tokens_[at_].kind == MacroTokenKind::end_of_line) ++at_;
-    return all.subspan(begin, end - begin);
-  }
-
-  void directive(std::span<const ShaderToken> line) {
-    if (line.size() < 2 || line[1].kind != MacroTokenKind::word) return;  // a lone # does nothing
-    const std::string name = lower_case(line[1].text);
-    const auto rest = line.subspan(2);
-    if (name == "if" || name == "ifdef" || name == "ifndef") {
-      begin_condition(line[0].offset, name, rest);
-    } else if (name == "elif" || name == "else" || name == "endif") {
-      continue_condition(line[0].offset, name, rest);
-    } else if (!reads()) {
-      return;
-    } else if (name == "define") {
-      define(line[1], rest);
-    } else if (name == "undef") {
-      undefine(line[1], rest);
-    } else if (name == "include") {
+  code::PreprocessorOptions options() {
+    code::PreprocessorOptions options;
+    options.fault = [this](const code::Token& at, const std::string& message) { faults_.add(at.offset, message); };
+    options.reads = [this](const code::Token& directive, const std::vector<code::Token>& line,
+                           const code::Answer& answer) { return reads(directive, line, answer); };
+    options.skipped = [this](const code::Token& directive, const std::vector<code::Token>& line) {
       out_.includes = true;
-      notes_.add(line[0].offset, "skipped " + text_of(rest) + "; its names are not known");
-    } else if (std::find(kDirectives.begin(), kDirectives.end(), name) == kDirectives.end()) {
-      faults_.add(line[1].offset,
-                  "'#" + name + "' is not a line of the preprocessor" + did_you_mean(name, kDirectives));
-    } else if (name == "error") {
-      faults_.add(line[0].offset, "the text ends itself with #error");
-    }
+      notes_.add(hash_of(directive),
+                 "skipped " + (line.empty() ? "a file" : quoted(between(line))) + "; its names are not known");
+    };
+    return options;
   }
 
-  // The text between two tokens of a line.
-  static std::string text_of(std::span<const ShaderToken> tokens) {
-    if (tokens.empty()) return "a file";
-    const char* const begin = tokens.front().text.data();
-    const ShaderToken& last = tokens.back();
-    return quoted({begin, static_cast<std::size_t>(last.text.data() + last.text.size() - begin)});
+  // The text of a line's tokens.
+  [[nodiscard]] std::string_view between(const std::vector<code::Token>& line) const {
+    return line.empty() ? std::string_view() : text_.substr(line.front().offset, line.back().end - line.front().offset);
   }
+  [[nodiscard]] std::size_t hash_of(const code::Token& directive) const { return text_.rfind('#', directive.offset); }
 
-  void define(const ShaderToken& word, std::span<const ShaderToken> rest) {
-    if (rest.empty() || rest[0].kind != MacroTokenKind::word) {
-      faults_.add(word.offset, "expected a name after #define");
-      return;
-    }
-    const std::size_t end = rest[0].offset + rest[0].text.size();
-    if (rest.size() > 1 && rest[1].is('(') && rest[1].offset == end) {
-      faults_.add(rest[0].offset, quoted(rest[0].text) + " has parameters; only names without them are read");
-      return;
-    }
-    if (!is_given(rest[0].text)) macros_[rest[0].text] = {{rest.begin() + 1, rest.end()}};
-  }
-
-  void undefine(const ShaderToken& word, std::span<const ShaderToken> rest) {
-    if (rest.empty() || rest[0].kind != MacroTokenKind::word) {
-      faults_.add(word.offset, "expected a name after #undef");
-    } else if (!is_given(rest[0].text)) {
-      macros_.erase(rest[0].text);
-    }
-  }
-
-  // The macro of a name, or nullptr.
-  const ShaderMacro* macro_of(std::string_view name) {
-    const auto found = macros_.find(name);
-    if (found == macros_.end()) return nullptr;
-    if (found->second.is_given) out_.used.emplace(name);
-    return &found->second;
-  }
-
-  bool is_given(std::string_view name) {
-    const ShaderMacro* const macro = macro_of(name);
-    return macro != nullptr && macro->is_given;
-  }
-
-  void begin_condition(std::size_t offset, const std::string& name, std::span<const ShaderToken> rest) {
-    if (conditions_.size() == kDeepest) {
-      faults_.add(offset, "conditions are nested more than " + std::to_string(kDeepest) + " deep");
-      return;
-    }
-    Condition condition{.offset = offset};
-    if (!reads()) {
-      condition.done = true;
-    } else if (name == "if") {
-      condition.reads = condition.done = holds(offset, name, rest);
-    } else if (rest.empty() || rest[0].kind != MacroTokenKind::word) {
-      faults_.add(offset, "expected a name after #" + name);
-    } else {
-      const bool defined = macro_of(rest[0].text) != nullptr;
-      condition.reads = condition.done = defined == (name == "ifdef");
-    }
-    conditions_.push_back(condition);
-  }
-
-  void continue_condition(std::size_t offset, const std::string& name, std::span<const ShaderToken> rest) {
-    if (conditions_.empty()) {
-      faults_.add(offset, "'#" + name + "' without #if");
-      return;
-    }
-    if (name == "endif") {
-      conditions_.pop_back();
-      return;
-    }
-    Condition& condition = conditions_.back();
-    if (condition.has_else) faults_.add(offset, "'#" + name + "' after #else");
-    condition.has_else = name == "else";
-    const bool was_done = condition.done;
-    condition.reads = false;
-    if (!was_done && reads_around()) condition.reads = condition.done = name == "else" || holds(offset, name, rest);
-  }
-
-  [[nodiscard]] bool reads_around() const {
-    return std::all_of(conditions_.begin(), conditions_.end() - 1, [](const Condition& c) { return c.reads; });
-  }
-
-  // Tokens as a text, with blanks only where the source has them; the language has no case in `defined`.
-  static std::string written(std::span<const ShaderToken> tokens) {
-    std::string out;
-    const char* end = nullptr;
-    for (const ShaderToken& token : tokens) {
-      if (end != nullptr && token.text.data() != end) out += ' ';
-      const std::string lower = lower_case(token.text);
-      out += lower == "defined" ? lower : token.text;
-      end = token.text.data() + token.text.size();
-    }
-    return out;
-  }
-
-  // The value of #if or #elif. A name without a value on which it depends is a fault, once.
-  bool holds(std::size_t offset, const std::string& name, std::span<const ShaderToken> rest) {
-    const ConditionValue value = condition_value(
-        written(rest), {.is_defined = [&](std::string_view of) { return macro_of(of) != nullptr; },
-                        .body_of =
-                            [&](std::string_view of) {
-                              const ShaderMacro* const macro = macro_of(of);
-                              return macro != nullptr ? std::optional(written(macro->body)) : std::nullopt;
-                            }});
-    if (!value.fault.empty()) {
-      faults_.add(offset, "#" + name + ": " + value.fault);
-    } else if (!value.unknown.empty() && asked_.insert(value.unknown).second) {
+  // A name without a value on which a condition depends is a fault, once.
+  bool reads(const code::Token& directive, const std::vector<code::Token>& line, const code::Answer& answer) {
+    if (!answer.unknown.empty() && asked_.insert(answer.unknown).second) {
       out_.is_whole = false;
-      faults_.add(offset, quoted(value.unknown) + " is not defined, and #" + name + " " + written(rest) +
-                              " depends on it; give it as in --define '" + value.unknown + "=…', or by #define");
+      faults_.add(hash_of(directive), quoted(answer.unknown) + " is not defined, and #" + std::string(directive.text) +
+                                          " " + std::string(between(line)) +
+                                          " depends on it; give it as in --define '" + answer.unknown +
+                                          "=…', or by #define");
     }
-    return value.holds;
+    return answer.value;
   }
 
-  // Adds a token, or what its name stands for; names in it are replaced, too, but not a name in itself.
-  void replaced(const ShaderToken& token) {
-    struct Open {
-      std::string_view name;
-      std::span<const ShaderToken> body;
-      std::size_t next = 0;
-    };
-    const auto opened = [&](const ShaderToken& of) -> std::optional<Open> {
-      const ShaderMacro* const macro = of.kind == MacroTokenKind::word ? macro_of(of.text) : nullptr;
-      return macro != nullptr ? std::optional(Open{of.text, macro->body}) : std::nullopt;
-    };
-    const auto first = opened(token);
-    if (!first) return add(token, token.offset);
-    std::vector<Open> open{*first};
-    while (!open.empty() && ++steps_ < kMostShaderTokens) {
-      Open& top = open.back();
-      if (top.next == top.body.size()) {
-        open.pop_back();
-        continue;
+  void add(const code::Token& token) {
+    using From = code::Token::Kind;
+    ShaderToken out{ShaderToken::Kind::punctuation, token.offset, token.text};
+    const std::size_t version = shader_version_length(token.is_made ? token.text : text_.substr(token.offset));
+    if (version > 0) {
+      out.kind = ShaderToken::Kind::version;
+      if (!token.is_made) out.text = text_.substr(token.offset, version);
+    } else if (token.kind == From::name || token.kind == From::number) {
+      out.kind = token.kind == From::name ? ShaderToken::Kind::word : ShaderToken::Kind::number;
+    } else if (token.kind == From::punctuation) {
+      for (std::size_t i = 0; i + 1 < token.text.size(); ++i) {  // "--" is two signs
+        out_.tokens.push_back({out.kind, token.is_made ? token.offset : token.offset + i, token.text.substr(i, 1)});
       }
-      const ShaderToken& inner = top.body[top.next++];
-      const auto more = opened(inner);
-      const bool is_open =
-          more && std::any_of(open.begin(), open.end(), [&](const Open& o) { return o.name == more->name; });
-      if (!more || is_open || open.size() == kDeepest) {
-        add(inner, token.offset);
-      } else {
-        open.push_back(*more);
-      }
-    }
-  }
-
-  void add(ShaderToken token, std::size_t offset) {
-    if (++steps_ >= kMostShaderTokens && token.kind != MacroTokenKind::end) {
-      if (!overflowed_) faults_.add(offset, "the text is longer than " + std::to_string(kMostShaderTokens) + " words");
-      overflowed_ = true;
+      if (!token.is_made) out.offset += token.text.size() - 1;
+      out.text.remove_prefix(token.text.size() - 1);
+      out_.tokens.push_back(out);
+      length_ = token.text.size();
       return;
     }
-    token.offset = offset;
-    out_.tokens.push_back(token);
+    length_ = out.text.size();
+    out_.tokens.push_back(out);
   }
 
-  std::vector<ShaderToken> tokens_;
+  std::string_view text_;
   SourceFaults& faults_;
   SourceFaults& notes_;
-  std::size_t at_ = 0;
-  std::map<std::string_view, ShaderMacro> macros_;
-  std::vector<Condition> conditions_;
-  std::set<std::string> asked_;  // names without a value that were reported
+  std::shared_ptr<code::Macros> macros_;
   ShaderTokens out_;
-  std::size_t steps_ = 0;  // of replacing; names may stand for nothing
-  bool overflowed_ = false;
+  std::size_t length_ = 0;       // of the token that was added last
+  std::set<std::string> asked_;  // names without a value that were reported
 };
 
 }  // namespace
 
-ShaderTokens preprocess_shader(std::vector<ShaderToken> tokens, const std::vector<Definition>& definitions,
-                               SourceFaults& faults, SourceFaults& notes) {
-  ShaderTokens out = ShaderPreprocessor(std::move(tokens), definitions, faults, notes).run();
-  if (out.tokens.empty() || out.tokens.back().kind != MacroTokenKind::end) {
-    const std::size_t offset = out.tokens.empty() ? 0 : out.tokens.back().offset;
-    out.tokens.push_back({MacroTokenKind::end_of_line, offset, {}});
-    out.tokens.push_back({MacroTokenKind::end, offset, {}});
-  }
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(), lower_letter);
   return out;
+}
+
+std::size_t shader_version_length(std::string_view text) {
+  if (begins_with(text, "!!ps1.")) {
+    const std::size_t length = std::string_view("!!PS1.").size();
+    return text.size() > length && is_digit(text[length]) ? length + 1 : 0;
+  }
+  const std::size_t name = begins_with(text, "xps") ? 3 : begins_with(text, "ps") ? 2 : 0;
+  if (name == 0 || text.size() < name + 4) return 0;
+  const char separator = text[name];
+  const bool separated = (separator == '.' || separator == '_') && text[name + 2] == separator;
+  if (!separated || !is_digit(text[name + 1]) || !is_word(text[name + 3])) return 0;
+  std::size_t length = name + 4;
+  while (length < text.size() && is_word(text[length])) ++length;
+  return length;
+}
+
+ShaderTokens preprocess_shader(std::string_view text, const std::vector<Definition>& definitions, SourceFaults& faults,
+                               SourceFaults& notes) {
+  return ShaderReader(text, definitions, faults, notes).run();
 }
 
 }  // namespace ninebit::detail

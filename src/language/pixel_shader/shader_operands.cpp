@@ -52,7 +52,8 @@ std::vector<std::string> register_names(const ShaderVersion& version) {
   return names;
 }
 
-// The number of registers of a file.
+}  // namespace
+
 int registers_of(ShaderFile file, const ShaderVersion& version) {
   const bool last = version.minor == 4;
   switch (file) {
@@ -68,6 +69,8 @@ int registers_of(ShaderFile file, const ShaderVersion& version) {
       return 1;
   }
 }
+
+namespace {
 
 template <std::size_t N, class Named>
 const Named* named(const std::array<Named, N>& all, std::string_view name) {
@@ -219,9 +222,8 @@ std::optional<ShaderTarget> ShaderOperandReader::target() {
 
 std::optional<ShaderOperand> ShaderOperandReader::operand() {
   ShaderOperand out;
-  const bool number = in_.peek().kind == ShaderToken::Kind::number;
   const std::size_t begin = in_.peek().offset;
-  if (number && in_.peek().text == "1") {
+  if (in_.peek().kind == ShaderToken::Kind::number && in_.peek().text == "1") {
     in_.take();
     if (!in_.take_if('-')) {
       expected("'-' after 1, as in 1-r0");
@@ -230,6 +232,7 @@ std::optional<ShaderOperand> ShaderOperandReader::operand() {
     out.invert = true;
   } else {
     out.negate = in_.take_if('-');
+    if (version_.is_xbox && in_.peek().kind == ShaderToken::Kind::number) return printed_number(out);
   }
   const auto from = read_register();
   if (!from) return std::nullopt;
@@ -246,6 +249,23 @@ std::optional<ShaderOperand> ShaderOperandReader::operand() {
     faults_.add(begin, "1-x takes no other modifier; found " + quoted(from->modifiers));
     return std::nullopt;
   }
+  return out;
+}
+
+std::optional<ShaderOperand> ShaderOperandReader::printed_number(ShaderOperand out) {
+  const ShaderToken& token = in_.peek();
+  const std::string_view digits = token.text.substr(0, token.text.find_last_not_of("0f") + 1);
+  if (digits != "0." && digits != "." && digits != "1." && digits != "0.5") {
+    expected("a register, or one of the numbers 0.0, 0.5 and 1.0");
+    return std::nullopt;
+  }
+  in_.take();
+  out.offset = token.offset;
+  out.text = token.text;
+  if (digits == "1.") out.file = ShaderFile::one;
+  if (digits != "0.5") return out;
+  out.modifier = ShaderModifier::bias;  // of 0, that is -0.5
+  out.negate = !out.negate;
   return out;
 }
 

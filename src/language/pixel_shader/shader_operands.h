@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "src/language/pixel_shader/shader_instruction.h"
-#include "src/language/pixel_shader/shader_lexer.h"
+#include "src/language/pixel_shader/shader_macros.h"
 
 namespace ninebit::detail {
 
@@ -32,6 +32,9 @@ class ShaderCursor {
   const std::vector<ShaderToken>& tokens_;
   std::size_t at_ = 0;
 };
+
+// The number of registers of a file.
+[[nodiscard]] int registers_of(ShaderFile file, const ShaderVersion& version);
 
 // Reads operands of one version; functions that return nothing have reported a fault.
 class ShaderOperandReader {
@@ -61,6 +64,8 @@ class ShaderOperandReader {
   bool name_register(Register& out, const std::string& name);
   bool check_index(Register& out);
   bool read_suffix(Register& out);
+  // A number that Cxbx prints where the words have zero, one or a half.
+  std::optional<ShaderOperand> printed_number(ShaderOperand out);
   bool apply_modifiers(ShaderOperand& out, const Register& from);
   bool apply_selector(ShaderOperand& out, const Register& from);
 

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "src/language/pixel_shader/shader_instruction.h"
-#include "src/language/pixel_shader/shader_lexer.h"
+#include "src/language/pixel_shader/shader_macros.h"
 
 namespace ninebit::detail {
 namespace {

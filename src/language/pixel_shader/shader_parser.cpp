@@ -115,7 +115,17 @@ class ShaderParser {
       too_many_ = true;
       return;
     }
+    if (instruction.paired && out_.version.is_xbox) leave_alpha_to(instruction);
     out_.instructions.push_back(std::move(instruction));
+  }
+
+  // Cxbx prints no mask before an instruction that writes alpha: the first of the pair writes only the colour, then.
+  void leave_alpha_to(const ShaderInstruction& second) {
+    if (out_.instructions.empty() || second.writes(false) || !second.writes(true)) return;
+    if (out_.instructions.back().op() < ShaderOp::xmma) return;
+    for (ShaderTarget& target : out_.instructions.back().targets) {
+      if (target.rgb) target.alpha = false;
+    }
   }
 
   // The name of an instruction with the modifiers of its result.

@@ -8,7 +8,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/pixel_shader.h"
-#include "src/language/pixel_shader/shader_signs.h"
+#include "src/language/pixel_shader/shader_stages.h"
 #include "src/language/pixel_shader/shader_words.h"
 
 namespace ninebit {

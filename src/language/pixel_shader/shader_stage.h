@@ -90,4 +90,8 @@ class ShaderPortions {
 // The constant 1 in a portion.
 [[nodiscard]] CombinerInput shader_one(PortionName which);
 
+// The final combiner of a shader that ends with xfc, and of one that does not.
+void translate_final(ShaderContext& context, const ShaderInstruction& xfc, FinalCombiner& out);
+[[nodiscard]] FinalCombiner plain_final(const ShaderContext& context);
+
 }  // namespace ninebit::detail

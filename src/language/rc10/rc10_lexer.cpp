@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {
 namespace {
 
-constexpr std::string_view kPunctuation = "{}()=;,.*+-";
+constexpr std::string_view kRc10Punctuation = "{}()=;,.*+-";
 constexpr Blanks kBlanks{.hash_comments = true, .heading = kRc10Header};
 
 std::size_t run_of_words(std::string_view text) {
@@ -68,7 +68,7 @@ std::size_t Rc10Lexer::word_length() const {
 std::size_t Rc10Lexer::unknown_length() const {
   std::size_t end = at_ + 1;
   while (end < text_.size() && !is_word(text_[end]) && !is_blank(text_[end]) && text_[end] != '/' &&
-         text_[end] != '#' && text_[end] != '!' && kPunctuation.find(text_[end]) == std::string_view::npos) {
+         text_[end] != '#' && text_[end] != '!' && kRc10Punctuation.find(text_[end]) == std::string_view::npos) {
     ++end;
   }
   return end - at_;
@@ -87,7 +87,7 @@ void Rc10Lexer::advance() {
   } else if (is_word(c)) {
     token_.kind = Rc10Token::Kind::word;
     length = word_length();
-  } else if (kPunctuation.find(c) != std::string_view::npos) {
+  } else if (kRc10Punctuation.find(c) != std::string_view::npos) {
     token_.kind = Rc10Token::Kind::punctuation;
     length = 1;
   } else {

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "ninebit/combiner/registers.h"
-#include "src/language/source/source_blanks.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {

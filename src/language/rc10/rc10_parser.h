@@ -9,6 +9,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "src/language/rc10/rc10_lexer.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {
 
@@ -104,5 +105,11 @@ class Rc10Final {
   Operand a_{}, b_{}, c_{}, d_{}, e_{}, f_{};
   Operand g_{rc10_zero(ComponentUsage::alpha), {}};
 };
+
+// Files of NVIDIA's fp20 profile: an !!RC1.0 program beside programs for the units before it, one after the other.
+
+// The text with its other parts, such as !!TS1.0, replaced by blanks, each named by a note; empty: there are none.
+// Reports parts whose headers are unknown.
+[[nodiscard]] std::optional<std::string> only_rc10(std::string_view text, SourceFaults& faults, SourceFaults& notes);
 
 }  // namespace ninebit::detail

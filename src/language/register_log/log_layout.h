@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "src/language/register_log/log_lines.h"
-#include "src/language/register_log/log_tokens.h"
 #include "src/language/register_words/register_words_layout.h"
 
 namespace ninebit::reglog {

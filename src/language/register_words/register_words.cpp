@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <charconv>
 
-#include "src/language/register_words/register_words_faults.h"
+#include "src/language/c_like/c_lexer.h"
+#include "src/language/c_like/c_number.h"
 #include "src/language/register_words/register_words_layout.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit {
 namespace {
@@ -76,7 +78,7 @@ class Line {
 
   std::string read_name() {
     const std::size_t start = at_;
-    if (at_ < text_.size() && is_letter(text_[at_])) {
+    if (at_ < text_.size() && (is_letter(text_[at_]) || text_.substr(at_).starts_with("0x"))) {
       while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
     }
     if (at_ > start && at_ < text_.size() && (text_[at_] == '[' || text_[at_] == '(')) {
@@ -110,22 +112,129 @@ class Line {
   std::size_t at_ = 0;
 };
 
+// Reads a struct that gdb printed: "$1 = {combiner_control = 69889, rgb_inputs = {134479872, 0, …}, …}". Members that
+// are not words are skipped, those of inner structs are read.
+class PrintedStruct {
+ public:
+  PrintedStruct(std::string_view text, TextFaults& faults) : text_(text), faults_(faults), lexer_(text) {
+    do {
+      token_ = lexer_.next();
+    } while (!token_.is("{") && token_.kind != Kind::end);
+  }
+
+  std::vector<RegisterWord> read() {
+    members(0);
+    if (faults_.empty() && words_.empty()) faults_.add({}, "has no member such as combiner_control or rgb_inputs");
+    return std::move(words_);
+  }
+
+ private:
+  using Kind = code::Token::Kind;
+
+  void take() { token_ = lexer_.next(); }
+  bool expected(const char* what) {
+    const std::string found = token_.kind == Kind::end ? "the end" : detail::quoted(token_.text);
+    faults_.add(place_of(text_, token_.offset), std::string("expected ") + what + "; found " + found);
+    return false;
+  }
+
+  // "{a = 1, b = {2, 3}}"; each function returns false after a fault.
+  bool members(int depth) {
+    constexpr int kDeepest = 32;
+    if (depth > kDeepest) return expected("fewer braces");
+    take();
+    while (!token_.is("}")) {
+      if (!token_.is_name()) return expected("the name of a member, or '}'");
+      const std::string name(token_.text);
+      take();
+      if (!token_.is("=")) return expected("'='");
+      take();
+      if (!value(name, depth)) return false;
+      if (token_.is(",")) take();
+    }
+    take();
+    return true;
+  }
+
+  bool value(const std::string& name, int depth) {
+    const bool is_row = token_.is("{");
+    const bool is_word =
+        words::find_slot(is_row ? name + "[0]" : name, ChipClass::nv20).slot || !words::find_other_word(name).empty();
+    if (is_row) {
+      const code::Token brace = token_;
+      code::Lexer ahead = lexer_;
+      if (ahead.next().is_name() && ahead.next().is("=")) return members(depth + 1);
+      if (!is_word) return skip(brace);
+      take();
+      for (int i = 0; !token_.is("}"); ++i) {
+        if (!number(name + "[" + std::to_string(i) + "]")) return false;
+        if (token_.is(",")) take();
+      }
+      take();
+      return true;
+    }
+    if (is_word) return number(name);
+    while (!token_.is(",") && !token_.is("}") && token_.kind != Kind::end) take();
+    return true;
+  }
+
+  bool number(const std::string& name) {
+    const auto value = token_.kind == Kind::number ? code::read_number(token_.text) : std::nullopt;
+    if (!value || value->may_be_real() || value->integer < 0 || value->integer > 0xffff'ffff) {
+      return expected("a number of 32 bits");
+    }
+    words_.push_back({name, static_cast<std::uint32_t>(value->integer), place_of(text_, token_.offset)});
+    take();
+    return true;
+  }
+
+  bool skip(code::Token token) {
+    for (int depth = 0; token.kind != Kind::end; token = lexer_.next()) {
+      if (token.is("{")) ++depth;
+      if (token.is("}") && --depth == 0) break;
+    }
+    take();
+    return true;
+  }
+
+  std::string_view text_;
+  TextFaults& faults_;
+  code::Lexer lexer_;
+  code::Token token_{};
+  std::vector<RegisterWord> words_;
+};
+
+std::vector<RegisterWord> read_lines(std::string_view text, TextFaults& faults) {
+  // With more words than the chip has, some are repeated; reading on would only repeat that fault.
+  constexpr std::size_t kMaxWords = 1000;
+  std::vector<RegisterWord> found;
+  int number = 1;
+  for (std::size_t start = 0; start <= text.size() && !faults.full() && found.size() < kMaxWords; ++number) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    if (auto word = Line(text.substr(start, end - start), number, faults).read()) found.push_back(std::move(*word));
+    start = end + 1;
+  }
+  return found;
+}
+
 }  // namespace
+
+bool words::is_printed_struct(std::string_view text) {
+  if (text.starts_with('$')) {
+    const std::size_t end = text.find_first_not_of("0123456789", 1);
+    return end > 1 && end != std::string_view::npos && text.substr(end).starts_with(" = {");
+  }
+  return text.starts_with("{combiner_control = ");
+}
 
 Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip, const HardwareProfile& profile,
                                            std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return faults.take();
-  // With more words than the chip has, some are repeated; reading on would only repeat that fault.
-  constexpr std::size_t kMaxWords = 1000;
-  std::vector<RegisterWord> found;
-  int number = 1;
-  for (std::size_t start = 0; start <= source.text.size() && !faults.full() && found.size() < kMaxWords; ++number) {
-    const std::size_t end = std::min(source.text.find('\n', start), source.text.size());
-    const std::string_view line = source.text.substr(start, end - start);
-    if (std::optional<RegisterWord> word = Line(line, number, faults).read()) found.push_back(std::move(*word));
-    start = end + 1;
-  }
+  const bool printed = words::is_printed_struct(
+      source.text.substr(std::min(source.text.find_first_not_of(" \t\r\n"), source.text.size())));
+  const auto found = printed ? PrintedStruct(source.text, faults).read() : read_lines(source.text, faults);
+  if (printed && !faults.empty()) return faults.take();
   Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile, other_words);
   if (faults.empty()) return decoded;
   faults.add(decoded.faults());

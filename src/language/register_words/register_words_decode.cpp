@@ -4,9 +4,8 @@
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
-#include "src/language/register_words/register_words_faults.h"
 #include "src/language/register_words/register_words_layout.h"
-#include "src/language/register_words/register_words_other.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit {
 namespace words {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 namespace ninebit {
 
@@ -14,7 +15,9 @@ namespace {
 
 enum Chips : std::uint8_t { both, nv10_only, nv20_only };
 
-// A name without prefix and index, in lower case. `index` from 0: the name is that of this one word.
+// A name without prefix and index, in lower case. `index` from 0: the name is that of this one word; kFirst: of the
+// first of a row, to which an index may be added.
+constexpr int kFirst = -2;
 struct Alias {
   std::string_view name;
   Kind kind;
@@ -23,7 +26,7 @@ struct Alias {
 };
 
 // Names from envytools rnndb, envytools hwtest, the method names of class NV097, the fields of the Xbox's pixel shader
-// definition.
+// definition, xemu's names of PGRAPH's registers and the members of its PshState.
 constexpr std::array kAliases{
     Alias{"rc_in_alpha", Kind::in_alpha},
     Alias{"combiner_alpha_icw", Kind::in_alpha},
@@ -69,11 +72,60 @@ constexpr std::array kAliases{
     Alias{"rc_config", Kind::enable, 0, nv20_only},
     Alias{"combiner_control", Kind::enable, 0, nv20_only},
     Alias{"pscombinercount", Kind::enable, 0, nv20_only},
+    Alias{"combinealphai", Kind::in_alpha, -1, nv20_only},
+    Alias{"combinealphai0", Kind::in_alpha, kFirst, nv20_only},
+    Alias{"combinecolori", Kind::in_rgb, -1, nv20_only},
+    Alias{"combinecolori0", Kind::in_rgb, kFirst, nv20_only},
+    Alias{"combinealphao", Kind::out_alpha, -1, nv20_only},
+    Alias{"combinealphao0", Kind::out_alpha, kFirst, nv20_only},
+    Alias{"combinecoloro", Kind::out_rgb, -1, nv20_only},
+    Alias{"combinecoloro0", Kind::out_rgb, kFirst, nv20_only},
+    Alias{"combinefactor0", Kind::stage_color0, kFirst, nv20_only},
+    Alias{"combinefactor1", Kind::stage_color1, kFirst, nv20_only},
+    Alias{"specfogfactor", Kind::color, -1, nv20_only},
+    Alias{"combinespecfog0", Kind::final0, 0, nv20_only},
+    Alias{"combinespecfog1", Kind::final1, 0, nv20_only},
+    Alias{"combinectl", Kind::enable, 0, nv20_only},
+    Alias{"alpha_inputs", Kind::in_alpha, -1, nv20_only},
+    Alias{"rgb_inputs", Kind::in_rgb, -1, nv20_only},
+    Alias{"alpha_outputs", Kind::out_alpha, -1, nv20_only},
+    Alias{"rgb_outputs", Kind::out_rgb, -1, nv20_only},
+    Alias{"final_inputs_0", Kind::final0, 0, nv20_only},
+    Alias{"final_inputs_1", Kind::final1, 0, nv20_only},
 };
 
-constexpr std::array<std::string_view, 13> kPrefixes{"nv10_3d_", "nv15_3d_", "nv17_3d_", "nv20_3d_", "nv25_3d_",
-                                                     "nv10tcl_", "nv20tcl_", "nv056_",   "nv096_",   "nv097_",
-                                                     "celsius_", "kelvin_",  "bundle_"};
+constexpr std::array<std::string_view, 14> kPrefixes{"nv10_3d_", "nv15_3d_", "nv17_3d_", "nv20_3d_",  "nv25_3d_",
+                                                     "nv10tcl_", "nv20tcl_", "nv056_",   "nv096_",    "nv097_",
+                                                     "celsius_", "kelvin_",  "bundle_",  "nv_pgraph_"};
+
+// The NV2A's registers by their addresses: rows of words, each 4 after the one before.
+struct RegisterRow {
+  std::uint32_t address;
+  std::string_view name;
+  std::uint32_t words;
+};
+constexpr std::array kRegisterRows{
+    RegisterRow{0x401880, "combinefactor0", 8},  RegisterRow{0x4018a0, "combinefactor1", 8},
+    RegisterRow{0x4018c0, "combinealphai0", 8},  RegisterRow{0x4018e0, "combinealphao0", 8},
+    RegisterRow{0x401900, "combinecolori0", 8},  RegisterRow{0x401920, "combinecoloro0", 8},
+    RegisterRow{0x401940, "combinectl", 1},      RegisterRow{0x401944, "combinespecfog0", 1},
+    RegisterRow{0x401948, "combinespecfog1", 1}, RegisterRow{0x401994, "shaderclipmode", 1},
+    RegisterRow{0x401998, "shaderctl", 1},       RegisterRow{0x40199c, "shaderprog", 1},
+    RegisterRow{0x4019ac, "specfogfactor0", 1},  RegisterRow{0x4019b0, "specfogfactor1", 1},
+};
+
+// The bare name of the register at an address such as "0x401940"; empty: none of these.
+std::string name_at_address(std::string_view text) {
+  std::uint32_t address = 0;
+  const auto [end, error] = std::from_chars(text.data() + 2, text.data() + text.size(), address, 16);
+  if (error != std::errc() || end != text.data() + text.size() || address % 4 != 0) return {};
+  for (const RegisterRow& row : kRegisterRows) {
+    const std::uint32_t index = (address - row.address) / 4;
+    if (address < row.address || index >= row.words) continue;
+    return std::string(row.name) + (row.words > 1 ? "[" + std::to_string(index) + "]" : "");
+  }
+  return {};
+}
 
 // "[3]", "(3)", "3" and "_3" as 3.
 std::optional<int> parse_index(std::string_view text) {
@@ -111,7 +163,7 @@ FoundSlot find_bare(std::string_view name, std::string_view spelled, ChipClass c
     if (!rest.empty() && !index) continue;
     if (best != nullptr && best->name.size() > alias.name.size()) continue;
     best = &alias;
-    best_index = alias.index < 0 ? index : alias.index;
+    best_index = alias.index == kFirst ? index.value_or(0) : alias.index < 0 ? index : alias.index;
   }
   if (best == nullptr) return {};
   const int count = count_of(best->kind, chip);
@@ -161,6 +213,7 @@ std::string bare_name(std::string_view name) {
   std::string lower(name);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (lower.starts_with("0x")) return name_at_address(lower);
   std::string_view bare = lower;
   for (const std::string_view prefix : kPrefixes) {
     if (!bare.starts_with(prefix)) continue;
@@ -179,6 +232,9 @@ FoundSlot find_slot(std::string_view name, ChipClass chip) {
   const FoundSlot elsewhere = find_bare(bare, name, other);
   if (elsewhere.slot || !elsewhere.fault.empty()) {
     return {{}, std::string(name) + " is a word of " + chip_text(other) + ", not of " + chip_text(chip)};
+  }
+  if (bare.empty()) {
+    return {{}, std::string(name) + " is not the address of a combiner register; the NV2A has them from 0x401880 on"};
   }
   return {{},
           std::string(name) + " is not a register word of " + chip_text(chip) + "; expected " +
@@ -247,3 +303,63 @@ GlError error_of_misplaced(std::uint32_t code, Kind kind) {
 
 }  // namespace words
 }  // namespace ninebit
+
+namespace ninebit::words {
+namespace {
+
+// A name in lower case, without prefix and SET_.
+struct OtherAlias {
+  std::string_view bare, name;
+};
+
+// The methods' names are those of nxdk's nv2a_regs.h, then those of envytools rnndb. Direct3D writes these four words
+// to the chip; it keeps the others for itself.
+constexpr OtherAlias kOtherAliases[] = {
+    {"shader_clip_plane_mode", "PSCompareMode"},
+    {"tex_shader_cull_mode", "PSCompareMode"},
+    {"shader_stage_program", "PSTextureModes"},
+    {"tex_shader_op", "PSTextureModes"},
+    {"dot_rgbmapping", "PSDotMapping"},
+    {"tex_shader_dotmapping", "PSDotMapping"},
+    {"shader_other_stage_input", "PSInputTexture"},
+    {"tex_shader_previous", "PSInputTexture"},
+    {"shaderclipmode", "PSCompareMode"},
+    {"shaderprog", "PSTextureModes"},
+    {"shaderctl", "PSInputTexture"},
+    {"other_stage_input", "PSInputTexture"},
+};
+
+}  // namespace
+
+std::string_view find_other_word(std::string_view name) {
+  const std::string bare = bare_name(name);
+  for (const std::string_view other : kOtherWordNames) {
+    if (bare_name(other) == bare) return other;
+  }
+  for (const OtherAlias& alias : kOtherAliases) {
+    if (alias.bare == bare) return alias.name;
+  }
+  return {};
+}
+
+bool OtherWords::take(const RegisterWord& word, ChipClass chip, TextFaults& faults) {
+  const std::string_view name = find_other_word(word.name);
+  if (name.empty()) return false;
+  const auto before =
+      std::find_if(found.begin(), found.end(), [&](const RegisterWord& other) { return other.name == name; });
+  if (chip == ChipClass::nv10) {
+    faults.add(word.place, word.name + " is a word of NV20, not of NV10");
+  } else if (before != found.end()) {
+    faults.add(word.place, before->name + " was given before, in line " + std::to_string(before->place.line));
+  } else {
+    const std::string bare = bare_name(word.name);
+    // SHADERCTL holds two words; xemu's PshState has it as other_stage_input.
+    const bool holds_two = bare == "shaderctl" || bare == "other_stage_input";
+    constexpr std::uint32_t kDotMapping = 0xfff;
+    found.push_back({std::string(name), holds_two ? word.value & ~kDotMapping : word.value, word.place});
+    if (holds_two) found.push_back({"PSDotMapping", word.value & kDotMapping, word.place});
+  }
+  return true;
+}
+
+}  // namespace ninebit::words

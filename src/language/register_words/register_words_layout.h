@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
+#include "src/language/source/source_faults.h"
 
 // Exported because the JSON forms are in a shared library of their own and use these.
 namespace NINEBIT_PUBLIC ninebit {
@@ -57,6 +59,9 @@ struct FoundSlot {
 };
 [[nodiscard]] FoundSlot find_slot(std::string_view name, ChipClass chip);
 
+// Whether a text begins like a struct that gdb printed: "$1 = {", or "{combiner_control = " of xemu's PshState.
+[[nodiscard]] bool is_printed_struct(std::string_view text);
+
 // "0x0badcafe".
 [[nodiscard]] std::string hex_text(std::uint32_t value, int digits = 8);
 
@@ -92,6 +97,27 @@ inline constexpr int kSumInvertSpare0Bit = 5, kSumInvertSecondaryBit = 6, kColor
 // The error that OpenGL raises if the register of a code is in a kind of word that does not allow it; no_error: no
 // register has the code.
 [[nodiscard]] GlError error_of_misplaced(std::uint32_t code, Kind kind);
+
+}  // namespace words
+}  // namespace ninebit
+
+// The words of the Xbox's pixel shader definition that combiners do not read, by all their names.
+
+// Exported because the JSON forms are in a shared library of their own and use these.
+namespace NINEBIT_PUBLIC ninebit {
+namespace words {
+
+// The name in kOtherWordNames of a name or an alias, case-insensitive and with any prefix; empty if it is none of them.
+[[nodiscard]] std::string_view find_other_word(std::string_view name);
+
+// Collects those of a text's words.
+struct OtherWords {
+  // Keeps a word that is one of them, under its own name; on NV10, and a second time, it is a fault. Returns whether it
+  // is one.
+  bool take(const RegisterWord& word, ChipClass chip, TextFaults& faults);
+
+  std::vector<RegisterWord> found{};
+};
 
 }  // namespace words
 }  // namespace ninebit

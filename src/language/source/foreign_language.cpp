@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "src/language/source/source_blanks.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
-#include "src/language/gl_calls/gl_calls_spelling.h"
-#include "src/language/pixel_shader/shader_literal.h"
+#include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_machine.h"

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "src/language/source_code/code_parser.h"
-#include "src/language/source_code/code_type_words.h"
 
 namespace ninebit::code {
 

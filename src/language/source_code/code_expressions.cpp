@@ -10,26 +10,6 @@ namespace {
 constexpr std::array<std::string_view, 11> kAssignments{
     "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
 
-int precedence(const Token& token) {
-  constexpr std::array<std::array<std::string_view, 4>, 10> kOrder{{{"||"},
-                                                                    {"&&"},
-                                                                    {"|"},
-                                                                    {"^"},
-                                                                    {"&"},
-                                                                    {"==", "!="},
-                                                                    {"<", ">", "<=", ">="},
-                                                                    {"<<", ">>"},
-                                                                    {"+", "-"},
-                                                                    {"*", "/", "%"}}};
-  if (token.kind != Token::Kind::punctuation) return -1;
-  for (std::size_t i = 0; i < kOrder.size(); ++i) {
-    for (const std::string_view op : kOrder[i]) {
-      if (!op.empty() && op == token.text) return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
 Expression at_token(ExpressionKind kind, const Token& token) {
   Expression out;
   out.kind = kind;
@@ -79,7 +59,7 @@ Expression Parser::assignment() {
     --expression_depth_;
     return fail(peek());
   }
-  Expression left = binary(0);
+  Expression left = binary(1);
   if (!failed(left) && peek().is("?")) {
     take();
     Expression yes = expression(true);

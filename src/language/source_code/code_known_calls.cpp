@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/source_code/code_machine.h"
 
 namespace ninebit::code {

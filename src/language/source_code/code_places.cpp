@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/xbox/xbox_macros.h"
+#include "src/language/xbox/xbox_expression.h"
 
 namespace ninebit::code {
 namespace {

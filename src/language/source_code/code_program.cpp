@@ -1,7 +1,7 @@
 // A source parsed for execution; which of its parts set combiners.
 #include <algorithm>
 
-#include "src/language/gl_calls/gl_calls_spelling.h"
+#include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/source_code/code_machine.h"
 
 namespace ninebit::code {

@@ -5,7 +5,7 @@
 
 #include "src/language/source/nearest_name.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/xbox/xbox_macros.h"
+#include "src/language/xbox/xbox_expression.h"
 
 namespace ninebit::code {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "src/language/c_like/c_lexer.h"
-#include "src/language/pixel_shader/shader_literal.h"
+#include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/source_faults.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_units.h"

@@ -3,7 +3,7 @@
 
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/register_words/register_words_layout.h"
-#include "src/language/xbox/xbox_macros.h"
+#include "src/language/xbox/xbox_expression.h"
 
 namespace ninebit {
 namespace xbox {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "src/language/source/source_blanks.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::xbox {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/language/register_words/register_words_faults.h"
+#include "src/language/source/source_faults.h"
 #include "src/language/xbox/xbox_expression.h"
 #include "src/language/xbox/xbox_fields.h"
 

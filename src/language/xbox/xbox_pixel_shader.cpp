@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "src/language/register_words/register_words_faults.h"
-#include "src/language/xbox/xbox_array.h"
+#include "src/language/source/source_faults.h"
 #include "src/language/xbox/xbox_dump.h"
 #include "src/language/xbox/xbox_fields.h"
 #include "src/language/xbox/xbox_lexer.h"
@@ -69,7 +68,7 @@ Definition read(const SourceText& source, TextFaults& faults, std::vector<TextFa
 }  // namespace xbox
 
 bool is_xbox_pixel_shader(std::string_view text) {
-  if (xbox::is_binary(text)) return text.size() == kXboxDefinitionBytes;
+  if (xbox::is_binary(text)) return xbox::is_definition_file(text) || text.size() == kXboxDefinitionBytes;
   return xbox::is_number_list(text) || xbox::begins_with_definition(text) || xbox::is_definition_array(text);
 }
 

@@ -3,8 +3,8 @@
 
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/register_words/register_words_layout.h"
+#include "src/language/xbox/xbox_expression.h"
 #include "src/language/xbox/xbox_fields.h"
-#include "src/language/xbox/xbox_macros.h"
 
 namespace ninebit {
 namespace xbox {

@@ -4,18 +4,16 @@
 import { element } from './dom.js';
 import { Replaced } from './engine_client.js';
 
-const forms = [['gl', 'GL calls'], ['rc10', 'RC1.0'], ['words', 'Register words'], ['json', 'JSON'], ['ps11', 'ps.1.1'],
-  ['xbox', 'Xbox'], ['glsl', 'GLSL'], ['glsl-es', 'GLSL ES'], ['c', 'C']];
-
 export class ConvertPanel {
   /**
    * @param {HTMLElement} parent
+   * @param {{name: string, title: string}[]} forms that the engine writes
    * @param {(to: string) => Promise<any>} convert asks the engine
    */
-  constructor(parent, convert) {
+  constructor(parent, forms, convert) {
     Object.assign(this, { parent, convert, to: 'gl' });
     this.text = element('pre', { tabindex: 0, 'aria-label': 'Converted program' });
-    this.buttons = forms.map(([form, title]) => element('button', {
+    this.buttons = forms.map(({ name: form, title }) => element('button', {
       type: 'button', class: 'small', 'data-form': form, 'aria-pressed': form === this.to, onclick: () => this.choose(form),
     }, title));
     const copy = element('button', { type: 'button', class: 'small', onclick: () => navigator.clipboard?.writeText(this.text.textContent) }, 'Copy');

@@ -73,7 +73,7 @@ class Page {
     this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [],
       { compare: (profiles) => this.live.compare(profiles), engine });
     this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, engine);
-    this.convert = new ConvertPanel(byId('panel-convert'), (to) => this.live.convert(to));
+    this.convert = new ConvertPanel(byId('panel-convert'), about.converts_to ?? [], (to) => this.live.convert(to));
     this.shadow = new ShadowPanel(byId('panel-shadow'), store, this.shelf, { engine, newEngine, meshes: about.meshes ?? [] });
     this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, this.live.pixel));
     this.forms = new Map((about.forms ?? []).map(({ name, title }) => [name, title]));

@@ -16,8 +16,8 @@ from ._questions import prove as prove
 from ._questions import study as study
 from ._questions import vectors as vectors
 
-ReadForm = Literal["gl", "source", "rc10", "ps", "words", "words-json", "json", "xbox", "log"]
-Form = Literal["gl", "rc10", "ps11", "words", "words-json", "json", "xbox", "glsl", "glsl-es", "c"]
+ReadForm = Literal["gl", "rc10", "ps", "tokens", "xbox", "json", "words", "words-json", "source", "log"]
+Form = Literal["gl", "rc10", "tokens", "xbox", "json", "words", "words-json", "ps11", "glsl", "glsl-es", "c"]
 Chip = Literal["nv10", "nv20"]
 # Whole numbers: alone, in lists, in arrays.
 Codes = int | np.integer[Any] | NDArray[np.integer[Any]] | Sequence["Codes"]

@@ -24,7 +24,7 @@ class State(_combiner.State):
         """Parses a program. Without `form`, finds the form of the text.
 
         The forms are 'gl' (GL calls), 'source' (a source file with them), 'rc10' (!!RC1.0), 'ps' (a ps.1.x pixel
-        shader), 'words' and 'words-json' (register words), 'json', 'xbox' (a D3DPIXELSHADERDEF) and 'log' (register
+        shader), 'tokens' (an assembled one), 'words' and 'words-json' (register words), 'json', 'xbox' (a D3DPIXELSHADERDEF) and 'log' (register
         writes). `function` is for sources, `define` for them and pixel shaders, `chip` for words, `setup` for logs: the
         number of a set-up.
         """

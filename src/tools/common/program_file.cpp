@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -21,28 +20,8 @@ namespace ninebit::tools {
 
 namespace {
 
-struct FormName {
-  ProgramForm form;
-  std::string_view kind;  // as kind_of_file() names it
-  std::string_view flag;  // of --from
-};
-constexpr std::array kForms{FormName{ProgramForm::gl, kGlKind, "gl"},
-                            FormName{ProgramForm::source, kSourceKind, "source"},
-                            FormName{ProgramForm::rc10, kRc10Kind, "rc10"},
-                            FormName{ProgramForm::ps, kShaderKind, "ps"},
-                            FormName{ProgramForm::words, kWordsKind, "words"},
-                            FormName{ProgramForm::words_json, kJsonWordsKind, "words"},
-                            FormName{ProgramForm::json, kJsonProgramKind, "json"},
-                            FormName{ProgramForm::xbox, kXboxKind, "xbox"},
-                            FormName{ProgramForm::log, kLogKind, "log"}};
-
-const FormName* form_of_kind(std::string_view kind) {
-  const auto found = std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.kind == kind; });
-  return found == kForms.end() ? nullptr : found;
-}
-
 std::string_view kind_of_form(ProgramForm form) {
-  return std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.form == form; })->kind;
+  return form_row(form).kind;
 }
 
 // For a file with faults: one sentence if it seems to be of another kind than it was read as; else empty.
@@ -57,22 +36,20 @@ std::string seems_to_be_else(const ProgramFile& file, const std::string& from) {
     return fmt::format("seems to be {}; expected a combiner program", kind.empty() ? "some other text" : kind);
   }
   if (kind == kind_of_form(file.form) || (file.form == ProgramForm::xbox && kind == kBinaryKind)) return "";
-  if (file.form == ProgramForm::source && (kind == kGlKind || kind.find("source") != std::string::npos)) return "";
-  const FormName* const other = form_of_kind(kind);
-  if (other == nullptr) return wrong_kind(kind, FileRole::program);
-  if (from.empty() || from == other->flag) return "";
+  const bool is_calls = kind == kind_of_form(ProgramForm::gl) || kind.find("source") != std::string::npos;
+  if (file.form == ProgramForm::source && is_calls) return "";
+  const auto all = forms();
+  const auto other = std::find_if(all.begin(), all.end(), [&](const Form& form) { return form.kind == kind; });
+  if (other == all.end()) return wrong_kind(kind, FileRole::program);
+  if (from.empty() || from == other->name) return "";
   return fmt::format("seems to be {}; expected {}, as --from {} says; leave out --from, or give --from {}", kind,
-                     kind_of_form(file.form), from, other->flag);
+                     kind_of_form(file.form), from, other->name);
 }
 
 // The form that --from names, if it is given, else the detected one.
 ProgramForm form_by(const std::string& from, std::string_view text) {
-  if (from == "words") {
-    const bool is_json = without_heading(text).starts_with('{') || without_heading(text).starts_with('[');
-    return is_json ? ProgramForm::words_json : ProgramForm::words;
-  }
-  const auto found = std::find_if(kForms.begin(), kForms.end(), [&](const FormName& f) { return f.flag == from; });
-  return from.empty() || found == kForms.end() ? form_of(text) : found->form;
+  const Form* const named = find_form(from);
+  return named == nullptr ? form_of(text) : form_id(*named);
 }
 
 // The program of a log that was read.
@@ -283,13 +260,8 @@ std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource sou
                  exit_code);
 }
 
-bool takes_definitions(ProgramForm form) {
-  return form == ProgramForm::source || form == ProgramForm::ps;
-}
-
 bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form) {
-  const bool has_words = form == ProgramForm::words || form == ProgramForm::words_json || form == ProgramForm::log;
-  if (!flags.chip.empty() && !has_words && !flags.writes_words) {
+  if (!flags.chip.empty() && !form_row(form).has_words && !flags.writes_words) {
     say_error(fmt::format("--chip is for register words and logs; {} was read as {}", name, kind_of_form(form)));
     return true;
   }
@@ -297,7 +269,7 @@ bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, Prog
     say_error(fmt::format("--function is for source files; {} was read as {}", name, kind_of_form(form)));
     return true;
   }
-  if (flags.defines.empty() || takes_definitions(form)) return false;
+  if (flags.defines.empty() || form_row(form).takes_definitions) return false;
   say_error(fmt::format("--define is for source files and pixel shaders; {} was read as {}", name, kind_of_form(form)));
   return true;
 }
@@ -358,7 +330,7 @@ void add_define_flag(CLI::App& verb, std::vector<std::string>& defines) {
 void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
   add_program_argument(verb, "program", flags);
   verb.add_option("--from", flags.from, "Form of the program (default: detected from the content)")
-      ->check(CLI::IsMember({"gl", "source", "rc10", "ps", "words", "json", "xbox", "log"}));
+      ->check(CLI::IsMember(read_form_names()));
   verb.add_option("--function", flags.functions, "Function of a source file to execute; several run in this order")
       ->type_name("NAME")
       ->delimiter(',')

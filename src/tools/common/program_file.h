@@ -99,9 +99,6 @@ struct ProgramFile {
 [[nodiscard]] std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile,
                                                         bool quiet, int& exit_code);
 
-// Whether --define is for programs of this form.
-[[nodiscard]] bool takes_definitions(ProgramForm form);
-
 // Whether --function or --define was given for a file that does not take it, or --chip for one that has no register
 // words; says so.
 [[nodiscard]] bool misuses_source_flags(const ProgramFlags& flags, std::string_view name, ProgramForm form);

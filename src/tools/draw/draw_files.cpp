@@ -38,7 +38,7 @@ Result<CombinerState> read_program(const std::filesystem::path& path, const Hard
   auto file = read_program_file(flags, profile);
   if (!file) return file.error();
   for (const TextFault& note : file->parsed.notes) warnings.push_back(note.text());
-  if (!defines.empty() && !takes_definitions(file->form)) {
+  if (!defines.empty() && !form_row(file->form).takes_definitions) {
     warnings.push_back(fmt::format("{}: --define is ignored; it is for source files and pixel shaders", file->name));
   }
   if (!file->parsed) {

@@ -10,9 +10,7 @@
 #include <utility>
 
 #include "ninebit/language/pixel_shader.h"
-#include "ninebit/language/register_log.h"
-#include "ninebit/language/source_code.h"
-#include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/language/program_text.h"
 #include "src/system/stream.h"
 
 namespace ninebit::tools {
@@ -38,22 +36,11 @@ constexpr std::array kBeginnings{
     Beginning{"MM\0*"sv, "a TIFF picture"},
     Beginning{"\x01\xDA"sv, "an SGI picture"},
     Beginning{"#?RADIANCE"sv, "a Radiance picture"},
-    Beginning{"%PDF-"sv, "a PDF document"},
     Beginning{"PK\x03\x04"sv, "a ZIP archive"},
     Beginning{"\x1F\x8B"sv, "a gzip file"},
-    Beginning{"BZh"sv, "a bzip2 file"},
-    Beginning{"\xFD"
-              "7zXZ\0"sv,
-              "an xz file"},
-    Beginning{"\x28\xB5\x2F\xFD"sv, "a Zstandard file"},
-    Beginning{"7z\xBC\xAF\x27\x1C"sv, "a 7z archive"},
     Beginning{"\x7F"
               "ELF"sv,
               "a program or library (ELF)"},
-    Beginning{"\0asm"sv, "a WebAssembly module"},
-    Beginning{"!<arch>\n"sv, "a static library"},
-    Beginning{"SQLite format 3"sv, "an SQLite database"},
-    Beginning{"\x03\x02\x23\x07"sv, "a SPIR-V shader"},
     Beginning{"glTF\x02\0\0\0"sv, "a binary glTF scene"},
     Beginning{"glTF\x01\0\0\0"sv, "a binary glTF scene"},
     Beginning{"PXR-USDC"sv, "a USD scene"},
@@ -71,10 +58,11 @@ constexpr std::array kBeginnings{
     Beginning{"<!DOCTYPE html"sv, "an HTML page"},
     Beginning{"<!doctype html"sv, "an HTML page"},
     Beginning{"<html"sv, "an HTML page"},
-    Beginning{"<svg"sv, "an SVG picture"},
-    Beginning{"diff --git "sv, "a patch"},
-    Beginning{"-----BEGIN "sv, "a key or a certificate"},
 };
+
+std::string kind_of(ProgramForm form) {
+  return std::string(form_row(form).kind);
+}
 
 bool has(std::string_view text, std::string_view word) {
   return text.find(word) != std::string_view::npos;
@@ -121,30 +109,14 @@ std::string kind_of_script(std::string_view line) {
 
 std::string kind_of_json(std::string_view text) {
   const std::string_view said = json_kind(text);
-  if (said == "program") return std::string(kJsonProgramKind);
-  if (said == "register_words") return std::string(kJsonWordsKind);
+  if (said == "program") return kind_of(ProgramForm::json);
+  if (said == "register_words") return kind_of(ProgramForm::words_json);
   if (said == "profile") return std::string(kProfileKind);
   if (said == "effect") return std::string(kEffectKind);
   text = text.substr(0, kLookedAt);
   if (has(text, "ninebit study part")) return std::string(kPartKind);
   if (has(text, "\"asset\"") || has(text, "\"bufferViews\"") || has(text, "\"accessors\"")) return "a glTF scene";
-  return std::string(has(text, "\"RC_") ? kJsonWordsKind : kJsonKind);
-}
-
-// Whether each line but the last, which may be cut, is blank or has a prefix such as "[0x27A0] ".
-bool has_prefixes(std::string_view text) {
-  for (std::size_t end = 0; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1)) {
-    const std::string_view line = text.substr(0, end);
-    if (!line.empty() && (!line.starts_with('[') || !has(line, "]"sv))) return false;
-  }
-  return text.empty() || text.starts_with('[');
-}
-
-// Whether the text is what gdb's print says, such as "$1 = {a = 2}".
-bool is_gdb_print(std::string_view text) {
-  if (!text.starts_with('$')) return false;
-  const std::size_t end = text.find_first_not_of("0123456789", 1);
-  return end > 1 && end != std::string_view::npos && text.substr(end).starts_with(" = ");
+  return has(text, "\"RC_") ? kind_of(ProgramForm::words_json) : std::string(kJsonKind);
 }
 
 // Whether the first line is a header such as tex0.r,out.a, or has a column `program`.
@@ -182,19 +154,23 @@ bool has_gl_call(std::string_view text) {
   return false;
 }
 
-std::string kind_of_source(std::string_view text) {
+std::string kind_of_text(std::string_view text) {
   if (has_line(text, "```") || has_line(text, "## ") || (text.starts_with("# ") && has(text, "]("))) {
     return "a Markdown page";
   }
   if (has_line(text, "#version")) return "a GLSL shader";
-  if (is_source_code(text)) return std::string(kSourceKind);
+  if (const auto form = detected_form(text)) return kind_of(*form);
   if (has_line(text, "#include") || has_line(text, "#pragma") || has_line(text, "#ifndef")) return "C or C++ source";
-  if (has_gl_call(text)) return std::string(kGlKind);
+  if (has_gl_call(text)) return kind_of(ProgramForm::gl);
   if (has_line(text, "void main") || has_line(text, "int main")) return "C source or a shader";
   if (has_line(text, "import ") || has_line(text, "def ") || has_line(text, "from ")) return "a Python script";
   if ((has_line(text, "v ") && has_line(text, "f ")) || has_line(text, "mtllib ")) return "an OBJ mesh";
-  if (has_line(text, "newmtl ")) return "a material library of OBJ";
-  return "";
+  return has_line(text, "newmtl ") ? "a material library of OBJ" : "";
+}
+
+bool is_program_kind(std::string_view kind) {
+  const auto all = forms();
+  return std::any_of(all.begin(), all.end(), [&](const Form& form) { return form.kind == kind; });
 }
 
 // The role in which a kind is read, and the sentence that names its reader.
@@ -204,11 +180,7 @@ struct KindUse {
 };
 
 KindUse use_of(std::string_view kind) {
-  constexpr std::array kPrograms{kGlKind,          kSourceKind,    kRc10Kind, kShaderKind, kWordsKind,
-                                 kJsonProgramKind, kJsonWordsKind, kXboxKind, kLogKind};
-  if (std::find(kPrograms.begin(), kPrograms.end(), kind) != kPrograms.end()) {
-    return {FileRole::program, "`ninebit explain` reads it"};
-  }
+  if (is_program_kind(kind)) return {FileRole::program, "`ninebit explain` reads it"};
   if (kind.ends_with(" mesh") || kind.ends_with(" scene")) return {FileRole::scene, "`ninebit render` draws it"};
   if (kind.ends_with(" picture") || kind.ends_with(" texture")) {
     return {FileRole::picture, "`ninebit draw` reads it as a texture, with --tex0"};
@@ -245,13 +217,14 @@ std::string_view expected_of(FileRole role) {
 
 std::string kind_of_file(std::string_view bytes) {
   const std::string kind = kind_of_bytes(bytes);
-  if ((kind.empty() || kind == kBinaryKind) && is_xbox_pixel_shader(bytes)) return std::string(kXboxKind);
+  if (kind.empty() || kind == kBinaryKind) {
+    const auto form = detected_form(bytes);
+    if (form == ProgramForm::xbox || form == ProgramForm::tokens) return kind_of(*form);
+  }
   if (!kind.empty()) return kind;
   if (bytes.starts_with("#!")) return kind_of_script(first_line(bytes));
   const std::string_view text = without_heading(bytes);
-  if (is_pixel_shader(bytes.substr(0, kLookedAt))) return std::string(kShaderKind);
-  if (text.starts_with("!!RC1.0")) return std::string(kRc10Kind);
-  if (text.starts_with("!!")) {
+  if (text.starts_with("!!") && !text.starts_with("!!RC1.0") && !is_pixel_shader(text)) {
     const std::string_view line = first_line(text);
     const auto is_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '!' || c == '.'; };
     const auto end = std::find_if_not(line.begin(), line.end(), is_name);
@@ -259,11 +232,7 @@ std::string kind_of_file(std::string_view bytes) {
   }
   if (is_json(text)) return kind_of_json(text);
   if (is_table(text)) return std::string(kTableKind);
-  if (!is_assignment(text) && is_register_log(bytes)) return std::string(kLogKind);
-  if (text.starts_with('[') && has_prefixes(text.substr(0, kLookedAt))) return "text with a prefix before each line";
-  if (is_gdb_print(text)) return "text that gdb printed";
-  if (std::string source = kind_of_source(bytes.substr(0, kLookedAt)); !source.empty()) return source;
-  return std::string(is_assignment(text) ? kWordsKind : ""sv);
+  return kind_of_text(bytes.substr(0, kLookedAt));
 }
 
 std::string wrong_kind(std::string_view kind, FileRole role) {
@@ -275,7 +244,7 @@ std::string wrong_kind(std::string_view kind, FileRole role) {
   if (kind == kJsonKind && reads_json) return "";
   const bool may_be_binary = role == FileRole::picture || role == FileRole::scene || role == FileRole::part;
   if (kind == kBinaryKind && may_be_binary) return "";
-  const bool is_plural = kind == kGlKind || kind == kWordsKind || kind == kJsonWordsKind;
+  const bool is_plural = is_program_kind(kind) && !kind.starts_with("a");
   if (is_plural) return fmt::format("these are {}; `ninebit explain` reads them", kind);
   return fmt::format("this is {}; {}", kind,
                      use.reader.empty() ? fmt::format("expected {}", expected_of(role)) : std::string(use.reader));

@@ -10,15 +10,10 @@
 
 namespace ninebit::tools {
 
-// The kinds that ninebit reads, as kind_of_file() returns them.
-inline constexpr std::string_view kGlKind = "GL calls", kSourceKind = "a source file with GL calls",
-                                  kRc10Kind = "an !!RC1.0 program", kShaderKind = "a ps.1.x pixel shader",
-                                  kWordsKind = "register words", kJsonProgramKind = "a combiner program as JSON",
-                                  kJsonWordsKind = "register words as JSON", kProfileKind = "a hardware profile",
-                                  kEffectKind = "an effect", kPartKind = "a part of a study",
-                                  kTableKind = "a table of comma-separated values", kJsonKind = "JSON of another kind",
-                                  kXboxKind = "an Xbox pixel shader definition", kLogKind = "a log of register writes",
-                                  kBinaryKind = "a binary file";
+// Kinds as kind_of_file() returns them; those of programs are Form::kind.
+inline constexpr std::string_view kProfileKind = "a hardware profile", kEffectKind = "an effect",
+                                  kPartKind = "a part of a study", kTableKind = "a table of comma-separated values",
+                                  kJsonKind = "JSON of another kind", kBinaryKind = "a binary file";
 
 // The kind of a file, with its article: "a PNG picture", "a shell script"; empty if it is unknown. The first thousand
 // bytes are enough; more is searched only for words in a text. The result is a guess, for error messages only.

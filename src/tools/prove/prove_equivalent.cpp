@@ -91,7 +91,9 @@ int run(const EquivalentFlags& flags) {
   of_a.defines = of_b.defines = flags.defines;
   auto source_of_a = open_program(of_a), source_of_b = open_program(of_b);
   // Definitions are for both programs or for one of them; if neither takes them, the first says so.
-  const auto takes = [](const Result<ProgramSource>& source) { return source && takes_definitions(source->form); };
+  const auto takes = [](const Result<ProgramSource>& source) {
+    return source && form_row(source->form).takes_definitions;
+  };
   if (!takes(source_of_a) && takes(source_of_b)) of_a.defines.clear();
   if (!takes(source_of_b)) of_b.defines.clear();
   int exit_code = kDone;

@@ -1,11 +1,14 @@
-#include "src/language/source/condition.h"
+#include "src/language/c_like/c_condition.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
-#include "src/language/source/c_operators.h"
+#include "src/language/c_like/c_lexer.h"
+#include "src/language/c_like/c_number.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {
@@ -14,25 +17,20 @@ namespace {
 constexpr int kDeepestCondition = 64;                               // names in names, parentheses in parentheses
 constexpr std::size_t kMostConditionTokens = std::size_t{1} << 16;  // with names replaced
 
-struct ConditionToken {
-  enum class Kind { end, name, number, mark };
-  Kind kind = Kind::end;
-  std::string text{};
-
-  [[nodiscard]] bool is(std::string_view other) const { return text == other && kind != Kind::end; }
-};
+using code::Number;
+using code::Token;
+using Kind = code::Token::Kind;
 
 // A number of an expression, or why there is none: only what decides the condition matters.
 struct ConditionNumber {
-  std::int64_t value = 0;
-  bool is_unsigned = false;
+  Number number = code::int_number(0, code::kInt64);  // signed or unsigned, of 64 bits
   std::string unknown{}, fault{};
 
   [[nodiscard]] bool is_sure() const { return unknown.empty() && fault.empty(); }
 };
 
 ConditionNumber truth_number(bool value) {
-  return {.value = value ? 1 : 0};
+  return {.number = code::int_number(value ? 1 : 0, code::kInt64)};
 }
 
 // A result with what is not known of the operands.
@@ -42,42 +40,32 @@ ConditionNumber from_operands(ConditionNumber result, const ConditionNumber& a, 
   return result;
 }
 
-// Division, shifts and comparisons of unsigned numbers; the other operators give the same bits for both.
-std::optional<std::int64_t> unsigned_result(std::string_view mark, std::int64_t left, std::int64_t right) {
-  const auto a = static_cast<std::uint64_t>(left), b = static_cast<std::uint64_t>(right);
-  if ((mark == "/" || mark == "%") && b != 0) return static_cast<std::int64_t>(mark == "/" ? a / b : a % b);
-  if (mark == "/" || mark == "%") return std::nullopt;
-  if (mark == "<") return a < b ? 1 : 0;
-  if (mark == ">") return a > b ? 1 : 0;
-  if (mark == "<=") return a <= b ? 1 : 0;
-  if (mark == ">=") return a >= b ? 1 : 0;
-  if (mark == ">>" && b < 64) return static_cast<std::int64_t>(a >> b);
-  return c_result(mark, left, right);
+std::string text_of(const Number& number) {
+  return std::to_string(number.integer);
 }
 
 ConditionNumber applied(std::string_view mark, const ConditionNumber& a, const ConditionNumber& b) {
   if (mark == "&&" || mark == "||") {
     const bool decides = mark == "||";
-    const auto decided = [&](const ConditionNumber& one) { return one.is_sure() && (one.value != 0) == decides; };
+    const auto decided = [&](const ConditionNumber& one) { return one.is_sure() && one.number.is_true() == decides; };
     if (decided(a) || (a.fault.empty() && decided(b))) return truth_number(decides);
-    const bool either = a.value != 0 || b.value != 0, both = a.value != 0 && b.value != 0;
-    return from_operands(truth_number(decides ? either : both), a, b);
+    const bool left = a.number.is_true(), right = b.number.is_true();
+    return from_operands(truth_number(decides ? left || right : left && right), a, b);
   }
-  const bool shifts = mark == "<<" || mark == ">>", compares = c_precedence(mark) == 6 || c_precedence(mark) == 7;
-  const bool is_unsigned = a.is_unsigned || (b.is_unsigned && !shifts);
-  const auto value = is_unsigned ? unsigned_result(mark, a.value, b.value) : c_result(mark, a.value, b.value);
-  ConditionNumber out = from_operands({.value = value.value_or(0), .is_unsigned = is_unsigned && !compares}, a, b);
+  auto value = code::calculate(mark, a.number, b.number);
+  if (value && value->kinds == code::kInt32) value = code::convert(*value, code::kInt64);  // of a comparison
+  ConditionNumber out = from_operands({.number = value.value_or(Number{.kinds = code::kInt64})}, a, b);
   if (!value && out.is_sure()) {
-    out.fault = std::to_string(a.value) + " " + std::string(mark) + " " + std::to_string(b.value) + " has no value";
+    out.fault = text_of(a.number) + " " + std::string(mark) + " " + text_of(b.number) + " has no value";
   }
   return out;
 }
 
-ConditionNumber read_number(const std::string& text) {
+ConditionNumber read_number(std::string_view text) {
   std::string_view digits = text;
-  ConditionNumber out;
+  bool is_unsigned = false;
   while (!digits.empty() && std::string_view("uUlL").find(digits.back()) != std::string_view::npos) {
-    out.is_unsigned = out.is_unsigned || digits.back() == 'u' || digits.back() == 'U';
+    is_unsigned = is_unsigned || digits.back() == 'u' || digits.back() == 'U';
     digits.remove_suffix(1);
   }
   const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
@@ -86,35 +74,39 @@ ConditionNumber read_number(const std::string& text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
   if (error != std::errc{} || end != digits.data() + digits.size()) {
-    out.fault = quoted(text) + " is not a whole number of 64 bits";
-    return out;
+    return {.fault = quoted(text) + " is not a whole number of 64 bits"};
   }
-  out.value = static_cast<std::int64_t>(value);
-  out.is_unsigned = out.is_unsigned || out.value < 0;
-  return out;
+  const auto bits = static_cast<std::int64_t>(value);
+  return {.number = code::int_number(bits, is_unsigned || bits < 0 ? code::kUint64 : code::kInt64)};
 }
 
 class ConditionParser {
  public:
   ConditionParser(std::string_view expression, const ConditionNames& names) : names_(names) {
-    texts_.push_back({{}, std::string(expression)});
+    open({}, std::string(expression));
     take();
   }
 
   ConditionValue read() {
     const ConditionNumber number = conditional(0);
-    if (token_.kind != ConditionToken::Kind::end) fail("an operator");
+    if (token_.kind != Kind::end) fail("an operator");
     const std::string& fault = fault_.empty() ? number.fault : fault_;
-    return {.holds = number.value != 0 && fault.empty(), .unknown = number.unknown, .fault = fault};
+    return {.holds = number.number.is_true() && fault.empty(), .unknown = number.unknown, .fault = fault};
   }
 
  private:
-  // The expression, or the body of a name in it, up to the byte that was read.
+  // The expression, or the body of a name in it.
   struct OpenText {
     std::string name;
-    std::string text;
-    std::size_t at = 0;
+    std::unique_ptr<const std::string> text;
+    code::Lexer lexer;
   };
+
+  void open(std::string name, std::string text) {
+    auto kept = std::make_unique<const std::string>(std::move(text));
+    code::Lexer lexer(*kept);
+    texts_.push_back({std::move(name), std::move(kept), lexer});
+  }
 
   ConditionNumber conditional(int depth) {
     const ConditionNumber which = binary(1, depth);
@@ -122,17 +114,17 @@ class ConditionParser {
     const ConditionNumber yes = conditional(depth + 1);
     if (!takes(":")) fail("':'");
     const ConditionNumber no = conditional(depth + 1);
-    ConditionNumber out = which.value != 0 ? yes : no;
-    out.is_unsigned = yes.is_unsigned || no.is_unsigned;
+    ConditionNumber out = which.number.is_true() ? yes : no;
+    if (yes.number.kinds == code::kUint64 || no.number.kinds == code::kUint64) out.number.kinds = code::kUint64;
     return which.is_sure() ? out : from_operands(out, which, out);
   }
 
   ConditionNumber binary(int least, int depth) {
     ConditionNumber left = unary(depth);
     while (true) {
-      const int precedence = token_.kind == ConditionToken::Kind::mark ? c_precedence(token_.text) : 0;
+      const int precedence = code::precedence(token_);
       if (precedence < least) return left;
-      const std::string mark = token_.text;
+      const std::string mark(token_.text);
       take();
       left = applied(mark, left, binary(precedence + 1, depth));
     }
@@ -145,11 +137,11 @@ class ConditionParser {
     }
     if (takes("!")) {
       const ConditionNumber operand = unary(depth + 1);
-      return from_operands(truth_number(operand.value == 0), operand, operand);
+      return from_operands(truth_number(!operand.number.is_true()), operand, operand);
     }
     if (takes("+")) return unary(depth + 1);
     if (takes("-")) return applied("-", {}, unary(depth + 1));
-    if (takes("~")) return applied("^", {.value = -1}, unary(depth + 1));
+    if (takes("~")) return applied("^", {.number = code::int_number(-1, code::kInt64)}, unary(depth + 1));
     if (takes("(")) {
       ConditionNumber inner = conditional(depth + 1);
       if (!takes(")")) fail("')'");
@@ -159,23 +151,23 @@ class ConditionParser {
   }
 
   ConditionNumber primary() {
-    const ConditionToken token = token_;
-    if (token.kind == ConditionToken::Kind::number) {
+    const std::string text(token_.text);
+    if (token_.kind == Kind::number) {
       take();
-      return read_number(token.text);
+      return read_number(text);
     }
-    if (token.kind != ConditionToken::Kind::name) {
+    if (token_.kind != Kind::name) {
       fail("a number, a name or defined(NAME)");
       return {};
     }
-    if (token.text == "defined") return is_defined();
+    if (text == "defined") return is_defined();
     take();
     if (token_.is("(")) {
-      ConditionNumber call{.fault = quoted(token.text) + " has parameters; only names without them are computed"};
+      ConditionNumber call{.fault = quoted(text) + " has parameters; only names without them are computed"};
       fail(call.fault, false);
       return call;
     }
-    return {.unknown = token.text};
+    return {.unknown = text};
   }
 
   // defined NAME or defined(NAME), whose name is not replaced.
@@ -183,7 +175,7 @@ class ConditionParser {
     take(false);
     const bool bracket = token_.is("(");
     if (bracket) take(false);
-    if (token_.kind != ConditionToken::Kind::name) {
+    if (token_.kind != Kind::name) {
       fail("a name after defined");
       return {};
     }
@@ -194,15 +186,16 @@ class ConditionParser {
   }
 
   bool takes(std::string_view mark) {
-    if (token_.kind != ConditionToken::Kind::mark || token_.text != mark) return false;
+    if (token_.kind != Kind::punctuation || token_.text != mark) return false;
     take();
     return true;
   }
 
   // Keeps the first fault of the expression, and ends it.
   void fail(const std::string& expected, bool names_found = true) {
-    const std::string found = token_.kind == ConditionToken::Kind::end ? "the end of the line" : quoted(token_.text);
+    const std::string found = token_.kind == Kind::end ? "the end of the line" : quoted(token_.text);
     if (fault_.empty()) fault_ = names_found ? "expected " + expected + "; found " + found : expected;
+    for (OpenText& one : texts_) closed_.push_back(std::move(one.text));
     texts_.clear();
     token_ = {};
   }
@@ -212,44 +205,30 @@ class ConditionParser {
     while (true) {
       token_ = next();
       if (taken_++ == kMostConditionTokens) return fail("at most " + std::to_string(kMostConditionTokens) + " words");
-      if (!replaces || token_.kind != ConditionToken::Kind::name || token_.text == "defined") return;
+      if (!replaces || token_.kind != Kind::name || token_.text == "defined") return;
       const bool is_open =
           std::any_of(texts_.begin(), texts_.end(), [&](const OpenText& one) { return one.name == token_.text; });
       if (is_open || texts_.size() > static_cast<std::size_t>(kDeepestCondition)) return;
       auto body = names_.body_of(token_.text);
       if (!body) return;
-      texts_.push_back({token_.text, *std::move(body)});
+      open(std::string(token_.text), *std::move(body));
     }
   }
 
-  ConditionToken next() {
+  Token next() {
     while (!texts_.empty()) {
-      OpenText& open = texts_.back();
-      while (open.at < open.text.size() && is_blank(open.text[open.at])) ++open.at;
-      if (open.at == open.text.size()) {
-        texts_.pop_back();
-        continue;
-      }
-      const std::string_view rest = std::string_view(open.text).substr(open.at);
-      ConditionToken token{.kind = ConditionToken::Kind::mark};
-      std::size_t length = 1;
-      if (is_word(rest.front())) {
-        token.kind = is_digit(rest.front()) ? ConditionToken::Kind::number : ConditionToken::Kind::name;
-        const auto belongs = [&](char c) { return is_word(c) || (c == '.' && is_digit(rest.front())); };
-        length = static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), belongs) - rest.begin());
-      } else if (c_precedence(rest.substr(0, 2)) > 0) {
-        length = std::min<std::size_t>(2, rest.size());
-      }
-      token.text = rest.substr(0, length);
-      open.at += length;
-      return token;
+      const Token token = texts_.back().lexer.next();
+      if (token.kind != Kind::end) return token;
+      closed_.push_back(std::move(texts_.back().text));
+      texts_.pop_back();
     }
     return {};
   }
 
   const ConditionNames& names_;
   std::vector<OpenText> texts_;
-  ConditionToken token_;
+  std::vector<std::unique_ptr<const std::string>> closed_;  // which tokens may still be parts of
+  Token token_;
   std::size_t taken_ = 0;
   std::string fault_;
 };
