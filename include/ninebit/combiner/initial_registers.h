@@ -40,6 +40,9 @@ struct Texel {
   bool is_signed = false;  // NV_texture_shader: each byte is a two's complement number; NV20 class only
 };
 
+// Returns the code of a texel's byte, which may be a two's complement number (rules 1 and 15).
+[[nodiscard]] s9 texel_byte_code(const HardwareProfile& profile, std::uint8_t byte, bool is_signed);
+
 // Returns the codes that a texel puts into its register. A signed byte s becomes 2 s, at least the profile's `lowest`
 // (rule 15, measured on NV2A for s >= 0; the rest is assumed).
 [[nodiscard]] Rgba9 texel_codes(const HardwareProfile& profile, const Texel& texel);

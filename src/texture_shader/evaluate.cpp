@@ -1,0 +1,175 @@
+#include "ninebit/texture_shader/evaluate.h"
+
+#include "src/texture_shader/stage_rules.h"
+#include "src/texture_shader/stage_walk.h"
+
+namespace ninebit {
+namespace {
+
+using one_fragment::StageNormal;
+
+std::array<float, 3> array_of(const StageNormal& v) {
+  return {v.x, v.y, v.z};
+}
+
+StageNormal normal_of(DotMapping mapping, DotDivisors divisors, const Bytes4& texel) {
+  const auto read = [&]<DotMapping kMapping>() {
+    return one_fragment::stage_normal<kMapping>(divisors, texel[0], texel[1], texel[2], texel[3]);
+  };
+  switch (mapping) {
+    case DotMapping::minus1_to_1_d3d:
+      return read.operator()<DotMapping::minus1_to_1_d3d>();
+    case DotMapping::minus1_to_1_gl:
+      return read.operator()<DotMapping::minus1_to_1_gl>();
+    case DotMapping::minus1_to_1:
+      return read.operator()<DotMapping::minus1_to_1>();
+    case DotMapping::hilo_1:
+      return read.operator()<DotMapping::hilo_1>();
+    case DotMapping::hilo_hemisphere:
+      return read.operator()<DotMapping::hilo_hemisphere>();
+    case DotMapping::zero_to_one:
+    case DotMapping::hilo_hemisphere_d3d:
+    case DotMapping::hilo_hemisphere_gl:
+      break;
+  }
+  return read.operator()<DotMapping::zero_to_one>();
+}
+
+// The domain of one fragment.
+class Fragment {
+ public:
+  using At = std::array<float, 3>;
+
+  Fragment(const TextureShaderProgram& program, const StageCoordinates& coordinates, const FetchTexel& fetch,
+           TextureShaderResult& result)
+      : program_(program), coordinates_(coordinates), fetch_(fetch), result_(result) {}
+
+  [[nodiscard]] At projected(int i) const {
+    const auto& c = given(i);
+    return {c[0] / c[3], c[1] / c[3], c[2] / c[3]};
+  }
+  [[nodiscard]] At coordinates(int i) const { return {given(i)[0], given(i)[1], given(i)[2]}; }
+
+  At offset(int i, const TextureStage& stage) {
+    const Bytes4& by = read(i, stage);
+    const auto& m = stage.matrix;
+    const auto moved = [&](std::size_t k) {
+      return one_fragment::offset_coordinate(given(i)[k], m[k], by[kBlue], m[k + 2], by[kGreen]);
+    };
+    return {moved(0), moved(1), 0.0F};
+  }
+
+  At dependent(int i, const TextureStage& stage, int first, int second) {
+    const Bytes4& texel = read(i, stage);
+    const auto divisor = static_cast<float>(program_.choices.dependent_divisor);
+    const auto at = [&](int k) { return static_cast<float>(texel[static_cast<std::size_t>(k)]) / divisor; };
+    return {at(first), at(second), 0.0F};
+  }
+
+  void dot(int i, const TextureStage& stage) {
+    const StageNormal n = normal_of(stage.mapping, program_.choices.divisors, read(i, stage));
+    values(i).normal = array_of(n);
+    values(i).dot = one_fragment::stage_dot(given(i)[0], given(i)[1], given(i)[2], n);
+  }
+
+  [[nodiscard]] At dots(int first, int count) const {
+    At at{};
+    for (int k = 0; k < count; ++k) at[static_cast<std::size_t>(k)] = *values(first + k).dot;
+    return at;
+  }
+
+  [[nodiscard]] At reflected(int i, const TextureStage& stage, bool is_constant) const {
+    const At d = dots(i - 2, 3);
+    const At eye = is_constant ? stage.eye : At{given(i - 2)[3], given(i - 1)[3], given(i)[3]};
+    return array_of(one_fragment::reflected_eye({d[0], d[1], d[2]}, {eye[0], eye[1], eye[2]}));
+  }
+
+  void fetch(int i, const At& at) {
+    values(i).at = at;
+    values(i).texel = values(i).fetched = fetch_(i, at);
+  }
+
+  void scale(int i, const TextureStage& stage) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint8_t& byte = values(i).texel[k];
+      const int luminance = values(i).input[kRed];
+      byte = static_cast<std::uint8_t>(
+          program_.choices.byte == StageByte::nearest
+              ? one_fragment::scaled_byte<StageByte::nearest>(byte, luminance, stage.scale, stage.bias)
+              : one_fragment::scaled_byte<StageByte::twelve_bits>(byte, luminance, stage.scale, stage.bias));
+    }
+  }
+
+  void pass(int i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float c = given(i)[k];
+      values(i).texel[k] = static_cast<std::uint8_t>(program_.choices.byte == StageByte::nearest
+                                                         ? one_fragment::stage_byte<StageByte::nearest>(c)
+                                                         : one_fragment::stage_byte<StageByte::twelve_bits>(c));
+    }
+  }
+
+  void cull(int i, const TextureStage& stage) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float c = given(i)[k];
+      const bool is_killed = stage.cull[k] == CullMode::kills_negative ? c < 0.0F : c >= 0.0F;
+      result_.is_culled = result_.is_culled || is_killed;
+    }
+  }
+
+  void replace_depth(int i) { result_.depth = *values(i - 1).dot / *values(i).dot; }
+
+  void nothing(int i) { values(i).texel = {}; }
+  void off(int i) { values(i).texel = {0, 0, 0, program_.choices.off_alpha}; }
+
+  // The stage's texel as colours, and as the combiners read it.
+  void finish(int i, const HardwareProfile& profile) {
+    StageValues& at = values(i);
+    const ProgramTextureStage& stage = program_.stage[static_cast<std::size_t>(i)];
+    Bytes4 shown = at.texel;
+    if (program_.converts_yuv) {
+      const auto rgb = one_fragment::rgb_of_yuv(shown[0], shown[1], shown[2]);
+      shown = {static_cast<std::uint8_t>(rgb.red), static_cast<std::uint8_t>(rgb.green),
+               static_cast<std::uint8_t>(rgb.blue), shown[3]};
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      at.codes[k] = stage.is_visible[k] ? texel_byte_code(profile, shown[k], stage.is_signed[k]) : s9{0};
+    }
+  }
+
+ private:
+  StageValues& values(int i) { return result_.stage[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const StageValues& values(int i) const { return result_.stage[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const std::array<float, 4>& given(int i) const { return coordinates_[static_cast<std::size_t>(i)]; }
+  const Bytes4& read(int i, const TextureStage& stage) {
+    values(i).input = values(stage.previous).texel;
+    return values(i).input;
+  }
+
+  const TextureShaderProgram& program_;
+  const StageCoordinates& coordinates_;
+  const FetchTexel& fetch_;
+  TextureShaderResult& result_;
+};
+
+}  // namespace
+
+TextureShaderResult evaluate(const TextureShaderProgram& program, const HardwareProfile& profile,
+                             const StageCoordinates& coordinates, const FetchTexel& fetch) {
+  TextureShaderResult result;
+  Fragment fragment(program, coordinates, fetch, result);
+  for (int i = 0; i < kTextureStages; ++i) walk_stage(program, i, fragment);
+  for (int i = 0; i < kTextureStages; ++i) fragment.finish(i, profile);
+  return result;
+}
+
+std::uint32_t replaced_depth_code(const TextureShaderProgram& program, float depth, std::uint32_t largest) {
+  // Exact: a float times a code of 24 bits.
+  const double code = program.depth_unit == DepthUnit::window ? static_cast<double>(depth) * largest : depth;
+  if (!(code > 0.0)) return 0;
+  if (code >= largest) return largest;
+  const double half = program.choices.depth_narrowing == Narrowing::nearest_halves_up ? 0.5 : 0.0;
+  return static_cast<std::uint32_t>(code + half);
+}
+
+}  // namespace ninebit
