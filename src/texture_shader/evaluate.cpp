@@ -6,15 +6,16 @@
 namespace ninebit {
 namespace {
 
-using one_fragment::StageNormal;
+using one_fragment::StageFactor;
+using one_fragment::StageVector;
 
-std::array<float, 3> array_of(const StageNormal& v) {
+std::array<float, 3> array_of(const StageVector& v) {
   return {v.x, v.y, v.z};
 }
 
-StageNormal normal_of(DotMapping mapping, DotDivisors divisors, const Bytes4& texel) {
+StageFactor factor_of(DotMapping mapping, DotDivisors divisors, const Bytes4& texel) {
   const auto read = [&]<DotMapping kMapping>() {
-    return one_fragment::stage_normal<kMapping>(divisors, texel[0], texel[1], texel[2], texel[3]);
+    return one_fragment::stage_factor<kMapping>(divisors, texel[0], texel[1], texel[2], texel[3]);
   };
   switch (mapping) {
     case DotMapping::minus1_to_1_d3d:
@@ -67,9 +68,9 @@ class Fragment {
   }
 
   void dot(int i, const TextureStage& stage) {
-    const StageNormal n = normal_of(stage.mapping, program_.choices.divisors, read(i, stage));
-    values(i).normal = array_of(n);
-    values(i).dot = one_fragment::stage_dot(given(i)[0], given(i)[1], given(i)[2], n);
+    const StageFactor n = factor_of(stage.mapping, program_.choices.divisors, read(i, stage));
+    values(i).normal = std::array{n.number.x / n.over, n.number.y / n.over, n.number.z / n.over};
+    values(i).dot = one_fragment::stage_dot({given(i)[0], given(i)[1], given(i)[2]}, n.number) / n.over;
   }
 
   [[nodiscard]] At dots(int first, int count) const {
@@ -127,7 +128,7 @@ class Fragment {
     StageValues& at = values(i);
     const ProgramTextureStage& stage = program_.stage[static_cast<std::size_t>(i)];
     Bytes4 shown = at.texel;
-    if (program_.converts_yuv) {
+    if (program_.converts_yuv && at.at) {
       const auto rgb = one_fragment::rgb_of_yuv(shown[0], shown[1], shown[2]);
       shown = {static_cast<std::uint8_t>(rgb.red), static_cast<std::uint8_t>(rgb.green),
                static_cast<std::uint8_t>(rgb.blue), shown[3]};

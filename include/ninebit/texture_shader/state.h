@@ -64,7 +64,7 @@ struct TextureShaderState {
   bool enabled = false;                             // GL_TEXTURE_SHADER_NV; if off, units work as in plain OpenGL
   StageRules rules = StageRules::open_gl;           // of consistency
   DepthUnit depth_unit = DepthUnit::window;         // of replaced depths
-  bool converts_yuv = false;                        // NV097_SET_CONTROL0: every stage's result goes from YUV to RGB
+  bool converts_yuv = false;                        // NV097_SET_CONTROL0: texels of all stages go from YUV to RGB
   std::array<TextureStage, kTextureStages> stage{}; // in the order of the units
   friend constexpr bool operator==(const TextureShaderState&, const TextureShaderState&) = default;
 };

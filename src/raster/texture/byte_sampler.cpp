@@ -40,8 +40,11 @@ int cube_detail_q8(int size, const TextureCoordinates& at, std::size_t i) {
 }  // namespace
 
 std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::make(const TextureSampler& of) {
-  if (of.texture_->faces[0][0].planes.index() != 0) return {};
+  if (of.texture_->faces[0][0].planes.index() != 0 || of.volume_ || of.rectangle_) return {};
   const bool filters = is_linear(of.sampler_.min_filter) || of.sampler_.mag_filter == MagFilter::linear;
+  const bool has_border = of.sampler_.wrap_s == Wrap::clamp_to_border || of.sampler_.wrap_t == Wrap::clamp_to_border;
+  const bool is_signed = std::find(of.is_signed_.begin(), of.is_signed_.end(), true) != of.is_signed_.end();
+  if (has_border || (filters && (is_signed || has_words(of.texture_->format)))) return {};
   // The lanes cannot read the border.
   if (filters && (of.sampler_.wrap_s == Wrap::clamp || of.sampler_.wrap_t == Wrap::clamp)) return {};
   const std::shared_ptr<const ByteSampler> made(new ByteSampler(of));
@@ -53,7 +56,7 @@ TextureSampler::ByteSampler::ByteSampler(const TextureSampler& of)
     : rules_{of.sampler_.min_filter, of.sampler_.mag_filter, of.last_level_, of.filter_rules_},
       needs_detail_(of.needs_derivatives_),
       lod_bias_q8_(of.lod_bias_q8_),
-      byte_shift_(of.byte_shift_),
+      byte_shift_(of.decodes_ ? 0 : of.byte_shift_),
       source_(of.source_),
       constant_(of.constant_) {
   const TextureImage& base = of.texture_->faces[0][0];
