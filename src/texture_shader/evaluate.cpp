@@ -36,58 +36,75 @@ StageFactor factor_of(DotMapping mapping, DotDivisors divisors, const Bytes4& te
   return read.operator()<DotMapping::zero_to_one>();
 }
 
-// The domain of one fragment.
+// The domain of one fragment. Numbers of three are of the fragment and of its neighbours.
 class Fragment {
  public:
-  using At = std::array<float, 3>;
+  using At = TexturePlace;
+  using Three = std::array<float, 3>;
+  using Four = std::array<float, 4>;
 
-  Fragment(const TextureShaderProgram& program, const StageCoordinates& coordinates, const FetchTexel& fetch,
+  Fragment(const TextureShaderProgram& program, const StageInputs& inputs, const FetchTexel& fetch,
            TextureShaderResult& result)
-      : program_(program), coordinates_(coordinates), fetch_(fetch), result_(result) {}
+      : program_(program), given_{&inputs.at, &inputs.right, &inputs.above}, fetch_(fetch), result_(result) {}
 
   [[nodiscard]] At projected(int i) const {
-    const auto& c = given(i);
-    return {c[0] / c[3], c[1] / c[3], c[2] / c[3]};
+    return places([&](std::size_t p) {
+      const Four& c = given(p, i);
+      return Three{c[0] / c[3], c[1] / c[3], c[2] / c[3]};
+    });
   }
-  [[nodiscard]] At coordinates(int i) const { return {given(i)[0], given(i)[1], given(i)[2]}; }
+  [[nodiscard]] At coordinates(int i) const {
+    return places([&](std::size_t p) { return Three{given(p, i)[0], given(p, i)[1], given(p, i)[2]}; });
+  }
 
   At offset(int i, const TextureStage& stage) {
     const Bytes4& by = read(i, stage);
     const auto& m = stage.matrix;
-    const auto moved = [&](std::size_t k) {
-      return one_fragment::offset_coordinate(given(i)[k], m[k], by[kBlue], m[k + 2], by[kGreen]);
-    };
-    return {moved(0), moved(1), 0.0F};
+    return places([&](std::size_t p) {
+      const auto moved = [&](std::size_t k) {
+        return one_fragment::offset_coordinate(given(p, i)[k], m[k], by[kBlue], m[k + 2], by[kGreen]);
+      };
+      return Three{moved(0), moved(1), 0.0F};
+    });
   }
 
   At dependent(int i, const TextureStage& stage, int first, int second) {
     const Bytes4& texel = read(i, stage);
     const auto divisor = static_cast<float>(program_.choices.dependent_divisor);
     const auto at = [&](int k) { return static_cast<float>(texel[static_cast<std::size_t>(k)]) / divisor; };
-    return {at(first), at(second), 0.0F};
+    return places([&](std::size_t) { return Three{at(first), at(second), 0.0F}; });
   }
 
   void dot(int i, const TextureStage& stage) {
     const StageFactor n = factor_of(stage.mapping, program_.choices.divisors, read(i, stage));
     values(i).normal = std::array{n.number.x / n.over, n.number.y / n.over, n.number.z / n.over};
-    values(i).dot = one_fragment::stage_dot({given(i)[0], given(i)[1], given(i)[2]}, n.number) / n.over;
+    for (std::size_t p = 0; p < 3; ++p) {
+      const Four& c = given(p, i);
+      dots_[p][static_cast<std::size_t>(i)] = one_fragment::stage_dot({c[0], c[1], c[2]}, n.number) / n.over;
+    }
+    values(i).dot = dots_[0][static_cast<std::size_t>(i)];
   }
 
   [[nodiscard]] At dots(int first, int count) const {
-    At at{};
-    for (int k = 0; k < count; ++k) at[static_cast<std::size_t>(k)] = *values(first + k).dot;
-    return at;
+    return places([&](std::size_t p) {
+      Three at{};
+      for (int k = 0; k < count; ++k) at[static_cast<std::size_t>(k)] = dots_[p][static_cast<std::size_t>(first + k)];
+      return at;
+    });
   }
 
   [[nodiscard]] At reflected(int i, const TextureStage& stage, bool is_constant) const {
-    const At d = dots(i - 2, 3);
-    const At eye = is_constant ? stage.eye : At{given(i - 2)[3], given(i - 1)[3], given(i)[3]};
-    return array_of(one_fragment::reflected_eye({d[0], d[1], d[2]}, {eye[0], eye[1], eye[2]}));
+    const At all = dots(i - 2, 3);
+    return places([&](std::size_t p) {
+      const Three& d = *std::array{&all.at, &all.right, &all.above}[p];
+      const Three eye = is_constant ? stage.eye : Three{given(p, i - 2)[3], given(p, i - 1)[3], given(p, i)[3]};
+      return array_of(one_fragment::reflected_eye({d[0], d[1], d[2]}, {eye[0], eye[1], eye[2]}));
+    });
   }
 
-  void fetch(int i, const At& at) {
-    values(i).at = at;
-    values(i).texel = values(i).fetched = fetch_(i, at);
+  void fetch(int i, const At& place) {
+    values(i).at = place.at;
+    values(i).texel = values(i).fetched = fetch_(i, place);
   }
 
   void scale(int i, const TextureStage& stage) {
@@ -103,7 +120,7 @@ class Fragment {
 
   void pass(int i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const float c = given(i)[k];
+      const float c = given(0, i)[k];
       values(i).texel[k] = static_cast<std::uint8_t>(program_.choices.byte == StageByte::nearest
                                                          ? one_fragment::stage_byte<StageByte::nearest>(c)
                                                          : one_fragment::stage_byte<StageByte::twelve_bits>(c));
@@ -112,7 +129,7 @@ class Fragment {
 
   void cull(int i, const TextureStage& stage) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const float c = given(i)[k];
+      const float c = given(0, i)[k];
       const bool is_killed = stage.cull[k] == CullMode::kills_negative ? c < 0.0F : c >= 0.0F;
       result_.is_culled = result_.is_culled || is_killed;
     }
@@ -141,14 +158,16 @@ class Fragment {
  private:
   StageValues& values(int i) { return result_.stage[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const StageValues& values(int i) const { return result_.stage[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] const std::array<float, 4>& given(int i) const { return coordinates_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Four& given(std::size_t p, int i) const { return (*given_[p])[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] static At places(const auto& place) { return {place(0), place(1), place(2)}; }
   const Bytes4& read(int i, const TextureStage& stage) {
     values(i).input = values(stage.previous).texel;
     return values(i).input;
   }
 
   const TextureShaderProgram& program_;
-  const StageCoordinates& coordinates_;
+  std::array<const StageCoordinates*, 3> given_;
+  std::array<std::array<float, kTextureStages>, 3> dots_{};
   const FetchTexel& fetch_;
   TextureShaderResult& result_;
 };
@@ -156,9 +175,9 @@ class Fragment {
 }  // namespace
 
 TextureShaderResult evaluate(const TextureShaderProgram& program, const HardwareProfile& profile,
-                             const StageCoordinates& coordinates, const FetchTexel& fetch) {
+                             const StageInputs& inputs, const FetchTexel& fetch) {
   TextureShaderResult result;
-  Fragment fragment(program, coordinates, fetch, result);
+  Fragment fragment(program, inputs, fetch, result);
   for (int i = 0; i < kTextureStages; ++i) walk_stage(program, i, fragment);
   for (int i = 0; i < kTextureStages; ++i) fragment.finish(i, profile);
   return result;

@@ -16,9 +16,24 @@ namespace NINEBIT_PUBLIC ninebit {
 // The interpolated s, t, r, q of each unit, not divided by q.
 using StageCoordinates = std::array<std::array<float, 4>, kTextureStages>;
 
-// Reads a unit's texture at (s, t, r), after any division: its filtered bytes red, green, blue, alpha, signed ones in two's
-// complement, HILO ones as H = 256 A + R and L = 256 G + B.
-using FetchTexel = std::function<Bytes4(int unit, const std::array<float, 3>& at)>;
+// A fragment's coordinates, and those of its neighbours, which only levels of detail depend on.
+struct StageInputs {
+  StageCoordinates at{};     // of the fragment
+  StageCoordinates right{};  // of the fragment on the right
+  StageCoordinates above{};  // of the fragment above
+};
+
+// Where a texture is read: s, t, r after any division. The neighbours' places are those of the fragment's own texels at
+// the neighbours' coordinates: how the chip finds the level of detail of a dependent texture is open.
+struct TexturePlace {
+  std::array<float, 3> at{};     // of the fragment
+  std::array<float, 3> right{};  // of the fragment on the right
+  std::array<float, 3> above{};  // of the fragment above
+};
+
+// Reads a unit's texture: its filtered bytes red, green, blue, alpha, signed ones in two's complement, HILO ones as
+// H = 256 A + R and L = 256 G + B.
+using FetchTexel = std::function<Bytes4(int unit, const TexturePlace& place)>;
 
 // What a stage computed.
 struct StageValues {
@@ -41,7 +56,7 @@ struct TextureShaderResult {
 // Evaluates a program that compile() made for this profile. Numbers are 32-bit floats in a fixed order of operations
 // (docs/numerics.md, rules 33 to 39). A NaN that would become a byte is 0.
 [[nodiscard]] TextureShaderResult evaluate(const TextureShaderProgram& program, const HardwareProfile& profile,
-                                           const StageCoordinates& coordinates, const FetchTexel& fetch);
+                                           const StageInputs& inputs, const FetchTexel& fetch);
 
 // The code of a replaced depth in a buffer whose largest code is `largest` (rule 39): narrowed as the program says and
 // clamped to [0, largest]; NaN gives 0.

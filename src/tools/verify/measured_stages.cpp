@@ -52,7 +52,7 @@ TextureShaderResult run(const TextureShaderState& state, const HardwareProfile& 
     textures[i] = StageTexture{.target = info_of(state.stage[i].operation).target};
   }
   const TextureShaderProgram program = compile(state, textures, profile).value();
-  return evaluate(program, profile, coordinates, fetch);
+  return evaluate(program, profile, {coordinates, coordinates, coordinates}, fetch);
 }
 
 std::array<float, 4> coordinates_of(const MeasuredRow& row, std::array<const char*, 4> columns) {
@@ -209,9 +209,9 @@ std::vector<int> run_offset(const MeasuredRow& row, const HardwareProfile& profi
   StageCoordinates at{};
   at[0][3] = 1.0F;
   at[1] = {base_coordinate(row.whole("i")), base_coordinate(row.whole("j")), 0.0F, 1.0F};
-  const auto result = run(state, profile, at, [&](int unit, const std::array<float, 3>& place) {
+  const auto result = run(state, profile, at, [&](int unit, const TexturePlace& place) {
     if (unit == 0) return filtered(InternalFormat::rgba8, texels, is_signed, row, profile);
-    return Bytes4{static_cast<std::uint8_t>(cell_at(place, profile))};
+    return Bytes4{static_cast<std::uint8_t>(cell_at(place.at, profile))};
   });
   return {result.stage[1].texel[0]};
 }
@@ -222,7 +222,7 @@ std::vector<int> run_luminance(const MeasuredRow& row, const HardwareProfile& pr
   state.stage[1].operation = TextureOperation::offset_2d_scale;
   state.stage[1].scale = static_cast<float>(row.real("scale"));
   state.stage[1].bias = static_cast<float>(row.real("offset"));
-  const auto result = run(state, profile, {}, [&](int unit, const std::array<float, 3>&) {
+  const auto result = run(state, profile, {}, [&](int unit, const TexturePlace&) {
     return unit == 0 ? Bytes4{row.byte("L")} : Bytes4{row.byte("T")};
   });
   return {result.stage[1].texel[0]};
@@ -242,7 +242,7 @@ std::vector<int> run_dot_cube(const MeasuredRow& row, const HardwareProfile& pro
     for (std::size_t i = 0; i < 3; ++i) at[k + 1][i] = static_cast<float>(rows[3 * k + i]);
     if (eye.size() == 3) at[k + 1][3] = state.stage[3].eye[k] = eye[k];
   }
-  const auto result = run(state, profile, at, [&](int unit, const std::array<float, 3>&) {
+  const auto result = run(state, profile, at, [&](int unit, const TexturePlace&) {
     return unit == 0 ? Bytes4{row.byte("R"), row.byte("G"), row.byte("B"), row.byte("A")} : Bytes4{};
   });
   const std::array<float, 3>& looks = *result.stage[is_diffuse ? 2 : 3].at;
@@ -265,9 +265,9 @@ std::vector<int> run_hilo_dots(const MeasuredRow& row, const HardwareProfile& pr
   at[0][3] = 1.0F;
   at[1] = {10.0F, 0.0F, base_coordinate(row.whole("i")), 1.0F};
   at[2] = {0.0F, 15.0F, base_coordinate(row.whole("j")), 1.0F};
-  const auto result = run(state, profile, at, [&](int unit, const std::array<float, 3>& place) {
+  const auto result = run(state, profile, at, [&](int unit, const TexturePlace& place) {
     if (unit == 0) return filtered(InternalFormat::hilo16, texels, is_signed, row, profile);
-    return Bytes4{static_cast<std::uint8_t>(cell_at(place, profile))};
+    return Bytes4{static_cast<std::uint8_t>(cell_at(place.at, profile))};
   });
   return {result.stage[2].texel[0]};
 }
@@ -280,7 +280,7 @@ std::vector<int> run_depth_replace(const MeasuredRow& row, const HardwareProfile
   const TextureShaderProgram program = compile(state, textures, profile).value();
   const StageCoordinates at{std::array{0.0F, 0.0F, 0.0F, 1.0F}, coordinates_of(row, {"a0", "a1", "a2", nullptr}),
                             coordinates_of(row, {"b0", "b1", "b2", nullptr})};
-  const auto result = evaluate(program, profile, at, [&](int, const std::array<float, 3>&) {
+  const auto result = evaluate(program, profile, {at, at, at}, [&](int, const TexturePlace&) {
     return Bytes4{row.byte("R"), row.byte("G"), row.byte("B"), 255};
   });
   return {static_cast<int>(replaced_depth_code(program, *result.depth, max_depth(DepthStencilFormat::d16)))};
@@ -290,8 +290,8 @@ std::vector<int> run_cube_map(const MeasuredRow& row, const HardwareProfile& pro
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::texture_cube_map;
   const auto result =
-      run(state, profile, {coordinates_of(row, {"s", "t", "r", nullptr})}, [&](int, const std::array<float, 3>& at) {
-        return sampled(checkered_cube(), kNearestSampler, at, profile);
+      run(state, profile, {coordinates_of(row, {"s", "t", "r", nullptr})}, [&](int, const TexturePlace& place) {
+        return sampled(checkered_cube(), kNearestSampler, place.at, profile);
       });
   const Bytes4& color = result.stage[0].texel;
   return {color[0], color[1], color[2]};
@@ -318,7 +318,7 @@ std::vector<int> run_yuv(const MeasuredRow& row, const HardwareProfile& profile)
   state.stage[0].operation = TextureOperation::texture_2d;
   state.converts_yuv = true;
   const std::uint32_t word = static_cast<std::uint32_t>(row.whole("Y") | row.whole("U") << 8 | row.whole("V") << 24);
-  const auto result = run(state, profile, {}, [&](int, const std::array<float, 3>&) {
+  const auto result = run(state, profile, {}, [&](int, const TexturePlace&) {
     return texels_of_yuv_word(word, false)[0];
   });
   const Rgba9& codes = result.stage[0].codes;
