@@ -152,13 +152,25 @@ HWY_INLINE Reads reads_of(const VectorOperation& operation) {
   return reads;
 }
 
+// Processors without AVX2 are rare: there each kernel reads in the one way that serves every operation, as the others
+// would double the time that this file takes to compile.
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4
+constexpr bool kReadsInOneWay = true;
+#else
+constexpr bool kReadsInOneWay = false;
+#endif
+
 // Calls f<kReads>() with the first that covers what the operation needs; the last always does.
 template <Reads kFirst, Reads... kMore, class F>
 HWY_INLINE Run choose_reads(const Reads& needed, const F& f) {
-  if constexpr (sizeof...(kMore) > 0) {
-    if (!kFirst.covers(needed)) return choose_reads<kMore...>(needed, f);
+  if constexpr (kReadsInOneWay) {
+    return f.template operator()<Reads{.floors = ~0U, .lines = ~0U}>();
+  } else {
+    if constexpr (sizeof...(kMore) > 0) {
+      if (!kFirst.covers(needed)) return choose_reads<kMore...>(needed, f);
+    }
+    return f.template operator()<kFirst>();
   }
-  return f.template operator()<kFirst>();
 }
 
 // The planner puts lines first in a product, and products with more lines first. All lines of unsigned products are
