@@ -71,6 +71,9 @@ struct Sampler {
   std::array<bool, 4> is_signed{};
 };
 
+// Which bytes of a texture's texels are two's complement: those that the sampler says, and ds and dt.
+[[nodiscard]] std::array<bool, 4> signed_components(const Texture& texture, const Sampler& sampler);
+
 // The sampler for index maps: the nearest texel of level 0.
 inline constexpr Sampler kNearestSampler{.min_filter = MinFilter::nearest,
                                          .mag_filter = MagFilter::nearest,

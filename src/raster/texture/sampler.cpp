@@ -73,6 +73,16 @@ struct TextureSampler::Filtered {
   std::array<double, 4> real{};         // of float formats
 };
 
+std::array<bool, 4> signed_components(const Texture& texture, const Sampler& sampler) {
+  std::array<bool, 4> is_signed = sampler.is_signed;
+  const TextureFormat format = base_format(texture.format);
+  const bool is_dsdt = format == TextureFormat::dsdt || format == TextureFormat::dsdt_mag ||
+                       format == TextureFormat::dsdt_mag_intensity;
+  if (is_dsdt) is_signed[kGreen] = is_signed[kBlue] = true;
+  const bool has_bytes = texture.format < InternalFormat::depth16 || texture.format > InternalFormat::rgba32f;
+  return has_bytes ? is_signed : std::array<bool, 4>{};
+}
+
 std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profile, const Texture& texture,
                                                    const Sampler& sampler, TexelUse use) {
   const bool mipmaps = uses_mipmaps(sampler.min_filter);
@@ -118,13 +128,9 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
 
 void TextureSampler::find_sources(const HardwareProfile& profile, TexelUse use) {
   const InternalFormat format = texture_->format;
-  const bool is_dsdt = format_ == TextureFormat::dsdt || format_ == TextureFormat::dsdt_mag ||
-                       format_ == TextureFormat::dsdt_mag_intensity;
-  const bool has_bytes = texture_->faces[0][0].planes.index() == 0;
-  for (std::size_t k = 0; k < 4 && has_bytes; ++k) {
-    is_signed_[k] = sampler_.is_signed[k] || (is_dsdt && (k == kGreen || k == kBlue));
-  }
-  if (use == TexelUse::stages && (is_dsdt || format_ == TextureFormat::hilo)) {
+  is_signed_ = signed_components(*texture_, sampler_);
+  // The combiners do not see these formats' numbers.
+  if (use == TexelUse::stages && format_ >= TextureFormat::hilo) {
     const std::array<bool, 4> stored = stored_components(format);
     for (std::size_t k = 0; k < 4; ++k) source_[k] = stored[k] ? static_cast<int>(k) : -1;
     return;

@@ -203,6 +203,9 @@ Result<Texture> with_mipmaps(const Texture& texture) {
   if (Status status = check_texture(texture); !status) return status.error();
   if (texture.target == TextureTarget::rectangle) return Diagnostic{"rectangles have no mip-maps"};
   if (texture.target == TextureTarget::texture_3d) return Diagnostic{"mip-maps of 3D textures are not computed"};
+  if (base_format(texture.format) >= TextureFormat::hilo) {
+    return Diagnostic{"mip-maps of HILO and DSDT textures are not computed"};
+  }
   Faces faces(texture.face_count());
   for (std::size_t face = 0; face < faces.size(); ++face) {
     if (texture.faces[face].empty()) return Diagnostic{"a texture without a level 0 has no mip-maps"};
