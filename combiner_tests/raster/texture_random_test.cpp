@@ -23,17 +23,17 @@ struct TextureCase {
 };
 
 // TextureCase `index` has the index's own format, target, filters and wrap modes; the rest is random.
-constexpr auto kFormats = [] {
+constexpr auto kAllFormats = [] {
   std::array<InternalFormat, kInternalFormats.size() + kStageFormats.size()> all{};
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i] = i < kInternalFormats.size() ? kInternalFormats[i] : kStageFormats[i - kInternalFormats.size()];
   }
   return all;
 }();
-constexpr std::array kTargets{TextureTarget::texture_2d, TextureTarget::cube_map, TextureTarget::texture_3d,
+constexpr std::array kAllTargets{TextureTarget::texture_2d, TextureTarget::cube_map, TextureTarget::texture_3d,
                               TextureTarget::rectangle, TextureTarget::texture_1d};
 constexpr std::uint64_t kTextureCases =
-    kFormats.size() * kTargets.size() * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
+    kAllFormats.size() * kAllTargets.size() * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
 TextureCase make_case(std::uint64_t index) {
   Random random(kTextureSeed, index);
   std::uint64_t rest = index;
@@ -43,8 +43,8 @@ TextureCase make_case(std::uint64_t index) {
     return value;
   };
   TextureCase c;
-  const InternalFormat format = take(kFormats);
-  TextureTarget target = take(kTargets);
+  const InternalFormat format = take(kAllFormats);
+  TextureTarget target = take(kAllTargets);
   if (is_depth(format) && (target == TextureTarget::cube_map || target == TextureTarget::texture_3d)) {
     target = TextureTarget::texture_2d;
   }
@@ -134,7 +134,7 @@ bool agrees(const TextureCase& c, const TextureSampler& sampler, const oracle::T
 }
 
 // The codes of a texel whose components are signed or not, each by itself.
-Rgba9 codes_of(const TextureCase& c, Texel texel) {
+Rgba9 register_codes(const TextureCase& c, Texel texel) {
   const StageTexture seen = stage_texture(c.texture, c.sampler);
   const Rgba9 plain = texel_codes(c.profile, texel);
   texel.is_signed = true;
@@ -175,7 +175,7 @@ void run(std::uint64_t index, TexturesSeen& seen) {
                         << int{answers[0].value[3]} << " real " << static_cast<double>(answers[0].real[0])
                         << "\nactual " << int{texel.value[0]} << ' ' << int{texel.value[1]} << ' '
                         << int{texel.value[2]} << ' ' << int{texel.value[3]};
-    ASSERT_EQ(codes.of(i), codes_of(c, texel)) << describe(c, index, i);
+    ASSERT_EQ(codes.of(i), register_codes(c, texel)) << describe(c, index, i);
     ++seen.fragments;
     seen.border += answers[0].border ? 1 : 0;
     seen.coarse += answers[0].level > 0 ? 1 : 0;
@@ -194,7 +194,7 @@ TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
     if (HasFatalFailure()) return;
   }
   // Rectangles have no mip-maps.
-  EXPECT_EQ(seen.incomplete, static_cast<int>(kTextureCases / kTargets.size() * 4 / 6) * kTextureFragments);
+  EXPECT_EQ(seen.incomplete, static_cast<int>(kTextureCases / kAllTargets.size() * 4 / 6) * kTextureFragments);
   EXPECT_GE(seen.fragments, (static_cast<int>(kTextureCases) - 1) * kTextureFragments - seen.incomplete);
   EXPECT_GE(seen.border, seen.fragments / 50);
   EXPECT_GE(seen.coarse, seen.fragments / 5);
@@ -217,7 +217,7 @@ TEST(RandomTextures, AnyCutGivesTheSameBits) {
                        {random_change(random), random_change(random), random_change(random)});
     }
     const auto sampler = TextureSampler::make(c.profile, c.texture, c.sampler);
-    ASSERT_TRUE(sampler.has_value());
+    if (!sampler) continue;  // a rectangle with mip-maps
     const std::size_t count = c.fragments.size();
     CodeArrays whole(count), cut(count);
     sampler->sample(c.fragments.view(), count, whole.at());
@@ -228,7 +228,7 @@ TEST(RandomTextures, AnyCutGivesTheSameBits) {
     }
     EXPECT_EQ(whole.plane, cut.plane) << index;
     for (std::size_t i = 0; i < count; ++i) {
-      ASSERT_EQ(whole.of(i), codes_of(c, sampler->texel(c.fragments.view(), i))) << index << ' ' << i;
+      ASSERT_EQ(whole.of(i), register_codes(c, sampler->texel(c.fragments.view(), i))) << index << ' ' << i;
     }
   }
 }

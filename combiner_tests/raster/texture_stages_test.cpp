@@ -16,16 +16,16 @@
 namespace ninebit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 4201;
-constexpr std::size_t kFragments = kSlowBuild ? 40 : 256;
-constexpr int kStates = 40;  // times kFragments: more than 10,000 fragments of each operation
+constexpr std::uint64_t kStageSeed = 4201;
+constexpr std::size_t kStageFragments = kSlowBuild ? 40 : 256;
+constexpr int kStageStates = 40;  // times kStageFragments: more than 10,000 fragments of each operation
 
 // A texture for an operation, most often of the kind that it reads.
 TextureTarget target_for(Random& random, TextureOperation operation) {
-  constexpr std::array kTargets{TextureTarget::texture_1d, TextureTarget::texture_2d, TextureTarget::rectangle,
+  constexpr std::array kStageTargets{TextureTarget::texture_1d, TextureTarget::texture_2d, TextureTarget::rectangle,
                                 TextureTarget::texture_3d, TextureTarget::cube_map};
   const auto place = static_cast<std::size_t>(info_of(operation).target);
-  return place == 0 || random.one_in(12) ? kTargets[static_cast<std::size_t>(random.below(5))] : kTargets[place - 1];
+  return place == 0 || random.one_in(12) ? kStageTargets[static_cast<std::size_t>(random.below(5))] : kStageTargets[place - 1];
 }
 
 struct StageCase {
@@ -61,7 +61,7 @@ struct StageCase {
   }
 };
 
-float random_number(Random& random) {
+float random_stage_number(Random& random) {
   switch (random.below(12)) {
     case 0:
       return random.pick({0.0F, -0.0F, 1.0F, -1.0F, kInfinity, -kInfinity, kNan});
@@ -143,7 +143,7 @@ void choose_texture(Random& random, std::size_t unit, StageCase& c) {
 }
 
 std::unique_ptr<StageCase> make_case(TextureOperation operation, std::uint64_t index, bool has_mipmaps) {
-  Random random(kSeed + (has_mipmaps ? 1 : 0), 1000 * static_cast<std::uint64_t>(operation) + index);
+  Random random(kStageSeed + (has_mipmaps ? 1 : 0), 1000 * static_cast<std::uint64_t>(operation) + index);
   auto made = std::make_unique<StageCase>();
   StageCase& c = *made;
   c.has_mipmaps = has_mipmaps;
@@ -161,8 +161,8 @@ std::unique_ptr<StageCase> make_case(TextureOperation operation, std::uint64_t i
   for (std::size_t place = 0; place < 3; ++place) {
     for (auto& unit : c.given[place]) {
       for (auto& k : unit) {
-        for (std::size_t i = 0; i < kFragments; ++i) {
-          k.push_back(place == 0 ? random_number(random) : has_mipmaps ? random_change(random) : 0.0F);
+        for (std::size_t i = 0; i < kStageFragments; ++i) {
+          k.push_back(place == 0 ? random_stage_number(random) : has_mipmaps ? random_change(random) : 0.0F);
         }
         k.shrink_to_fit();  // a sanitizer sees a read beyond
       }
@@ -176,25 +176,25 @@ struct StagesSeen {
   int culled = 0, depths = 0, codes_above_0 = 0;
 };
 
-bool same(float a, float b) {
+bool same_number(float a, float b) {
   return (std::isnan(a) && std::isnan(b)) || a == b;
 }
 
 // What a batch gave for all fragments.
-struct BatchResult {
-  std::array<CodeArrays, kTextureStages> codes{CodeArrays(kFragments), CodeArrays(kFragments), CodeArrays(kFragments),
-                                               CodeArrays(kFragments)};
-  std::vector<std::uint8_t> killed = std::vector<std::uint8_t>(kFragments, 7);
-  std::vector<float> depth = std::vector<float>(kFragments, 7.0F);
+struct StageBatchResult {
+  std::array<CodeArrays, kTextureStages> codes{CodeArrays(kStageFragments), CodeArrays(kStageFragments), CodeArrays(kStageFragments),
+                                               CodeArrays(kStageFragments)};
+  std::vector<std::uint8_t> killed = std::vector<std::uint8_t>(kStageFragments, 7);
+  std::vector<float> depth = std::vector<float>(kStageFragments, 7.0F);
 };
 
-void run_batch(const TextureStages& stages, const StageCase& c, BatchResult& result) {
+void run_stage_batch(const TextureStages& stages, const StageCase& c, StageBatchResult& result) {
   StageOutputs outputs{.codes = {}, .killed = result.killed.data(), .depth = result.depth.data()};
   for (std::size_t u = 0; u < kTextureStages; ++u) outputs.codes[u] = result.codes[u].at();
-  stages.run(c.batch(), kFragments, outputs);
+  stages.run(c.batch(), kStageFragments, outputs);
 }
 
-std::string place_of(TextureOperation operation, std::uint64_t index, std::size_t i, std::size_t unit) {
+std::string stage_place(TextureOperation operation, std::uint64_t index, std::size_t i, std::size_t unit) {
   return std::string(info_of(operation).name) + ", case " + std::to_string(index) + ", fragment " + std::to_string(i) +
          ", stage " + std::to_string(unit);
 }
@@ -234,13 +234,13 @@ void expect_oracle(const StageCase& c, const TextureStages& stages, const Textur
       ASSERT_EQ(int{result.stage[u].codes[k]}, answer.code[u][k]) << at << ", component " << k;
     }
     if (answer.dot[u]) {
-      ASSERT_TRUE(result.stage[u].dot && same(*result.stage[u].dot, *answer.dot[u])) << at;
+      ASSERT_TRUE(result.stage[u].dot && same_number(*result.stage[u].dot, *answer.dot[u])) << at;
     }
   }
   ASSERT_EQ(result.is_culled, answer.culled) << place;
   ASSERT_EQ(result.depth.has_value(), answer.depth.has_value()) << place;
   if (answer.depth) {
-    ASSERT_TRUE(same(*result.depth, *answer.depth)) << place;
+    ASSERT_TRUE(same_number(*result.depth, *answer.depth)) << place;
   }
 }
 
@@ -249,27 +249,27 @@ void run(TextureOperation operation, std::uint64_t index, bool has_mipmaps, Stag
   const auto stages = TextureStages::make(c->profile, c->state, c->units);
   ASSERT_TRUE(stages.ok()) << stages.error().text();
   std::vector<TextureShaderResult> results;
-  for (std::size_t i = 0; i < kFragments; ++i) results.push_back(stages->evaluate(c->inputs(i)));
-  for (std::size_t i = 0; i < kFragments && !has_mipmaps; ++i) {
-    expect_oracle(*c, *stages, results[i], i, place_of(operation, index, i, 0), seen);
+  for (std::size_t i = 0; i < kStageFragments; ++i) results.push_back(stages->evaluate(c->inputs(i)));
+  for (std::size_t i = 0; i < kStageFragments && !has_mipmaps; ++i) {
+    expect_oracle(*c, *stages, results[i], i, stage_place(operation, index, i, 0), seen);
     if (testing::Test::HasFatalFailure()) return;
   }
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on(target);
-    BatchResult batch;
-    run_batch(*stages, *c, batch);
-    for (std::size_t i = 0; i < kFragments; ++i) {
+    StageBatchResult batch;
+    run_stage_batch(*stages, *c, batch);
+    for (std::size_t i = 0; i < kStageFragments; ++i) {
       const TextureShaderResult& one = results[i];
       for (std::size_t u = 0; u < kTextureStages; ++u) {
         ASSERT_EQ(batch.codes[u].of(i), one.stage[u].codes)
-            << simd_target_name(target) << ", " << place_of(operation, index, i, u);
+            << simd_target_name(target) << ", " << stage_place(operation, index, i, u);
         seen.codes_above_0 += one.stage[u].codes[0] > 0 ? 1 : 0;
       }
-      ASSERT_EQ(batch.killed[i] != 0, one.is_culled) << simd_target_name(target) << ' ' << place_of(operation, index, i, 0);
+      ASSERT_EQ(batch.killed[i] != 0, one.is_culled) << simd_target_name(target) << ' ' << stage_place(operation, index, i, 0);
       seen.culled += one.is_culled ? 1 : 0;
       if (!one.depth) continue;
       ++seen.depths;
-      ASSERT_TRUE(same(batch.depth[i], *one.depth)) << simd_target_name(target) << ' ' << place_of(operation, index, i, 0);
+      ASSERT_TRUE(same_number(batch.depth[i], *one.depth)) << simd_target_name(target) << ' ' << stage_place(operation, index, i, 0);
     }
   }
 }
@@ -278,12 +278,12 @@ TEST(TextureStages, OneFragmentBatchesAndTheOracleAgree) {
   for (int n = 0; n < static_cast<int>(TextureOperation::brdf); ++n) {
     const auto operation = static_cast<TextureOperation>(n);
     StagesSeen seen;
-    for (std::uint64_t index = 0; index < kStates; ++index) {
+    for (std::uint64_t index = 0; index < kStageStates; ++index) {
       run(operation, index, false, seen);
       if (HasFatalFailure()) return;
     }
     const auto at = static_cast<std::size_t>(n);
-    EXPECT_GE(seen.consistent[at], kStates * static_cast<int>(kFragments) / 5) << info_of(operation).name;
+    EXPECT_GE(seen.consistent[at], kStageStates * static_cast<int>(kStageFragments) / 5) << info_of(operation).name;
     EXPECT_GT(seen.codes_above_0, 0);
     if (operation == TextureOperation::cull_fragment) {
       EXPECT_GT(seen.culled, 0);
@@ -297,7 +297,7 @@ TEST(TextureStages, OneFragmentBatchesAndTheOracleAgree) {
 TEST(TextureStages, BatchesWithMipMapsAgree) {
   for (int n = 0; n < static_cast<int>(TextureOperation::brdf); ++n) {
     StagesSeen seen;
-    for (std::uint64_t index = 0; index < kStates / 8; ++index) {
+    for (std::uint64_t index = 0; index < kStageStates / 8; ++index) {
       run(static_cast<TextureOperation>(n), index, true, seen);
       if (HasFatalFailure()) return;
     }

@@ -29,6 +29,7 @@ Rgba9 texel_codes(const HardwareProfile& profile, const Texel& texel) {
   const auto one = static_cast<s9>(profile.one.value);
   switch (texel.format) {
     case TextureFormat::alpha:
+    case TextureFormat::dsdt_mag_intensity:
       return {0, 0, 0, v[3]};
     case TextureFormat::luminance:
       return {v[0], v[0], v[0], one};
@@ -42,7 +43,6 @@ Rgba9 texel_codes(const HardwareProfile& profile, const Texel& texel) {
     case TextureFormat::rgba:
       return v;
     case TextureFormat::depth:
-    case TextureFormat::dsdt_mag_intensity:
       return {0, 0, 0, v[0]};
     case TextureFormat::hilo:
     case TextureFormat::dsdt:

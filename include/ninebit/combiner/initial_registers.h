@@ -34,8 +34,8 @@ using Bytes4 = std::array<std::uint8_t, 4>;
 
 // A filtered texel.
 struct Texel {
-  Bytes4 value{};  // red, green, blue, alpha; luminance, intensity or depth is in the first; components that the
-                   // format does not have are not read
+  Bytes4 value{};  // red, green, blue, alpha; luminance, intensity or depth is in the first, the intensity of
+                   // dsdt_mag_intensity in alpha; components that the format does not have are not read
   TextureFormat format = TextureFormat::rgba;  // selects the register components that the value fills
   bool is_signed = false;  // NV_texture_shader: each byte is a two's complement number; NV20 class only
 };
