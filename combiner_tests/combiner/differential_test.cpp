@@ -37,9 +37,9 @@ struct Run {
   std::uint64_t cases;
   std::uint64_t sanitized_cases;
 };
-constexpr Run kInteger{"integer", Arithmetic::integer, 200000, 4000};
+constexpr Run kInteger{"integer", Arithmetic::integer, 100000, 4000};
 constexpr Run kFloat{"float", Arithmetic::float32, 40000, 2000};
-constexpr Run kExact{"exact", Arithmetic::exact, 16000, 160};
+constexpr Run kExact{"exact", Arithmetic::exact, 8000, 160};
 
 HardwareProfile profile_of(const Run& run, Random& random) {
   if (run.arithmetic == Arithmetic::integer) return random_profile(random);

@@ -1,7 +1,8 @@
 #include "src/raster/fragment/fragment_batch.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "src/raster/rules/one_fragment.h"
 
 namespace ninebit {
 namespace {
@@ -10,20 +11,20 @@ float unit_range(float value) {
   return !(value > 0.0F) ? 0.0F : value > 1.0F ? 1.0F : value;
 }
 
-// Rule 27. Floats hold all the sums that follow. The vertex that is not an end of a line has the share 0; the line's
-// ends follow it in order, which holds for the edges of polygons, too.
+// The vertex that is not an end of a line has the share 0; the line's ends follow it in order, which holds for the edges
+// of polygons, too.
 std::array<float, 3> eight_bit_weights(const std::array<float, 3>& share, bool is_line) {
-  const auto cut = [](float value) { return std::floor(value * 256.0F) / 256.0F; };
+  constexpr one_fragment::Numbers o{};
   const auto other = static_cast<std::size_t>(std::find(share.begin(), share.end(), 0.0F) - share.begin());
   if (is_line && other < share.size()) {
     const std::size_t start = (other + 1) % 3, end = (other + 2) % 3;
     std::array<float, 3> weight{};
-    weight[end] = cut(share[end]);
-    weight[start] = 1.0F - weight[end];
+    weight[end] = eight_bit_share(o, share[end]);
+    weight[start] = remaining_weight(o, weight[end], 0.0F);
     return weight;
   }
-  const float first = cut(share[0]), third = cut(share[2]);
-  return {first, 1.0F - first - third, third};
+  const float first = eight_bit_share(o, share[0]), third = eight_bit_share(o, share[2]);
+  return {first, remaining_weight(o, first, third), third};
 }
 
 }  // namespace

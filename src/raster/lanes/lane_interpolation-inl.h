@@ -17,6 +17,7 @@
 #include "src/raster/lanes/lane_fragments.h"
 #include "src/raster/lanes/lane_inputs.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/rules/fragment_vector-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -122,12 +123,10 @@ struct ShareLanes {
   }
 };
 
-// The weights of smooth colours, cut to 256ths (rule 27).
 HWY_INLINE ShareLanes eight_bit_weights(const ShareLanes& shares) {
-  const VF steps = hn::Set(kDF, 256.0F), step = hn::Set(kDF, 1.0F / 256.0F);
-  const VF first = hn::Floor(hn::Mul(shares.a, steps)), third = hn::Floor(hn::Mul(shares.c, steps));
-  const VF second = hn::Sub(hn::Sub(steps, first), third);
-  return {hn::Mul(first, step), hn::Mul(second, step), hn::Mul(third, step)};
+  const VectorValues<decltype(kD)> o;
+  const VF first = eight_bit_share(o, shares.a), third = eight_bit_share(o, shares.c);
+  return {first, remaining_weight(o, first, third), third};
 }
 
 // The colours of a run's vertices, as floats. A copy: the compiler would read them again for each vector, because the

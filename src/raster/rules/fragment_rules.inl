@@ -1,4 +1,4 @@
-// THE rules of coverage, depth codes, the stencil operations and cube-map faces, written once. No include guard:
+// THE rules of coverage, weights of colours, depth codes, stencil operations and cube-map faces, written once. No include guard:
 // one_fragment.h includes it for one fragment, fragment_vector-inl.h for a vector of fragments on every SIMD target.
 //
 // The includer provides the macro NINEBIT_RULE (the functions' attributes). Each rule takes a value domain `o`, which
@@ -8,7 +8,7 @@
 //   V set(int); F set(float)
 //   V or F add, sub; V min_of, max_of, shift_left, shift_right, bits_and, bits_or
 //   V bits_and_not(V x, V y)                       y without the bits of x
-//   F mul, div, negated, abs_of
+//   F mul, div, negated, abs_of, floor_of
 //   FM less, equal, greater_equal, less_equal, all, any
 //   FM without(FM x, FM y)                         y and not x
 //   F select(FM choice, F yes, F no)
@@ -21,6 +21,18 @@ inline constexpr int kEdgeBits = 14;
 template <class O>
 NINEBIT_RULE typename O::V top_left_sign(const O& o, typename O::V dx, typename O::V dy) {
   return o.add(o.shift_left(dy, kEdgeBits), dx);
+}
+
+// A share cut to 256ths (rule 27).
+template <class O>
+NINEBIT_RULE typename O::F eight_bit_share(const O& o, typename O::F share) {
+  return o.mul(o.floor_of(o.mul(share, o.set(256.0F))), o.set(1.0F / 256.0F));
+}
+
+// The weight of a vertex beside two weights of eight bits.
+template <class O>
+NINEBIT_RULE typename O::F remaining_weight(const O& o, typename O::F one, typename O::F other) {
+  return o.sub(o.sub(o.set(1.0F), one), other);
 }
 
 // The depth code that is compared and stored: z24 + offset, clamped to [0, largest], without its fraction bits: `half`

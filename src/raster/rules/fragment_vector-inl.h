@@ -45,6 +45,7 @@ struct VectorValues {
   static HWY_INLINE F div(F a, F b) { return hn::Div(a, b); }
   static HWY_INLINE F negated(F v) { return hn::Neg(v); }
   static HWY_INLINE F abs_of(F v) { return hn::Abs(v); }
+  static HWY_INLINE F floor_of(F v) { return hn::Floor(v); }
   static HWY_INLINE FM less(F a, F b) { return hn::Lt(a, b); }
   static HWY_INLINE FM equal(F a, F b) { return hn::Eq(a, b); }
   static HWY_INLINE FM greater_equal(F a, F b) { return hn::Ge(a, b); }

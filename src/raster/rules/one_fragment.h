@@ -37,6 +37,7 @@ struct Numbers {
   static F div(F a, F b) { return a / b; }
   static F negated(F v) { return -v; }
   static F abs_of(F v) { return std::fabs(v); }
+  static F floor_of(F v) { return std::floor(v); }
   static FM less(F a, F b) { return a < b; }
   static FM equal(F a, F b) { return a == b; }
   static FM greater_equal(F a, F b) { return a >= b; }
