@@ -115,7 +115,7 @@ float picked(const Direction& d, std::size_t which, const std::array<float, 3>& 
 float face_coordinate(const Direction& d, std::size_t which, const std::array<float, 3>& r) {
   if (std::isnan(r[0]) || std::isnan(r[1]) || std::isnan(r[2])) return 0.0F;
   const float ma = picked(d, 2, r);
-  if (ma == 0) return 0.5F;
+  if (ma == 0) return 0.0F;
   const float divided = picked(d, which, r) / ma;
   const float shifted = divided + 1.0F;
   const float place = shifted * 0.5F;

@@ -1,4 +1,4 @@
-// Texels as words of memory, in the NV2A's formats (facts: pictures of all of them; docs/numerics.md, rule 40).
+// Texels as words of memory, in the NV2A's formats (docs/numerics.md, rule 40).
 #pragma once
 
 #include <array>

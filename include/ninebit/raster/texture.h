@@ -32,8 +32,8 @@ struct CubeCoordinate {
 };
 
 // The major-axis table of ARB_texture_cube_map; s is (sc / |ma| + 1) × 0.5 in floats, in this order. The extension
-// leaves ties open; here x wins over y and y over z, and a zero counts as positive. The zero direction gives the middle
-// of +X, NaN its first texel. One infinite component gives 0.5 for s and t; a coordinate that divides infinity by
+// leaves ties open; here x wins over y and y over z, and a zero counts as positive. The zero direction, as NaN,
+// gives the first texel of +X (rule 41). One infinite component gives 0.5 for s and t; a coordinate that divides infinity by
 // infinity is 0.
 [[nodiscard]] CubeCoordinate cube_coordinate(float rx, float ry, float rz);
 

@@ -54,7 +54,7 @@ struct TextureShaderResult {
 };
 
 // Evaluates a program that compile() made for this profile. Numbers are 32-bit floats in a fixed order of operations
-// (docs/numerics.md, rules 33 to 39). A NaN that would become a byte is 0.
+// (docs/numerics.md, rules 33 to 40). A NaN that would become a byte is 0.
 [[nodiscard]] TextureShaderResult evaluate(const TextureShaderProgram& program, const HardwareProfile& profile,
                                            const StageInputs& inputs, const FetchTexel& fetch);
 

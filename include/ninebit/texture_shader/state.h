@@ -26,7 +26,7 @@ enum class DotMapping : std::uint8_t {
   hilo_hemisphere      // s16(H, L) / 32767, and what is left of a unit vector; GL_SIGNED_HILO_NV
 };
 
-// A component of CULL_FRAGMENT: which coordinates are killed. NaN never is.
+// A component of CULL_FRAGMENT: which coordinates are killed (rule 42). NaN never is.
 enum class CullMode : std::uint8_t {
   kills_negative,     // below 0; GL_GEQUAL, the default
   kills_not_negative  // 0 and above; GL_LESS
