@@ -121,8 +121,7 @@ class Stages {
         return is_pad(1) && is_pad(2);
       case Op::dot_product_reflect_cube_map:
       case Op::dot_product_const_eye_reflect_cube_map:
-        return is_pad(1) &&
-               (is_pad(2) || (op(2) == Op::dot_product_diffuse_cube_map && answer_.consistent[2]));
+        return is_pad(1) && (is_pad(2) || (op(2) == Op::dot_product_diffuse_cube_map && answer_.consistent[2]));
       default:
         return true;
     }
@@ -194,7 +193,9 @@ class Stages {
     }
   }
 
-  void fetch(int i, float s, float t, float r) { answer_.texel[at(i)] = q_.fetch(i, {s, t, r}), fetched_[at(i)] = true; }
+  void fetch(int i, float s, float t, float r) {
+    answer_.texel[at(i)] = q_.fetch(i, {s, t, r}), fetched_[at(i)] = true;
+  }
 
   void run_stage(int i) {
     const auto& c = q_.coordinate[at(i)];

@@ -1,8 +1,8 @@
 // A slow and naive model of texture-shader stages. Its only job is to judge the library's.
 //
 // It is written from the formulas that were read off pictures of an NV2A (docs/numerics.md, rules 33 to 40) and from
-// NV_texture_shader's rules of consistency, and shares no code with what it judges: of the library's headers it includes
-// those of plain data, for the state as the question.
+// NV_texture_shader's rules of consistency, and shares no code with what it judges: of the library's headers it
+// includes those of plain data, for the state as the question.
 #pragma once
 
 #include <array>

@@ -31,7 +31,7 @@ constexpr auto kAllFormats = [] {
   return all;
 }();
 constexpr std::array kAllTargets{TextureTarget::texture_2d, TextureTarget::cube_map, TextureTarget::texture_3d,
-                              TextureTarget::rectangle, TextureTarget::texture_1d};
+                                 TextureTarget::rectangle, TextureTarget::texture_1d};
 constexpr std::uint64_t kTextureCases =
     kAllFormats.size() * kAllTargets.size() * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
 TextureCase make_case(std::uint64_t index) {

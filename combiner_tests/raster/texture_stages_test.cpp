@@ -23,9 +23,10 @@ constexpr int kStageStates = 40;  // times kStageFragments: more than 10,000 fra
 // A texture for an operation, most often of the kind that it reads.
 TextureTarget target_for(Random& random, TextureOperation operation) {
   constexpr std::array kStageTargets{TextureTarget::texture_1d, TextureTarget::texture_2d, TextureTarget::rectangle,
-                                TextureTarget::texture_3d, TextureTarget::cube_map};
+                                     TextureTarget::texture_3d, TextureTarget::cube_map};
   const auto place = static_cast<std::size_t>(info_of(operation).target);
-  return place == 0 || random.one_in(12) ? kStageTargets[static_cast<std::size_t>(random.below(5))] : kStageTargets[place - 1];
+  return place == 0 || random.one_in(12) ? kStageTargets[static_cast<std::size_t>(random.below(5))]
+                                         : kStageTargets[place - 1];
 }
 
 struct StageCase {
@@ -92,8 +93,8 @@ void choose_operations(Random& random, TextureOperation wanted, StageCase& c) {
     if (i < place && i >= place - info.dots_before) stage.operation = TextureOperation::dot_product;
     if (i == place) stage.operation = wanted;
     if (i == 3 && wanted == TextureOperation::dot_product_diffuse_cube_map) {
-      stage.operation = random.pick({TextureOperation::dot_product_reflect_cube_map,
-                                     TextureOperation::dot_product_const_eye_reflect_cube_map});
+      stage.operation = random.pick(
+          {TextureOperation::dot_product_reflect_cube_map, TextureOperation::dot_product_const_eye_reflect_cube_map});
     }
     const bool chained = info.dots_before > 0 && i > 0 && !random.one_in(10);
     stage.previous = i == 0 || chained ? 0 : random.below(i);
@@ -127,7 +128,7 @@ void choose_texture(Random& random, std::size_t unit, StageCase& c) {
   const bool mipmaps = c.has_mipmaps && target != TextureTarget::rectangle;
   sampler.min_filter = random.pick({MinFilter::nearest, MinFilter::linear});
   if (mipmaps && random.one_in(2)) sampler.min_filter = kMinFilters[static_cast<std::size_t>(random.below(6))];
-  sampler.mag_filter = mipmaps ? random.pick({MagFilter::nearest, MagFilter::linear})
+  sampler.mag_filter = mipmaps                                   ? random.pick({MagFilter::nearest, MagFilter::linear})
                        : sampler.min_filter == MinFilter::linear ? MagFilter::linear
                                                                  : MagFilter::nearest;
   for (Wrap* const wrap : {&sampler.wrap_s, &sampler.wrap_t, &sampler.wrap_r}) {
@@ -182,8 +183,8 @@ bool same_number(float a, float b) {
 
 // What a batch gave for all fragments.
 struct StageBatchResult {
-  std::array<CodeArrays, kTextureStages> codes{CodeArrays(kStageFragments), CodeArrays(kStageFragments), CodeArrays(kStageFragments),
-                                               CodeArrays(kStageFragments)};
+  std::array<CodeArrays, kTextureStages> codes{CodeArrays(kStageFragments), CodeArrays(kStageFragments),
+                                               CodeArrays(kStageFragments), CodeArrays(kStageFragments)};
   std::vector<std::uint8_t> killed = std::vector<std::uint8_t>(kStageFragments, 7);
   std::vector<float> depth = std::vector<float>(kStageFragments, 7.0F);
 };
@@ -265,11 +266,13 @@ void run(TextureOperation operation, std::uint64_t index, bool has_mipmaps, Stag
             << simd_target_name(target) << ", " << stage_place(operation, index, i, u);
         seen.codes_above_0 += one.stage[u].codes[0] > 0 ? 1 : 0;
       }
-      ASSERT_EQ(batch.killed[i] != 0, one.is_culled) << simd_target_name(target) << ' ' << stage_place(operation, index, i, 0);
+      ASSERT_EQ(batch.killed[i] != 0, one.is_culled)
+          << simd_target_name(target) << ' ' << stage_place(operation, index, i, 0);
       seen.culled += one.is_culled ? 1 : 0;
       if (!one.depth) continue;
       ++seen.depths;
-      ASSERT_TRUE(same_number(batch.depth[i], *one.depth)) << simd_target_name(target) << ' ' << stage_place(operation, index, i, 0);
+      ASSERT_TRUE(same_number(batch.depth[i], *one.depth))
+          << simd_target_name(target) << ' ' << stage_place(operation, index, i, 0);
     }
   }
 }

@@ -27,7 +27,7 @@ inline constexpr std::array kMinFilters{MinFilter::nearest,
                                         MinFilter::linear_mipmap_linear};
 inline constexpr std::array kMagFilters{MagFilter::nearest, MagFilter::linear};
 inline constexpr std::array kWraps{Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edge, Wrap::mirrored_repeat,
-                              Wrap::clamp_to_border};
+                                   Wrap::clamp_to_border};
 
 [[nodiscard]] inline bool is_depth(InternalFormat format) {
   return format == InternalFormat::depth16 || format == InternalFormat::depth24;
@@ -36,7 +36,8 @@ inline constexpr std::array kWraps{Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edg
   return format == InternalFormat::rgba16f || format == InternalFormat::rgba32f;
 }
 
-// 3D textures have up to eight layers. Every level of every face has texels of its own, so that a wrong level or face shows.
+// 3D textures have up to eight layers. Every level of every face has texels of its own, so that a wrong level or face
+// shows.
 [[nodiscard]] Texture random_texture(Random& random, TextureTarget target, InternalFormat format, int width, int height,
                                      bool with_levels);
 

@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 // A room knows the rooms of a lower rank and itself. system and numerics do not know each other, nor do scene and
 // image, effect and study, capi and raster, or playground and bench.
 const std::map<std::string, int> kRank{
-    {"system", 0}, {"numerics", 0}, {"combiner", 1}, {"texture_shader", 2}, {"language", 3}, {"capi", 4},
-    {"raster", 4}, {"scene", 5},    {"image", 5},    {"shadow", 6},         {"effect", 7},   {"study", 7},
-    {"page", 6},   {"playground", 8}, {"bench", 8},  {"tools", 9},          {"python", 10},  {"gl_layer", 9}};
+    {"system", 0}, {"numerics", 0},   {"combiner", 1}, {"texture_shader", 2}, {"language", 3}, {"capi", 4},
+    {"raster", 4}, {"scene", 5},      {"image", 5},    {"shadow", 6},         {"effect", 7},   {"study", 7},
+    {"page", 6},   {"playground", 8}, {"bench", 8},    {"tools", 9},          {"python", 10},  {"gl_layer", 9}};
 
 // The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
 // last.

@@ -10,7 +10,8 @@ namespace ninebit::test {
 namespace {
 
 using Op = TextureOperation;
-constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN(),
+                kInfinite = std::numeric_limits<float>::infinity();
 
 TextureShaderResult run(const TextureShaderState& state, const StageCoordinates& at, const Bytes4& texel,
                         const HardwareProfile& profile = profiles::nv2a) {
@@ -64,8 +65,9 @@ TEST(TextureShaderEvaluate, DepthsAreCutAndClamped) {
     const auto program = compile(with, textures, profiles::nv2a);
     const StageCoordinates at{std::array{0.0F, 0.0F, 0.0F, 1.0F}, std::array{numerator, 0.0F, 0.0F, 1.0F},
                               std::array{denominator, 0.0F, 0.0F, 1.0F}};
-    const auto result = evaluate(*program, profiles::nv2a, {at, at, at},
-                                 [](int, const TexturePlace&) { return Bytes4{255, 0, 0, 0}; });
+    const auto result = evaluate(*program, profiles::nv2a, {at, at, at}, [](int, const TexturePlace&) {
+      return Bytes4{255, 0, 0, 0};
+    });
     return replaced_depth_code(*program, *result.depth, 0xFFFF);
   };
   EXPECT_EQ(depth(999.75F, 1.0F), 999U);
@@ -105,15 +107,17 @@ TEST(TextureShaderEvaluate, AnInconsistentStageGivesNothing) {
   const auto program = compile(state, {}, profiles::nv2a);
   ASSERT_TRUE(program.ok());
   EXPECT_EQ(program->warnings().size(), 1U);
-  const auto result = evaluate(*program, profiles::nv2a, {}, [](int, const TexturePlace&) { return Bytes4{9, 9, 9, 9}; });
+  const auto result = evaluate(*program, profiles::nv2a, {}, [](int, const TexturePlace&) {
+    return Bytes4{9, 9, 9, 9};
+  });
   EXPECT_EQ(result.stage[0].codes, (Rgba9{0, 0, 0, 0}));
 }
 
 // A coordinate that is not a number moves nothing: the texture reads it as 0.
 TEST(TextureShaderEvaluate, OffsetsKeepWhatIsNotANumber) {
   const TextureShaderState state = nv2a_state(Op::texture_2d, Op::offset_2d);
-  const auto result = run(state, {std::array{0.0F, 0.0F, 0.0F, 1.0F}, std::array{kNotANumber, kInfinite, 0.0F, 1.0F}},
-                          {0, 64, 192, 0});
+  const auto result =
+      run(state, {std::array{0.0F, 0.0F, 0.0F, 1.0F}, std::array{kNotANumber, kInfinite, 0.0F, 1.0F}}, {0, 64, 192, 0});
   EXPECT_TRUE(std::isnan((*result.stage[1].at)[0]));
   EXPECT_EQ((*result.stage[1].at)[1], kInfinite);
 }

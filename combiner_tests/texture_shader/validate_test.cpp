@@ -144,13 +144,15 @@ TEST(TextureShaderConsistency, WhatReadsAnInconsistentStageIsSo) {
   const auto all = warnings(state_of(Op::texture_2d, Op::dot_product, Op::dot_product_2d), {std::nullopt, {}, kFlat});
   ASSERT_EQ(all.size(), 3U);
   EXPECT_NE(all[1].find("it reads texture stage 0, which is inconsistent"), std::string::npos);
-  EXPECT_EQ(warnings(state_of(Op::cull_fragment, Op::dependent_ar), {std::nullopt, kFlat}),
-            std::vector<std::string>{"texture stage 1: it reads texture stage 0, whose operation cull_fragment gives no "
-                                     "texel; it gives (0, 0, 0, 0)"});
+  EXPECT_EQ(
+      warnings(state_of(Op::cull_fragment, Op::dependent_ar), {std::nullopt, kFlat}),
+      std::vector<std::string>{"texture stage 1: it reads texture stage 0, whose operation cull_fragment gives no "
+                               "texel; it gives (0, 0, 0, 0)"});
 }
 
 TEST(TextureShaderConsistency, ChainsOfDotProducts) {
-  const Op dot = Op::dot_product, reflect = Op::dot_product_reflect_cube_map, diffuse = Op::dot_product_diffuse_cube_map;
+  const Op dot = Op::dot_product, reflect = Op::dot_product_reflect_cube_map,
+           diffuse = Op::dot_product_diffuse_cube_map;
   EXPECT_TRUE(warnings(state_of(Op::texture_2d, dot, dot, reflect), {kFlat, {}, {}, kCube}).empty());
   EXPECT_TRUE(warnings(state_of(Op::texture_2d, dot, diffuse, reflect), {kFlat, {}, kCube, kCube}).empty());
   EXPECT_EQ(warnings(state_of(Op::texture_2d, Op::none, dot, reflect), {kFlat, {}, {}, kCube}).size(), 1U);

@@ -63,15 +63,12 @@ TEST_F(Verify, PixelsOfAnNv2a) {
 }
 
 TEST_F(Verify, TextureShaderStagesOfAnNv2a) {
-  const std::map<std::string, std::string> tables{{"passthru", "1300 rows: 1300 agree, 0 differ\n"},
-                                                  {"bumpenvmap", "1500 rows: 1500 agree, 0 differ\n"},
-                                                  {"bumpenv_lum", "4000 rows: 4000 agree, 0 differ\n"},
-                                                  {"dot_cube", "1920 rows: 1920 agree, 0 differ\n"},
-                                                  {"hilo_dot_st", "1000 rows: 1000 agree, 0 differ\n"},
-                                                  {"cubemap", "1000 rows: 1000 agree, 0 differ\n"},
-                                                  {"clipplane", "900 rows: 900 agree, 0 differ\n"},
-                                                  {"yuv", "4500 rows: 4500 agree, 0 differ\n"},
-                                                  {"texel_formats", "1700 rows: 1700 agree, 0 differ\n"}};
+  const std::map<std::string, std::string> tables{
+      {"passthru", "1300 rows: 1300 agree, 0 differ\n"},     {"bumpenvmap", "1500 rows: 1500 agree, 0 differ\n"},
+      {"bumpenv_lum", "4000 rows: 4000 agree, 0 differ\n"},  {"dot_cube", "1920 rows: 1920 agree, 0 differ\n"},
+      {"hilo_dot_st", "1000 rows: 1000 agree, 0 differ\n"},  {"cubemap", "1000 rows: 1000 agree, 0 differ\n"},
+      {"clipplane", "900 rows: 900 agree, 0 differ\n"},      {"yuv", "4500 rows: 4500 agree, 0 differ\n"},
+      {"texel_formats", "1700 rows: 1700 agree, 0 differ\n"}};
   const std::string folder = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_";
   for (const auto& [name, answer] : tables) {
     const Outcome nv2a = ninebit({"verify", folder + name + ".csv", "--profile", "nv2a"});

@@ -12,7 +12,8 @@ std::string stage_name(int place) {
 }
 
 std::string_view name_of(StageTarget target) {
-  constexpr std::array<std::string_view, 6> names{"", "1D texture", "2D texture", "rectangle", "3D texture", "cube map"};
+  constexpr std::array<std::string_view, 6> names{"",          "1D texture", "2D texture",
+                                                  "rectangle", "3D texture", "cube map"};
   return names[static_cast<std::size_t>(target)];
 }
 
@@ -90,7 +91,8 @@ class Consistency {
     const bool passes = operation(from) == TextureOperation::pass_through;
     const TexelKind kind = passes ? TexelKind::unsigned_rgba : kind_of(*textures_[at(from)]);
     const auto refused = [&](const char* wanted) {
-      return std::string(info.name) + " reads " + wanted + ", and " + stage_name(from) + " has a texture of another format";
+      return std::string(info.name) + " reads " + wanted + ", and " + stage_name(from) +
+             " has a texture of another format";
     };
     switch (info.input) {
       case StageInput::offset:
@@ -143,7 +145,8 @@ class Consistency {
     const bool reflects = operation(3) == TextureOperation::dot_product_reflect_cube_map ||
                           operation(3) == TextureOperation::dot_product_const_eye_reflect_cube_map;
     if (!reflects) {
-      return name + " needs a reflect cube map after it, and texture stage 3 has the operation " + std::string(next.name);
+      return name + " needs a reflect cube map after it, and texture stage 3 has the operation " +
+             std::string(next.name);
     }
     if (stage(3).previous == 2) return name + " needs texture stage 3's dot product ahead, which reads this stage";
     const std::string why = input_reason(3, next);
@@ -208,9 +211,12 @@ Result<TextureShaderProgram> compile(const TextureShaderState& state, const Stag
   }
   if (!message.empty()) return Diagnostic{.message = message};
   TextureShaderProgram program;
-  program.choices = {profile.stage_byte,    profile.dot_divisors,
-                     profile.dependent_divisor, profile.ahead_mapping,
-                     profile.replaced_depth_narrowing, static_cast<std::uint8_t>(profile.disabled_texture_alpha)};
+  program.choices = {profile.stage_byte,
+                     profile.dot_divisors,
+                     profile.dependent_divisor,
+                     profile.ahead_mapping,
+                     profile.replaced_depth_narrowing,
+                     static_cast<std::uint8_t>(profile.disabled_texture_alpha)};
   program.depth_unit = state.depth_unit;
   program.converts_yuv = state.converts_yuv;
   const auto reasons = Consistency(state, textures).reasons();

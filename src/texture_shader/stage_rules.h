@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ninebit/texture_shader/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/texture_shader/state.h"
 
 namespace ninebit::one_fragment {
 

@@ -45,8 +45,8 @@ void walk_dot_product(const TextureShaderProgram& program, int i, D& d) {
     }
     case TextureOperation::dot_product_reflect_cube_map:
     case TextureOperation::dot_product_const_eye_reflect_cube_map:
-      return d.fetch(i, d.reflected(i, stage,
-                                    stage.operation == TextureOperation::dot_product_const_eye_reflect_cube_map));
+      return d.fetch(
+          i, d.reflected(i, stage, stage.operation == TextureOperation::dot_product_const_eye_reflect_cube_map));
     case TextureOperation::dot_product_depth_replace:
       d.replace_depth(i);
       return d.nothing(i);

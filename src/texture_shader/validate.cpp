@@ -58,8 +58,8 @@ void check_stage(int place, const TextureStage& stage, Findings& findings) {
     findings.add(GlError::invalid_enum, "the previous stage is " + std::to_string(stage.previous) +
                                             "; expected one from 0 to " + std::to_string(std::max(place - 1, 0)));
   } else if (place > 0 ? stage.previous >= place : stage.previous != 0) {
-    findings.add(GlError::invalid_operation, "the previous stage is " + std::to_string(stage.previous) +
-                                                 ", which is not before this one");
+    findings.add(GlError::invalid_operation,
+                 "the previous stage is " + std::to_string(stage.previous) + ", which is not before this one");
   }
   if (place < info.first || place > info.last) {
     findings.add(GlError::invalid_operation, name + " is for " + stages_of(info) + " only");

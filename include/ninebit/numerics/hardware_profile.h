@@ -152,10 +152,10 @@ struct HardwareProfile {
   Choice<Dxt1Palette> dxt1_palette;                // of DXT1 textures
 
   // Texture-shader stages, where the chip has them.
-  Choice<StageByte> stage_byte;              // of pass_through and of scaled offset textures
-  Choice<DotDivisors> dot_divisors;          // of signed mappings of dot products
-  Choice<int> dependent_divisor;             // a byte over this is a coordinate of a dependent texture
-  Choice<AheadMapping> ahead_mapping;        // of the third dot product of a diffuse cube map
+  Choice<StageByte> stage_byte;                // of pass_through and of scaled offset textures
+  Choice<DotDivisors> dot_divisors;            // of signed mappings of dot products
+  Choice<int> dependent_divisor;               // a byte over this is a coordinate of a dependent texture
+  Choice<AheadMapping> ahead_mapping;          // of the third dot product of a diffuse cube map
   Choice<Narrowing> replaced_depth_narrowing;  // of a replaced depth, to a depth code
 };
 

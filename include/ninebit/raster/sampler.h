@@ -125,8 +125,8 @@ class TextureSampler {
   // The base internal format of the texels that texel_codes returns: depth_comparison with a comparison.
   [[nodiscard]] TextureFormat format() const { return format_; }
 
-  // The codes that texel_codes gives for `count` fragments, to codes[component][fragment], or bytes for stages. Depth without comparison is
-  // rounded to a byte; floats are clamped to [0, 1] and rounded to one, NaN giving 0.
+  // The codes that texel_codes gives for `count` fragments, to codes[component][fragment], or bytes for stages. Depth
+  // without comparison is rounded to a byte; floats are clamped to [0, 1] and rounded to one, NaN giving 0.
   void sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const;
 
   // The bytes of fragment i's filtered texel, as a stage reads them.

@@ -47,12 +47,12 @@ enum class TexelWord : std::uint8_t {
 // The storage of a format's texels: rgba8, or hilo16 for the formats that filters read as words of 16 bits.
 [[nodiscard]] InternalFormat storage_of(TexelWord format);
 
-// Red, green, blue and alpha of a word, whose bits above the format's are not read. Fields of 5 and 6 bits are widened by
-// repeating their bits, of 4 bits by 17, of 1 bit to 0 or 255. `palette`: of index8 alone; an entry beyond it is 0.
+// Red, green, blue and alpha of a word, whose bits above the format's are not read. Fields of 5 and 6 bits are widened
+// by repeating their bits, of 4 bits by 17, of 1 bit to 0 or 255. `palette`: of index8 alone; an entry beyond it is 0.
 [[nodiscard]] Bytes4 texel_of_word(TexelWord format, std::uint32_t word, std::span<const std::uint32_t> palette = {});
 
-// The two texels of a word of YUY2 (Y0, U, Y1, V from the lowest byte on) or UYVY (U, Y0, V, Y1): red is Y, green U, blue
-// V, alpha 255. Stages convert them to RGB after filters (TextureShaderState::converts_yuv).
+// The two texels of a word of YUY2 (Y0, U, Y1, V from the lowest byte on) or UYVY (U, Y0, V, Y1): red is Y, green U,
+// blue V, alpha 255. Stages convert them to RGB after filters (TextureShaderState::converts_yuv).
 [[nodiscard]] std::array<Bytes4, 2> texels_of_yuv_word(std::uint32_t word, bool is_uyvy);
 
 }  // namespace ninebit

@@ -33,8 +33,8 @@ struct CubeCoordinate {
 
 // The major-axis table of ARB_texture_cube_map; s is (sc / |ma| + 1) × 0.5 in floats, in this order. The extension
 // leaves ties open; here x wins over y and y over z, and a zero counts as positive. The zero direction, as NaN,
-// gives the first texel of +X (rule 41). One infinite component gives 0.5 for s and t; a coordinate that divides infinity by
-// infinity is 0.
+// gives the first texel of +X (rule 41). One infinite component gives 0.5 for s and t; a coordinate that divides
+// infinity by infinity is 0.
 [[nodiscard]] CubeCoordinate cube_coordinate(float rx, float ry, float rz);
 
 // The six axes of a face in the extension's table: s grows along `s`, t along `t`, the face looks along `major`.
@@ -70,10 +70,10 @@ enum class InternalFormat : std::uint8_t {
   rgba16f,
   rgba32f,
   // NV_texture_shader's, as bytes; signed ones by Sampler::is_signed, ds and dt always.
-  hilo16,                 // two words of 16 bits: HI = 256 A + R, LO = 256 G + B
-  dsdt8,                  // ds in blue, dt in green
-  dsdt8_mag8,             // the same, and MAG in red
-  dsdt8_mag8_intensity8   // the same, and I in alpha
+  hilo16,                // two words of 16 bits: HI = 256 A + R, LO = 256 G + B
+  dsdt8,                 // ds in blue, dt in green
+  dsdt8_mag8,            // the same, and MAG in red
+  dsdt8_mag8_intensity8  // the same, and I in alpha
 };
 
 // The base internal format, which decides what a register reads. With a comparison, `depth` becomes
@@ -115,10 +115,11 @@ struct Texture {
 };
 
 // Reports what GL refuses when a texture is specified: sides that are not powers of two from 1 to kMaxSurfaceSize
-// (kMax3dTextureSize for 3D textures; rectangles may have any sides up to kMaxSurfaceSize), 1D textures of several rows,
-// several layers of other textures than 3D ones, more than kMaxTextureLevels levels (one for rectangles), planes that are missing or of another type than the format's, cube-map faces that are
-// not square, cube maps of depth (ARB_depth_texture has none), images beyond the target's faces. All other functions on
-// textures and samplers require a texture that passes this check.
+// (kMax3dTextureSize for 3D textures; rectangles may have any sides up to kMaxSurfaceSize), 1D textures of several
+// rows, several layers of other textures than 3D ones, more than kMaxTextureLevels levels (one for rectangles), planes
+// that are missing or of another type than the format's, cube-map faces that are not square, cube maps of depth
+// (ARB_depth_texture has none), images beyond the target's faces. All other functions on textures and samplers require
+// a texture that passes this check.
 [[nodiscard]] Status check_texture(const Texture& texture);
 
 // GL's completeness (OpenGL 1.3, 3.8.9): there is a level 0; the faces of a cube map have the same size; with mip-maps,

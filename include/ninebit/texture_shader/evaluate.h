@@ -60,6 +60,7 @@ struct TextureShaderResult {
 
 // The code of a replaced depth in a buffer whose largest code is `largest` (rule 39): narrowed as the program says and
 // clamped to [0, largest]; NaN gives 0.
-[[nodiscard]] std::uint32_t replaced_depth_code(const TextureShaderProgram& program, float depth, std::uint32_t largest);
+[[nodiscard]] std::uint32_t replaced_depth_code(const TextureShaderProgram& program, float depth,
+                                                std::uint32_t largest);
 
 }  // namespace ninebit

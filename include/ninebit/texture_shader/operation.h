@@ -40,32 +40,39 @@ enum class TextureOperation : std::uint8_t {
 };
 
 // The kind of texture that a stage reads.
-enum class StageTarget : std::uint8_t { none, one_dimensional, two_dimensional, rectangle, three_dimensional, cube_map };
+enum class StageTarget : std::uint8_t {
+  none,
+  one_dimensional,
+  two_dimensional,
+  rectangle,
+  three_dimensional,
+  cube_map
+};
 
 // The values that a stage reads of an earlier stage.
 enum class StageInput : std::uint8_t {
-  none,       // coordinates alone
-  offset,     // ds and dt: blue and green as signed bytes
-  luminance,  // the same, and red as the luminance
-  alpha_red,  // alpha and red as coordinates
-  green_blue, // green and blue as coordinates
-  normal      // the factor of a dot product, by the stage's DotMapping
+  none,        // coordinates alone
+  offset,      // ds and dt: blue and green as signed bytes
+  luminance,   // the same, and red as the luminance
+  alpha_red,   // alpha and red as coordinates
+  green_blue,  // green and blue as coordinates
+  normal       // the factor of a dot product, by the stage's DotMapping
 };
 
 // One operation. Names that a language does not have are empty.
 struct TextureOperationInfo {
-  TextureOperation operation;     // the row's place in the table
-  std::string_view name;          // in JSON and messages
-  std::string_view gl;            // OpenGL's enumerant, without GL_
-  std::uint16_t gl_value;         // its number; 0: none
-  std::string_view ts10;          // the line of !!TS1.0; of a chain of dot products its last line
-  std::string_view direct3d;      // the instruction of ps.1.0 to 1.3
-  std::string_view xbox;          // of PSTextureModes, without PS_TEXTUREMODES_
-  std::uint8_t word;              // the NV2A's stage program, five bits of NV097_SET_SHADER_STAGE_PROGRAM
-  StageTarget target;             // of the texture that it reads
-  StageInput input;               // what it reads of the stage that its `previous` names
-  std::uint8_t first, last;       // the stages that it may stand on
-  std::uint8_t dots_before;       // how many stages right before it must be dot products
+  TextureOperation operation;  // the row's place in the table
+  std::string_view name;       // in JSON and messages
+  std::string_view gl;         // OpenGL's enumerant, without GL_
+  std::uint16_t gl_value;      // its number; 0: none
+  std::string_view ts10;       // the line of !!TS1.0; of a chain of dot products its last line
+  std::string_view direct3d;   // the instruction of ps.1.0 to 1.3
+  std::string_view xbox;       // of PSTextureModes, without PS_TEXTUREMODES_
+  std::uint8_t word;           // the NV2A's stage program, five bits of NV097_SET_SHADER_STAGE_PROGRAM
+  StageTarget target;          // of the texture that it reads
+  StageInput input;            // what it reads of the stage that its `previous` names
+  std::uint8_t first, last;    // the stages that it may stand on
+  std::uint8_t dots_before;    // how many stages right before it must be dot products
 };
 
 // All operations, in the order of TextureOperation.

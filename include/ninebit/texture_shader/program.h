@@ -27,30 +27,30 @@ using StageTextures = std::array<std::optional<StageTexture>, kTextureStages>;
 
 // What the stage rules read of a profile.
 struct StageChoices {
-  StageByte byte = StageByte::twelve_bits;                   // HardwareProfile::stage_byte
-  DotDivisors divisors = DotDivisors::odd;                   // HardwareProfile::dot_divisors
-  int dependent_divisor = 255;                               // HardwareProfile::dependent_divisor
-  AheadMapping ahead_mapping = AheadMapping::own;            // HardwareProfile::ahead_mapping
-  Narrowing depth_narrowing = Narrowing::toward_zero;        // HardwareProfile::replaced_depth_narrowing
-  std::uint8_t off_alpha = 255;                              // HardwareProfile::disabled_texture_alpha
+  StageByte byte = StageByte::twelve_bits;             // HardwareProfile::stage_byte
+  DotDivisors divisors = DotDivisors::odd;             // HardwareProfile::dot_divisors
+  int dependent_divisor = 255;                         // HardwareProfile::dependent_divisor
+  AheadMapping ahead_mapping = AheadMapping::own;      // HardwareProfile::ahead_mapping
+  Narrowing depth_narrowing = Narrowing::toward_zero;  // HardwareProfile::replaced_depth_narrowing
+  std::uint8_t off_alpha = 255;                        // HardwareProfile::disabled_texture_alpha
   friend constexpr bool operator==(const StageChoices&, const StageChoices&) = default;
 };
 
 // A stage of a program.
 struct ProgramTextureStage {
-  TextureStage state;              // as it was set; mappings of OpenGL's formats are resolved
-  std::string inconsistent;        // why the stage gives (0, 0, 0, 0); empty: it is consistent
-  std::array<bool, 4> is_signed{}; // components of its texel that are two's complement
+  TextureStage state;                                      // as it was set; mappings of OpenGL's formats are resolved
+  std::string inconsistent;                                // why the stage gives (0, 0, 0, 0); empty: it is consistent
+  std::array<bool, 4> is_signed{};                         // components of its texel that are two's complement
   std::array<bool, 4> is_visible{true, true, true, true};  // components that combiners see; the others read 0
   friend constexpr bool operator==(const ProgramTextureStage&, const ProgramTextureStage&) = default;
 };
 
 // Stages ready to be evaluated; compile() makes them.
 struct TextureShaderProgram {
-  StageChoices choices;                                  // of the profile
-  DepthUnit depth_unit = DepthUnit::window;              // of replaced depths
-  bool converts_yuv = false;                             // of every stage's result
-  std::array<ProgramTextureStage, kTextureStages> stage; // in the order of the units
+  StageChoices choices;                                   // of the profile
+  DepthUnit depth_unit = DepthUnit::window;               // of replaced depths
+  bool converts_yuv = false;                              // of every stage's result
+  std::array<ProgramTextureStage, kTextureStages> stage;  // in the order of the units
   friend constexpr bool operator==(const TextureShaderProgram&, const TextureShaderProgram&) = default;
 
   // One sentence for each inconsistent stage, in their order: "texture stage 2: …; it gives (0, 0, 0, 0)".

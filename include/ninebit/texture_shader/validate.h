@@ -20,9 +20,9 @@ struct TextureShaderDiagnostic {
 };
 
 // Returns the diagnostics of all stages, stage by stage: GL_INVALID_ENUM first, then other errors of OpenGL, then what
-// only the NV2A or this library refuses. Empty: valid. A state that is not enabled is valid with every profile. Whether a
-// stage is consistent depends on the textures, too: see compile().
-// Rules: NV_texture_shader and NV_texture_shader2, errors of TexEnv; docs/texture_shaders.md for the NV2A.
+// only the NV2A or this library refuses. Empty: valid. A state that is not enabled is valid with every profile. Whether
+// a stage is consistent depends on the textures, too: see compile(). Rules: NV_texture_shader and NV_texture_shader2,
+// errors of TexEnv; docs/texture_shaders.md for the NV2A.
 [[nodiscard]] std::vector<TextureShaderDiagnostic> validate(const TextureShaderState& state,
                                                             const HardwareProfile& profile);
 

@@ -11,8 +11,8 @@ float unit_range(float value) {
   return !(value > 0.0F) ? 0.0F : value > 1.0F ? 1.0F : value;
 }
 
-// The vertex that is not an end of a line has the share 0; the line's ends follow it in order, which holds for the edges
-// of polygons, too.
+// The vertex that is not an end of a line has the share 0; the line's ends follow it in order, which holds for the
+// edges of polygons, too.
 std::array<float, 3> eight_bit_weights(const std::array<float, 3>& share, bool is_line) {
   constexpr one_fragment::Numbers o{};
   const auto other = static_cast<std::size_t>(std::find(share.begin(), share.end(), 0.0F) - share.begin());

@@ -1,5 +1,6 @@
-// THE rules of coverage, weights of colours, depth codes, stencil operations and cube-map faces, written once. No include guard:
-// one_fragment.h includes it for one fragment, fragment_vector-inl.h for a vector of fragments on every SIMD target.
+// THE rules of coverage, weights of colours, depth codes, stencil operations and cube-map faces, written once. No
+// include guard: one_fragment.h includes it for one fragment, fragment_vector-inl.h for a vector of fragments on every
+// SIMD target.
 //
 // The includer provides the macro NINEBIT_RULE (the functions' attributes). Each rule takes a value domain `o`, which
 // has these members:

@@ -76,8 +76,8 @@ struct TextureSampler::Filtered {
 std::array<bool, 4> signed_components(const Texture& texture, const Sampler& sampler) {
   std::array<bool, 4> is_signed = sampler.is_signed;
   const TextureFormat format = base_format(texture.format);
-  const bool is_dsdt = format == TextureFormat::dsdt || format == TextureFormat::dsdt_mag ||
-                       format == TextureFormat::dsdt_mag_intensity;
+  const bool is_dsdt =
+      format == TextureFormat::dsdt || format == TextureFormat::dsdt_mag || format == TextureFormat::dsdt_mag_intensity;
   if (is_dsdt) is_signed[kGreen] = is_signed[kBlue] = true;
   const bool has_bytes = texture.format < InternalFormat::depth16 || texture.format > InternalFormat::rgba32f;
   return has_bytes ? is_signed : std::array<bool, 4>{};
@@ -339,8 +339,8 @@ void TextureSampler::sample(const TextureCoordinates& at, std::size_t count, con
       const Texel filtered = texel(at, i);
       for (std::size_t out = 0; out < 4; ++out) {
         const int source = source_[out];
-        codes[out][i] = source < 0 ? constant_[out]
-                                   : static_cast<s9>(filtered.value[static_cast<std::size_t>(source)] >> shift);
+        codes[out][i] =
+            source < 0 ? constant_[out] : static_cast<s9>(filtered.value[static_cast<std::size_t>(source)] >> shift);
       }
     }
   }

@@ -36,7 +36,8 @@ StageTexture stage_texture(const Texture& texture, const Sampler& sampler) {
   const std::array<bool, 4> is_signed = signed_components(texture, sampler);
   // Luminance, intensity and depth are stored in red, and a register has them in several components.
   const std::array<bool, 4> stored = stored_components(texture.format);
-  for (std::size_t k = 0; k < 4; ++k) seen.is_signed[k] = is_signed[stored[k] || k == 3 ? k : 0] && (stored[k] || (k < 3 && stored[0]));
+  for (std::size_t k = 0; k < 4; ++k)
+    seen.is_signed[k] = is_signed[stored[k] || k == 3 ? k : 0] && (stored[k] || (k < 3 && stored[0]));
   if (seen.format == TextureFormat::intensity) seen.is_signed[3] = is_signed[0];
   return seen;
 }
@@ -105,9 +106,9 @@ class TextureStages::Batch {
     }
     At at{};
     for (std::size_t p = 0; p < places_; ++p) {
-      const stage_lanes::Three eye =
-          is_constant ? stage_lanes::Three{eye_[0].data(), eye_[1].data(), eye_[2].data()}
-                      : stage_lanes::Three{given(p, i - 2, 3), given(p, i - 1, 3), given(p, i, 3)};
+      const stage_lanes::Three eye = is_constant
+                                         ? stage_lanes::Three{eye_[0].data(), eye_[1].data(), eye_[2].data()}
+                                         : stage_lanes::Three{given(p, i - 2, 3), given(p, i - 1, 3), given(p, i, 3)};
       stage_lanes::reflect(d[p], eye, count_, {at_[p][0].data(), at_[p][1].data(), at_[p][2].data()});
       at[p] = {at_[p][0].data(), at_[p][1].data(), at_[p][2].data()};
     }

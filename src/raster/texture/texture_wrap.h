@@ -17,8 +17,8 @@ inline std::int64_t floor_of(double value) {
   return cut - (static_cast<double>(cut) > value ? 1 : 0);
 }
 
-// An axis of an image: its texels, how many of them a coordinate of 1 stands for, and its wrap mode. `size` is a power of
-// two unless `scale` is 1; then the mode clamps.
+// An axis of an image: its texels, how many of them a coordinate of 1 stands for, and its wrap mode. `size` is a power
+// of two unless `scale` is 1; then the mode clamps.
 struct TextureAxis {
   int size = 1;
   int scale = 1;

@@ -51,8 +51,8 @@ constexpr StatedValue kLineWidth{"width", "Line_", StatedValue::Kind::real, 0, 6
                  true},
     kLoopCorners{
         "loop", "loop = LINE_LOOP through ", StatedValue::Kind::list, 0, 4095, "(356,95) (354,67) (342,145)", 0, true};
-constexpr StatedValue kCube0{"rows of cube 0", "rows of cube 0: ", StatedValue::Kind::rows, -1e30, 1e30,
-                             "1 0 1; -1 -1 1; 0 0 0", 9},
+constexpr StatedValue kCube0{
+    "rows of cube 0", "rows of cube 0: ", StatedValue::Kind::rows, -1e30, 1e30, "1 0 1; -1 -1 1; 0 0 0", 9},
     kCube1{"rows of cube 1", "rows of cube 1: ", StatedValue::Kind::rows, -1e30, 1e30, "1 0 1; 1 1 -1; 0 0 0", 9};
 constexpr StatedValue kMuxAb{"AB", "AB=C0=", StatedValue::Kind::list, 0, 255, "(255,0,0)", 3},
     kMuxCd{"CD", "CD=C1=", StatedValue::Kind::list, 0, 255, "(0,0,255)", 3},
@@ -261,7 +261,7 @@ std::vector<MeasuredFormat> make_combiner_formats() {
 std::vector<MeasuredFormat> make_stage_formats() {
   const Column note{}, word{{}, Kind::word}, digits{{}, Kind::digits}, real{{}, Kind::real},
       measured{{}, Kind::measured}, any_byte = byte({}), flag = whole({}, 0, 1), pixel = whole({}, 0, 167),
-      code = whole({}, 0, 65535), cube = whole({}, 0, 1);
+                                    code = whole({}, 0, 65535), cube = whole({}, 0, 1);
   return {
       {"pass through",
        columns({{"s,t,r,q", real}, {"pic_r,pic_g,pic_b,pic_a", measured}, {"model_r,model_g,model_b,model_a", note}}),
@@ -277,8 +277,8 @@ std::vector<MeasuredFormat> make_stage_formats() {
                 {"m00,m01,m11,m10", real},
                 {"class", measured}}),
        run_offset, wrong_stages},
-      {"luminance of offset textures",
-       columns({{"scale,offset", real}, {"L,T", any_byte}, {"out", measured}}), run_luminance, wrong_stages},
+      {"luminance of offset textures", columns({{"scale,offset", real}, {"L,T", any_byte}, {"out", measured}}),
+       run_luminance, wrong_stages},
       {"dot products of cube maps",
        columns({{"mode,mapping,eye", word},
                 {"cube", cube},
@@ -302,14 +302,10 @@ std::vector<MeasuredFormat> make_stage_formats() {
                 {"class", measured}}),
        run_hilo_dots, wrong_stages},
       {"replaced depths",
-       columns({{"x,y", note},
-                {"R,G,B", any_byte},
-                {"a0,a1,a2,b0,b1,b2", real},
-                {"depth", measured},
-                {"model", note}}),
+       columns({{"x,y", note}, {"R,G,B", any_byte}, {"a0,a1,a2,b0,b1,b2", real}, {"depth", measured}, {"model", note}}),
        run_depth_replace, wrong_stages},
-      {"cube maps",
-       columns({{"s,t,r", real}, {"face,tx,ty", note}, {"pic_r,pic_g,pic_b", measured}}), run_cube_map, wrong_stages},
+      {"cube maps", columns({{"s,t,r", real}, {"face,tx,ty", note}, {"pic_r,pic_g,pic_b", measured}}), run_cube_map,
+       wrong_stages},
       {"culled fragments",
        columns({{"modes", word}, {"s0,t0,r0,q0,s1,t1,r1,q1,s2,t2,r2,q2", real}, {"visible", measured}}), run_cull,
        wrong_cull},

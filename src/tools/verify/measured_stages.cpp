@@ -257,7 +257,8 @@ std::vector<int> run_hilo_dots(const MeasuredRow& row, const HardwareProfile& pr
   std::array<Bytes4, 4> texels{};
   for (std::size_t k = 0; k < 4; ++k) {
     const std::string n = std::to_string(k);
-    const auto high = static_cast<std::uint32_t>(row.whole("hi" + n)), low = static_cast<std::uint32_t>(row.whole("lo" + n));
+    const auto high = static_cast<std::uint32_t>(row.whole("hi" + n)),
+               low = static_cast<std::uint32_t>(row.whole("lo" + n));
     texels[k] = texel_of_word(TexelWord::r16b16, high << 16 | low);
   }
   const std::array<bool, 4> is_signed{false, row.whole("Gs") != 0, false, row.whole("As") != 0};
@@ -273,8 +274,7 @@ std::vector<int> run_hilo_dots(const MeasuredRow& row, const HardwareProfile& pr
 }
 
 std::vector<int> run_depth_replace(const MeasuredRow& row, const HardwareProfile& profile) {
-  const TextureShaderState state =
-      dot_state(2, TextureOperation::dot_product_depth_replace, DotMapping::zero_to_one);
+  const TextureShaderState state = dot_state(2, TextureOperation::dot_product_depth_replace, DotMapping::zero_to_one);
   StageTextures textures;
   textures[0] = StageTexture{};
   const TextureShaderProgram program = compile(state, textures, profile).value();
@@ -289,10 +289,9 @@ std::vector<int> run_depth_replace(const MeasuredRow& row, const HardwareProfile
 std::vector<int> run_cube_map(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::texture_cube_map;
-  const auto result =
-      run(state, profile, {coordinates_of(row, {"s", "t", "r", nullptr})}, [&](int, const TexturePlace& place) {
-        return sampled(checkered_cube(), kNearestSampler, place.at, profile);
-      });
+  const auto result = run(
+      state, profile, {coordinates_of(row, {"s", "t", "r", nullptr})},
+      [&](int, const TexturePlace& place) { return sampled(checkered_cube(), kNearestSampler, place.at, profile); });
   const Bytes4& color = result.stage[0].texel;
   return {color[0], color[1], color[2]};
 }
@@ -318,9 +317,8 @@ std::vector<int> run_yuv(const MeasuredRow& row, const HardwareProfile& profile)
   state.stage[0].operation = TextureOperation::texture_2d;
   state.converts_yuv = true;
   const std::uint32_t word = static_cast<std::uint32_t>(row.whole("Y") | row.whole("U") << 8 | row.whole("V") << 24);
-  const auto result = run(state, profile, {}, [&](int, const TexturePlace&) {
-    return texels_of_yuv_word(word, false)[0];
-  });
+  const auto result =
+      run(state, profile, {}, [&](int, const TexturePlace&) { return texels_of_yuv_word(word, false)[0]; });
   const Rgba9& codes = result.stage[0].codes;
   return {codes[0], codes[1], codes[2]};
 }
@@ -340,8 +338,8 @@ std::string wrong_dot_cube(const MeasuredRow& row, const HardwareProfile& profil
     if (!wrong.empty()) return wrong;
   }
   const bool has_eye = row.text("mode").starts_with("SPEC");
-  if (row.text("tex") == "R" && (!row.has("nv2a_cube_radial.csv") ||
-                                row.list("nv2a_cube_radial.csv").size() != kCubeSide * kCubeSide)) {
+  if (row.text("tex") == "R" &&
+      (!row.has("nv2a_cube_radial.csv") || row.list("nv2a_cube_radial.csv").size() != kCubeSide * kCubeSide)) {
     return "tex R is in nv2a_cube_radial.csv, which must lie beside this table and have 64 rows of 64 numbers";
   }
   if (has_eye && eye_of(row.text("eye")).size() != 3) {
