@@ -12,8 +12,8 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/numerics/hardware_profile.h"
-#include "ninebit/texture_shader/program.h"
-#include "ninebit/texture_shader/state.h"
+#include "ninebit/texture_shader/stage_program.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace ninebit::oracle {
 

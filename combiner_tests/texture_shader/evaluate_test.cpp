@@ -1,5 +1,5 @@
 // Stages without textures' arithmetic: the rules at their edges, NaN and infinity.
-#include "ninebit/texture_shader/evaluate.h"
+#include "ninebit/texture_shader/evaluate_stages.h"
 
 #include <gtest/gtest.h>
 

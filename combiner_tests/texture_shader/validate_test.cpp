@@ -1,5 +1,5 @@
 // What is refused, with OpenGL's errors, and which stages are inconsistent.
-#include "ninebit/texture_shader/validate.h"
+#include "ninebit/texture_shader/validate_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "ninebit/texture_shader/program.h"
+#include "ninebit/texture_shader/stage_program.h"
 
 namespace ninebit::test {
 namespace {

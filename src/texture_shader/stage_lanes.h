@@ -9,7 +9,7 @@
 
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
-#include "ninebit/texture_shader/state.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace ninebit::stage_lanes {
 

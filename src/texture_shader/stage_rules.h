@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "ninebit/numerics/hardware_profile.h"
-#include "ninebit/texture_shader/state.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace ninebit::one_fragment {
 

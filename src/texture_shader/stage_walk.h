@@ -18,7 +18,7 @@
 #pragma once
 
 #include "ninebit/numerics/fixed9.h"
-#include "ninebit/texture_shader/program.h"
+#include "ninebit/texture_shader/stage_program.h"
 
 namespace ninebit {
 

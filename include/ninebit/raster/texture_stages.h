@@ -15,9 +15,9 @@
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texture.h"
-#include "ninebit/texture_shader/evaluate.h"
-#include "ninebit/texture_shader/program.h"
-#include "ninebit/texture_shader/state.h"
+#include "ninebit/texture_shader/evaluate_stages.h"
+#include "ninebit/texture_shader/stage_program.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

@@ -5,7 +5,7 @@
 
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texel_words.h"
-#include "ninebit/texture_shader/evaluate.h"
+#include "ninebit/texture_shader/evaluate_stages.h"
 #include "src/tools/verify/measured_state.h"
 #include "src/tools/verify/measured_words.h"
 

@@ -9,7 +9,7 @@
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/texture_shader/program.h"
+#include "ninebit/texture_shader/stage_program.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

@@ -8,7 +8,7 @@
 #include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/texture_shader/state.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

@@ -1,4 +1,4 @@
-#include "ninebit/texture_shader/validate.h"
+#include "ninebit/texture_shader/validate_stages.h"
 
 #include <algorithm>
 #include <cmath>

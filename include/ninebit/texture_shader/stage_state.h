@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/texture_shader/operation.h"
+#include "ninebit/texture_shader/stage_operation.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 

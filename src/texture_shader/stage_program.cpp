@@ -1,8 +1,8 @@
-#include "ninebit/texture_shader/program.h"
+#include "ninebit/texture_shader/stage_program.h"
 
 #include <algorithm>
 
-#include "ninebit/texture_shader/validate.h"
+#include "ninebit/texture_shader/validate_stages.h"
 
 namespace ninebit {
 namespace {

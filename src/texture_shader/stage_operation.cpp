@@ -1,4 +1,4 @@
-#include "ninebit/texture_shader/operation.h"
+#include "ninebit/texture_shader/stage_operation.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "ninebit/texture_shader/evaluate.h"
+#include "ninebit/texture_shader/evaluate_stages.h"
 
 #include "src/texture_shader/stage_rules.h"
 #include "src/texture_shader/stage_walk.h"
