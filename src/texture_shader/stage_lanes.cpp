@@ -26,7 +26,9 @@ void bytes_of(StageByte how, const float* from, std::size_t count, s9* to) {
   }
 }
 
-void offset(const float* at, float by_ds, const s9* ds, float by_dt, const s9* dt, std::size_t count, float* to) {
+void offset(const float* at, const OffsetBy& by, std::size_t count, float* to) {
+  const s9 *const ds = by.ds, *const dt = by.dt;
+  const float by_ds = by.by_ds, by_dt = by.by_dt;
   for (std::size_t i = 0; i < count; ++i) to[i] = offset_coordinate(at[i], by_ds, ds[i], by_dt, dt[i]);
 }
 
@@ -132,8 +134,8 @@ void divide(const float* a, const float* b, std::size_t count, float* to) {
 void bytes_of(StageByte how, const float* from, std::size_t count, s9* to) {
   HWY_DYNAMIC_DISPATCH(bytes_of)(how, from, count, to);
 }
-void offset(const float* at, float by_ds, const s9* ds, float by_dt, const s9* dt, std::size_t count, float* to) {
-  HWY_DYNAMIC_DISPATCH(offset)(at, by_ds, ds, by_dt, dt, count, to);
+void offset(const float* at, const OffsetBy& by, std::size_t count, float* to) {
+  HWY_DYNAMIC_DISPATCH(offset)(at, by, count, to);
 }
 void scale(StageByte how, const s9* luminance, float scale, float bias, std::size_t count, s9* texel) {
   HWY_DYNAMIC_DISPATCH(scale)(how, luminance, scale, bias, count, texel);

@@ -24,7 +24,11 @@ void divide(const float* a, const float* b, std::size_t count, float* to);
 void bytes_of(StageByte how, const float* from, std::size_t count, s9* to);
 
 // Rule 34: `at` moved by ds and dt, with their factors.
-void offset(const float* at, float by_ds, const s9* ds, float by_dt, const s9* dt, std::size_t count, float* to);
+struct OffsetBy {
+  const s9 *ds, *dt;
+  float by_ds, by_dt;
+};
+void offset(const float* at, const OffsetBy& by, std::size_t count, float* to);
 
 // Rule 35, in place.
 void scale(StageByte how, const s9* luminance, float scale, float bias, std::size_t count, s9* texel);

@@ -149,6 +149,7 @@ class TextureSampler {
   [[nodiscard]] double weigh_reals(const Taps& taps, const Read& read) const;
   [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
+  void weigh_words(const Taps& taps, Filtered& to) const;
   class ByteSampler;  // the fast path for bytes
   void find_sources(const HardwareProfile& profile, TexelUse use);
   void decode(std::size_t count, const std::array<s9*, 4>& codes) const;

@@ -13,6 +13,8 @@
 namespace ninebit {
 namespace {
 
+using Bytes = std::array<Plane<const std::uint8_t>, 4>;
+
 constexpr float kMaxLodBias = 15.0F;
 
 // A number from 0 to 1 as a code of 0 to `largest`, to nearest, halves up; NaN gives 0. A float times 24 bits is exact
@@ -260,6 +262,25 @@ double TextureSampler::weigh_reals(const Taps& taps, const Read& read) const {
   return std::ldexp(sum, -((taps.linear ? 2 * bits : 0) + (taps.layers ? bits : 0) + (taps.two_levels ? bits : 0)));
 }
 
+// Of formats with words of 16 bits: two of them, whose bytes are the texel's.
+void TextureSampler::weigh_words(const Taps& taps, Filtered& to) const {
+  const auto word = [&](std::size_t high, std::size_t low) {
+    const std::uint32_t flip = is_signed_[high] ? 0x8000 : 0;
+    const std::uint32_t filtered = weigh_codes(taps, [&](const TextureImage& image, int x, int y, int z) {
+      if (x == kBorderTexel || y == kBorderTexel || z == kBorderTexel) {
+        return (256 * border_code_[high] + border_code_[low]) ^ flip;
+      }
+      const Bytes& planes = *std::get_if<Bytes>(&image.planes);
+      const int row = y + image.height * z;
+      return static_cast<std::uint32_t>(256 * planes[high].at(x, row) + planes[low].at(x, row)) ^ flip;
+    });
+    to.code[high] = (filtered ^ flip) >> 8;
+    to.code[low] = (filtered ^ flip) & 0xFF;
+  };
+  word(kAlpha, kRed);
+  word(kGreen, kBlue);
+}
+
 TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const {
   Filtered result;
   const std::array<bool, 4> stored = stored_components(texture_->format);
@@ -284,18 +305,6 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
       result.code[k] = filtered ^ flip;
     }
   };
-  using Bytes = std::array<Plane<const std::uint8_t>, 4>;
-  const auto word = [&](std::size_t high, std::size_t low) {
-    const std::uint32_t flip = is_signed_[high] ? 0x8000 : 0;
-    const std::uint32_t filtered = weigh_codes(taps, [&](const TextureImage& image, int x, int y, int z) {
-      if (is_border(x, y, z)) return (256 * border_code_[high] + border_code_[low]) ^ flip;
-      const Bytes& planes = *std::get_if<Bytes>(&image.planes);
-      const int row = y + image.height * z;
-      return static_cast<std::uint32_t>(256 * planes[high].at(x, row) + planes[low].at(x, row)) ^ flip;
-    });
-    result.code[high] = (filtered ^ flip) >> 8;
-    result.code[low] = (filtered ^ flip) & 0xFF;
-  };
   const auto all_reals = [&](auto planes_type) {
     using Planes = decltype(planes_type);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -318,8 +327,7 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
       all_reals(std::array<Plane<const float>, 4>{});
       break;
     case InternalFormat::hilo16:
-      word(kAlpha, kRed);
-      word(kGreen, kBlue);
+      weigh_words(taps, result);
       break;
     default:
       all_codes(Bytes{});

@@ -69,7 +69,7 @@ class TextureStages::Batch {
     const auto& by = texel(stage.previous);
     const auto& m = stage.matrix;
     return filled(2, [&](std::size_t p, std::size_t k, float* out) {
-      stage_lanes::offset(given(p, i, k), m[k], by[kBlue].data(), m[k + 2], by[kGreen].data(), count_, out);
+      stage_lanes::offset(given(p, i, k), {by[kBlue].data(), by[kGreen].data(), m[k], m[k + 2]}, count_, out);
     });
   }
 
