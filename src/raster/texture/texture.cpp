@@ -164,7 +164,8 @@ Status check_texture(const Texture& texture) {
   for (std::size_t face = 0; face < texture.faces.size(); ++face) {
     const std::vector<TextureImage>& levels = texture.faces[face];
     if (face >= texture.face_count() && !levels.empty()) {
-      return Diagnostic{"a texture that is not a cube map has more than one face"};
+      constexpr std::array kNames{"a 2D texture", "", "a 1D texture", "a 3D texture", "a rectangle"};
+      return Diagnostic{std::string(kNames[static_cast<std::size_t>(texture.target)]) + " has more than one face"};
     }
     if (levels.size() > static_cast<std::size_t>(kMaxTextureLevels)) {
       return Diagnostic{"a texture has " + std::to_string(levels.size()) + " levels; there can be " +
