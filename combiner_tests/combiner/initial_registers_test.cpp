@@ -99,7 +99,7 @@ TEST(Texels, EveryFormatEntersByTheExtensionsTable) {
                               {TextureFormat::hilo, codes(0, 0, 0, 0)},
                               {TextureFormat::dsdt, codes(0, 0, 0, 0)},
                               {TextureFormat::dsdt_mag, codes(0, 0, 0, 0)},
-                              {TextureFormat::dsdt_mag_intensity, codes(0, 0, 0, 10)}};
+                              {TextureFormat::dsdt_mag_intensity, codes(0, 0, 0, 40)}};
   for (const Row& row : rows) {
     const Texel texel{.value = {10, 20, 30, 40}, .format = row.format};
     EXPECT_EQ(texel_codes(profiles::geforce2, texel), row.expected) << static_cast<int>(row.format);

@@ -44,10 +44,28 @@ Exact wrap_coordinate(float s, Wrap wrap, int size) {
       return clamp_exact(x, 0, kOne);
     case Wrap::clamp_to_edge:
       return clamp_exact(x, half_texel, kOne - half_texel);
+    case Wrap::clamp_to_border:
+      return clamp_exact(x, -2 * half_texel, kOne + 2 * half_texel);
     case Wrap::mirrored_repeat:
       return clamp_exact(whole % 2 == 0 ? fraction : kOne - fraction, half_texel, kOne - half_texel);
   }
   std::abort();
+}
+
+// A rectangle's coordinate in texels. All that would repeat is clamped to the edge.
+Exact rectangle_position(float s, Wrap wrap, int size) {
+  if (std::isnan(s)) s = 0;
+  if (std::fabs(s) >= 16777216.0F) s = std::copysign(1048576.0F, s);
+  const Exact x = exact_of(s), end = kOne * size;
+  if (wrap == Wrap::clamp) return clamp_exact(x, 0, end);
+  if (wrap == Wrap::clamp_to_border) return clamp_exact(x, -kOne, end + kOne);
+  return clamp_exact(x, kOne / 2, end - kOne / 2);
+}
+
+// A quotient, rounded down.
+Exact floor_divide(Exact a, Exact b) {
+  const Exact quotient = a / b;
+  return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
 }
 
 struct Neighbour {
@@ -56,11 +74,10 @@ struct Neighbour {
 };
 
 // The texels along one axis, with weights that add up to 2^bits (LINEAR) or to 1.
-std::vector<Neighbour> neighbours(float s, Wrap wrap, int size, bool linear, int bits, bool cut) {
-  const Exact u = wrap_coordinate(s, wrap, size) * size;
+std::vector<Neighbour> neighbours(Exact u, Wrap wrap, int size, bool linear, int bits, bool cut) {
   if (!linear) {
     const auto index = static_cast<int>(floor_shift(u, kPoint));
-    return {{index == size ? size - 1 : index, 1}};
+    return {{index == size && wrap != Wrap::clamp_to_border ? size - 1 : index, 1}};
   }
   const Exact steps = Exact{1} << bits;
   const Exact rounded = floor_shift((u - kOne / 2) * steps + (cut ? 0 : kOne / 2), kPoint);  // u - 1/2 in 1/2^bits
@@ -98,7 +115,7 @@ float picked(const Direction& d, std::size_t which, const std::array<float, 3>& 
 float face_coordinate(const Direction& d, std::size_t which, const std::array<float, 3>& r) {
   if (std::isnan(r[0]) || std::isnan(r[1]) || std::isnan(r[2])) return 0.0F;
   const float ma = picked(d, 2, r);
-  if (ma == 0) return 0.5F;
+  if (ma == 0) return 0.0F;
   const float divided = picked(d, which, r) / ma;
   const float shifted = divided + 1.0F;
   const float place = shifted * 0.5F;
@@ -153,6 +170,9 @@ class Model {
       face_ = d.face;
       place_ = {face_coordinate(d, 0, q.coordinate), face_coordinate(d, 1, q.coordinate)};
     }
+    volume_ = texture_.target == TextureTarget::texture_3d;
+    words_ = texture_.format == InternalFormat::hilo16;
+    find_signs();
     depth_ = texture_.format == InternalFormat::depth16 || texture_.format == InternalFormat::depth24;
     largest_ = texture_.format == InternalFormat::depth16 ? 65535 : depth_ ? 16777215 : 255;
   }
@@ -186,55 +206,83 @@ class Model {
   }
 
  private:
+  void find_signs() {
+    is_signed_ = q_.sampler.is_signed;
+    const bool dsdt = texture_.format == InternalFormat::dsdt8 || texture_.format == InternalFormat::dsdt8_mag8 ||
+                      texture_.format == InternalFormat::dsdt8_mag8_intensity8;
+    if (dsdt) is_signed_[1] = is_signed_[2] = true;
+    if (!std::holds_alternative<std::array<Plane<const std::uint8_t>, 4>>(texture_.faces[0][0].planes)) is_signed_ = {};
+  }
+
+  std::vector<Neighbour> along(float place, Wrap wrap, int size, bool linear) const {
+    const bool rectangle = texture_.target == TextureTarget::rectangle;
+    const Exact u = rectangle ? rectangle_position(place, wrap, size) : wrap_coordinate(place, wrap, size) * size;
+    return neighbours(u, wrap, size, linear, q_.weight_bits, q_.cuts_weights);
+  }
+
   void read(int level, bool linear, Exact weight, int weight_shift) {
     const TextureImage& image = texture_.faces[face_][static_cast<std::size_t>(level)];
-    const auto along_s = neighbours(place_[0], q_.sampler.wrap_s, image.width, linear, q_.weight_bits, q_.cuts_weights);
-    const auto along_t =
-        neighbours(place_[1], q_.sampler.wrap_t, image.height, linear, q_.weight_bits, q_.cuts_weights);
-    for (const Neighbour& t : along_t) {
-      for (const Neighbour& s : along_s) add(image, s.index, t.index, weight * s.weight * t.weight);
+    const auto along_s = along(place_[0], q_.sampler.wrap_s, image.width, linear);
+    auto along_t = along(place_[1], q_.sampler.wrap_t, image.height, linear);
+    if (texture_.target == TextureTarget::texture_1d) along_t = {{0, linear ? Exact{1} << q_.weight_bits : 1}};
+    std::vector<Neighbour> along_r{{0, 1}};
+    if (volume_) along_r = along(q_.coordinate[2], q_.sampler.wrap_r, image.depth, linear);
+    std::array<std::vector<Exact>, 4> layers;
+    for (const Neighbour& r : along_r) {
+      layer_ = r.index;
+      for (const Neighbour& t : along_t) {
+        for (const Neighbour& s : along_s) add(image, s.index, t.index, weight * s.weight * t.weight * r.weight);
+      }
+      if (!q_.rounds_each || r.weight == 0) continue;
+      for (std::size_t k = 0; k < 4; ++k) layers[k].push_back(blended_layer(k, image, along_s, along_t));
     }
-    if (q_.rounds_each) blend_level(image, along_s, along_t);
+    if (q_.rounds_each) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        level_code_[levels_][k] =
+            layers[k].size() == 2 ? mixed(layers[k][0], layers[k][1], along_r[1].weight) : layers[k][0];
+      }
+      ++levels_;
+    }
     answer_.level = level;
-    shift_ = weight_shift + (linear ? 2 * q_.weight_bits : 0);
+    shift_ = weight_shift + (linear ? (volume_ ? 3 : 2) * q_.weight_bits : 0);
   }
 
   // The measured filters of the NV2A: L(a, b, w) = (a (2^bits - w) + b w) / 2^bits to nearest, of u, then of v.
   Exact mixed(Exact a, Exact b, Exact weight) const {
     const Exact steps = Exact{1} << q_.weight_bits;
-    return (2 * (a * (steps - weight) + b * weight) + steps) / (2 * steps);
+    return floor_divide(2 * (a * (steps - weight) + b * weight) + steps, 2 * steps);
   }
 
-  void blend_level(const TextureImage& image, const std::vector<Neighbour>& along_s,
-                   const std::vector<Neighbour>& along_t) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      std::vector<Exact> rows;
-      for (const Neighbour& t : along_t) {
-        if (t.weight == 0) continue;
-        std::vector<Exact> codes;
-        Exact second = 0;
-        for (const Neighbour& s : along_s) {
-          if (s.weight == 0) continue;
-          const bool border = s.index < 0 || t.index < 0 || s.index >= image.width || t.index >= image.height;
-          codes.push_back(code_of(k, border, image, s.index, t.index));
-          second = s.weight;
-        }
-        rows.push_back(codes.size() == 2 ? mixed(codes[0], codes[1], second) : codes[0]);
+  Exact blended_layer(std::size_t k, const TextureImage& image, const std::vector<Neighbour>& along_s,
+                      const std::vector<Neighbour>& along_t) const {
+    std::vector<Exact> rows;
+    for (const Neighbour& t : along_t) {
+      if (t.weight == 0) continue;
+      std::vector<Exact> codes;
+      Exact second = 0;
+      for (const Neighbour& s : along_s) {
+        if (s.weight == 0) continue;
+        codes.push_back(code_of(k, is_outside(image, s.index, t.index), image, s.index, t.index));
+        second = s.weight;
       }
-      level_code_[levels_][k] = rows.size() == 2 ? mixed(rows[0], rows[1], along_t[1].weight) : rows[0];
+      rows.push_back(codes.size() == 2 ? mixed(codes[0], codes[1], second) : codes[0]);
     }
-    ++levels_;
+    return rows.size() == 2 ? mixed(rows[0], rows[1], along_t[1].weight) : rows[0];
+  }
+
+  bool is_outside(const TextureImage& image, int x, int y) const {
+    return x < 0 || y < 0 || layer_ < 0 || x >= image.width || y >= image.height || layer_ >= image.depth;
   }
 
   void add(const TextureImage& image, int x, int y, Exact weight) {
     if (weight == 0) return;
-    const bool border = x < 0 || y < 0 || x >= image.width || y >= image.height;
+    const bool border = is_outside(image, x, y);
     answer_.border = answer_.border || border;
     for (std::size_t k = 0; k < 4; ++k) {
       if (const auto* half = std::get_if<std::array<Plane<const Half>, 4>>(&image.planes)) {
-        add_real(k, border ? border_real(k) : half_value((*half)[k].at(x, y).bits), weight);
+        add_real(k, border ? border_real(k) : half_value((*half)[k].at(x, row(image, y)).bits), weight);
       } else if (const auto* real = std::get_if<std::array<Plane<const float>, 4>>(&image.planes)) {
-        add_real(k, border ? border_real(k) : static_cast<long double>((*real)[k].at(x, y)), weight);
+        add_real(k, border ? border_real(k) : static_cast<long double>((*real)[k].at(x, row(image, y))), weight);
       } else {
         add_code(k, border, image, x, y, weight);
       }
@@ -255,16 +303,29 @@ class Model {
     sum_[k] += weight * code_of(k, border, image, x, y);
   }
 
-  // 0 for a component that is not stored, and for floats.
+  int row(const TextureImage& image, int y) const { return layer_ * image.height + y; }
+
+  // Two's complement where the component is signed. Words of 16 bits are codes of alpha and of green.
   Exact code_of(std::size_t k, bool border, const TextureImage& image, int x, int y) const {
+    if (!words_) return number(plain_code(k, border, image, x, y), 256, is_signed_[k]);
+    if (k == 0 || k == 2) return 0;
+    const Exact low = plain_code(k == 3 ? 0 : 2, border, image, x, y);
+    return number(256 * plain_code(k, border, image, x, y) + low, 65536, is_signed_[k]);
+  }
+  static Exact number(Exact code, Exact range, bool is_signed) {
+    return is_signed && code >= range / 2 ? code - range : code;
+  }
+
+  // 0 for a component that is not stored, and for floats.
+  Exact plain_code(std::size_t k, bool border, const TextureImage& image, int x, int y) const {
     std::uint32_t code = to_code(q_.sampler.border_color[k], largest_);
     if (!border) {
       if (const auto* bytes = std::get_if<std::array<Plane<const std::uint8_t>, 4>>(&image.planes)) {
         if (!(*bytes)[k]) return 0;
-        code = (*bytes)[k].at(x, y);
+        code = (*bytes)[k].at(x, row(image, y));
       } else if (const auto* codes = std::get_if<std::array<Plane<const std::uint32_t>, 4>>(&image.planes)) {
         if (!(*codes)[k]) return 0;
-        code = (*codes)[k].at(x, y);
+        code = (*codes)[k].at(x, row(image, y));
       } else {
         return 0;
       }
@@ -305,17 +366,24 @@ class Model {
   TextureAnswer finish() {
     const Exact whole = Exact{1} << shift_;
     for (std::size_t k = 0; k < 4; ++k) {
-      answer_.code[k] = static_cast<std::uint32_t>((2 * sum_[k] + whole) / (2 * whole));
+      Exact filtered = floor_divide(2 * sum_[k] + whole, 2 * whole);
       if (q_.rounds_each) {
         const Exact one_level = level_code_[0][k];
-        answer_.code[k] =
-            static_cast<std::uint32_t>(levels_ == 2 ? mixed(one_level, level_code_[1][k], second_) : one_level);
+        filtered = levels_ == 2 ? mixed(one_level, level_code_[1][k], second_) : one_level;
       }
+      answer_.code[k] = static_cast<std::uint32_t>(filtered);
+      if (is_signed_[k] && !words_) answer_.code[k] &= 0xFF;
       answer_.real[k] /= static_cast<long double>(whole);
       answer_.magnitude[k] /= static_cast<long double>(whole);
       Exact byte = answer_.code[k];
       if (depth_ && !compares()) byte = (2 * 255 * byte + largest_) / (2 * Exact{largest_});
       answer_.value[k] = static_cast<std::uint8_t>(byte);
+    }
+    if (words_) {
+      for (const std::size_t k : {1U, 3U}) {
+        answer_.value[k] = static_cast<std::uint8_t>((answer_.code[k] >> 8) & 0xFF);
+        answer_.value[k == 3 ? 0 : 2] = static_cast<std::uint8_t>(answer_.code[k] & 0xFF);
+      }
     }
     return answer_;
   }
@@ -325,6 +393,10 @@ class Model {
   int lambda_;
   bool cube_ = false;
   bool depth_ = false;
+  bool volume_ = false;
+  bool words_ = false;
+  int layer_ = 0;
+  std::array<bool, 4> is_signed_{};
   std::uint32_t largest_ = 255;
   std::size_t face_ = 0;
   std::array<float, 2> place_{};
@@ -341,14 +413,16 @@ bool complete(const Texture& texture, bool mipmaps) {
   for (std::size_t face = 0; face < faces; ++face) {
     const auto& levels = texture.faces[face];
     if (levels.empty() || texture.faces[0].empty()) return false;
+    if (mipmaps && texture.target == TextureTarget::rectangle) return false;
     if (levels[0].width != texture.faces[0][0].width || levels[0].height != texture.faces[0][0].height) return false;
     if (!mipmaps) continue;
     for (std::size_t level = 1; level < levels.size(); ++level) {
       const TextureImage &finer = levels[level - 1], &image = levels[level];
       if (image.width != (finer.width == 1 ? 1 : finer.width / 2)) return false;
       if (image.height != (finer.height == 1 ? 1 : finer.height / 2)) return false;
+      if (image.depth != (finer.depth == 1 ? 1 : finer.depth / 2)) return false;
     }
-    if (levels.back().width != 1 || levels.back().height != 1) return false;
+    if (levels.back().width != 1 || levels.back().height != 1 || levels.back().depth != 1) return false;
   }
   return true;
 }
@@ -364,9 +438,13 @@ double rho_squared(const TextureQuestion& q) {
       u = face_change(d, 0, q.coordinate, change);
       v = face_change(d, 1, q.coordinate, change);
     }
-    u *= base.width;
-    v *= base.height;
-    const double square = u * u + v * v;
+    double w = 0;
+    if (q.texture->target == TextureTarget::texture_3d) w = static_cast<double>(change[2]) * base.depth;
+    if (q.texture->target != TextureTarget::rectangle) {
+      u *= base.width;
+      v *= base.height;
+    }
+    const double square = u * u + v * v + w * w;
     if (square > largest) largest = square;
   }
   return largest;

@@ -70,8 +70,8 @@ TEST(CubeMap, TiesZerosAndSignsFollowTheDocumentedRule) {
         if (x == 0 && y == 0 && z == 0) {
           const CubeCoordinate c = cube_coordinate(x, y, z);
           EXPECT_EQ(c.face, CubeFace::positive_x);
-          EXPECT_EQ(c.s, 0.5F);
-          EXPECT_EQ(c.t, 0.5F);
+          EXPECT_EQ(c.s, 0.0F);
+          EXPECT_EQ(c.t, 0.0F);
         } else {
           expect_as_table(x, y, z);
           if (HasFatalFailure()) return;

@@ -71,10 +71,12 @@ void expect_as_scalar(const HardwareProfile& profile, const Texture& texture, co
                       const CoordinateArrays& at, int& changes) {
   const auto sampler = TextureSampler::make(profile, texture, parameters);
   ASSERT_TRUE(sampler.has_value());
-  const bool bordered = parameters.wrap_s == Wrap::clamp || parameters.wrap_t == Wrap::clamp;
+  const auto wraps = [&](Wrap wrap) { return parameters.wrap_s == wrap || parameters.wrap_t == wrap; };
+  const bool bordered = wraps(Wrap::clamp);
   const bool filters = is_linear(parameters.min_filter) || parameters.mag_filter == MagFilter::linear;
   const bool in_words = texture.format == InternalFormat::rgb8 || texture.format == InternalFormat::rgba8;
-  const bool in_lanes = !(filters && bordered) && (in_words || !sampler->needs_derivatives());
+  const bool in_lanes =
+      !wraps(Wrap::clamp_to_border) && !(filters && bordered) && (in_words || !sampler->needs_derivatives());
   std::vector<Rgba9> expected;
   for (std::size_t i = 0; i < at.size(); ++i) {
     expected.push_back(texel_codes(profile, sampler->texel(at.view(), i)));

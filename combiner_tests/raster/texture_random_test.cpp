@@ -7,12 +7,13 @@
 #include <string>
 
 #include "combiner_tests/raster/texture_support.h"
+#include "ninebit/raster/texture_stages.h"
 
 namespace ninebit::test {
 namespace {
 
 constexpr std::uint64_t kTextureSeed = 7001;
-constexpr int kTextureFragments = kSlowBuild ? 10 : 120;
+constexpr int kTextureFragments = kSlowBuild ? 4 : 40;
 
 struct TextureCase {
   HardwareProfile profile = profiles::geforce2;
@@ -22,8 +23,17 @@ struct TextureCase {
 };
 
 // TextureCase `index` has the index's own format, target, filters and wrap modes; the rest is random.
+constexpr auto kAllFormats = [] {
+  std::array<InternalFormat, kInternalFormats.size() + kStageFormats.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = i < kInternalFormats.size() ? kInternalFormats[i] : kStageFormats[i - kInternalFormats.size()];
+  }
+  return all;
+}();
+constexpr std::array kAllTargets{TextureTarget::texture_2d, TextureTarget::cube_map, TextureTarget::texture_3d,
+                                 TextureTarget::rectangle, TextureTarget::texture_1d};
 constexpr std::uint64_t kTextureCases =
-    kInternalFormats.size() * 2 * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
+    kAllFormats.size() * kAllTargets.size() * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
 TextureCase make_case(std::uint64_t index) {
   Random random(kTextureSeed, index);
   std::uint64_t rest = index;
@@ -33,9 +43,11 @@ TextureCase make_case(std::uint64_t index) {
     return value;
   };
   TextureCase c;
-  const InternalFormat format = take(kInternalFormats);
-  TextureTarget target = take(std::array{TextureTarget::texture_2d, TextureTarget::cube_map});
-  if (is_depth(format)) target = TextureTarget::texture_2d;
+  const InternalFormat format = take(kAllFormats);
+  TextureTarget target = take(kAllTargets);
+  if (is_depth(format) && (target == TextureTarget::cube_map || target == TextureTarget::texture_3d)) {
+    target = TextureTarget::texture_2d;
+  }
   c.sampler.min_filter = take(kMinFilters);
   c.sampler.mag_filter = take(kMagFilters);
   c.sampler.wrap_s = take(kWraps);
@@ -50,8 +62,14 @@ TextureCase make_case(std::uint64_t index) {
   c.profile.texture_filter_rounding.value = random.pick({FilterRounding::once, FilterRounding::each_blend});
   c.profile.texture_bias_narrowing.value = random.pick({Narrowing::toward_zero, Narrowing::nearest_halves_up});
   const int width = 1 << random.below(6);
-  const int height = target == TextureTarget::cube_map || random.one_in(3) ? width : 1 << random.below(6);
-  c.texture = random_texture(random, target, format, width, height, mipmaps || random.one_in(4));
+  int height = target == TextureTarget::cube_map || random.one_in(3) ? width : 1 << random.below(6);
+  if (target == TextureTarget::texture_1d) height = 1;
+  const bool has_levels = target != TextureTarget::rectangle && (mipmaps || random.one_in(4));
+  c.texture = random_texture(random, target, format, width, height, has_levels);
+  c.sampler.wrap_r = kWraps[static_cast<std::size_t>(random.below(static_cast<int>(kWraps.size())))];
+  if (random.one_in(3)) {
+    for (bool& is_signed : c.sampler.is_signed) is_signed = random.one_in(2);
+  }
   for (int i = 0; i < kTextureFragments; ++i) {
     std::array<float, 3> at{}, dx{}, dy{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -115,6 +133,18 @@ bool agrees(const TextureCase& c, const TextureSampler& sampler, const oracle::T
   return true;
 }
 
+// The codes of a texel whose components are signed or not, each by itself.
+Rgba9 register_codes(const TextureCase& c, Texel texel) {
+  const StageTexture seen = stage_texture(c.texture, c.sampler);
+  const Rgba9 plain = texel_codes(c.profile, texel);
+  texel.is_signed = true;
+  Rgba9 codes = texel_codes(c.profile, texel);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!seen.is_signed[k]) codes[k] = plain[k];
+  }
+  return codes;
+}
+
 void run(std::uint64_t index, TexturesSeen& seen) {
   const TextureCase c = make_case(index);
   const auto sampler = TextureSampler::make(c.profile, c.texture, c.sampler);
@@ -145,7 +175,7 @@ void run(std::uint64_t index, TexturesSeen& seen) {
                         << int{answers[0].value[3]} << " real " << static_cast<double>(answers[0].real[0])
                         << "\nactual " << int{texel.value[0]} << ' ' << int{texel.value[1]} << ' '
                         << int{texel.value[2]} << ' ' << int{texel.value[3]};
-    ASSERT_EQ(codes.of(i), texel_codes(c.profile, texel)) << describe(c, index, i);
+    ASSERT_EQ(codes.of(i), register_codes(c, texel)) << describe(c, index, i);
     ++seen.fragments;
     seen.border += answers[0].border ? 1 : 0;
     seen.coarse += answers[0].level > 0 ? 1 : 0;
@@ -163,8 +193,9 @@ TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
     run(index, seen);
     if (HasFatalFailure()) return;
   }
-  EXPECT_EQ(seen.incomplete, 0);
-  EXPECT_GE(seen.fragments, static_cast<int>(kTextureCases) * kTextureFragments);
+  // Rectangles have no mip-maps.
+  EXPECT_EQ(seen.incomplete, static_cast<int>(kTextureCases / kAllTargets.size() * 4 / 6) * kTextureFragments);
+  EXPECT_GE(seen.fragments, (static_cast<int>(kTextureCases) - 1) * kTextureFragments - seen.incomplete);
   EXPECT_GE(seen.border, seen.fragments / 50);
   EXPECT_GE(seen.coarse, seen.fragments / 5);
   EXPECT_LE(seen.ambiguous, seen.fragments / 1000);
@@ -186,7 +217,7 @@ TEST(RandomTextures, AnyCutGivesTheSameBits) {
                        {random_change(random), random_change(random), random_change(random)});
     }
     const auto sampler = TextureSampler::make(c.profile, c.texture, c.sampler);
-    ASSERT_TRUE(sampler.has_value());
+    if (!sampler) continue;  // a rectangle with mip-maps
     const std::size_t count = c.fragments.size();
     CodeArrays whole(count), cut(count);
     sampler->sample(c.fragments.view(), count, whole.at());
@@ -197,7 +228,7 @@ TEST(RandomTextures, AnyCutGivesTheSameBits) {
     }
     EXPECT_EQ(whole.plane, cut.plane) << index;
     for (std::size_t i = 0; i < count; ++i) {
-      ASSERT_EQ(whole.of(i), texel_codes(c.profile, sampler->texel(c.fragments.view(), i))) << index << ' ' << i;
+      ASSERT_EQ(whole.of(i), register_codes(c, sampler->texel(c.fragments.view(), i))) << index << ' ' << i;
     }
   }
 }

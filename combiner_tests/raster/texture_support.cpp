@@ -16,11 +16,11 @@ Half random_half(Random& random) {
   return {static_cast<std::uint16_t>(sign | (exponent << 10) | random.below(1024))};
 }
 
-TextureSamples random_image(Random& random, InternalFormat format, int width, int height) {
+TextureSamples random_image(Random& random, InternalFormat format, int width, int height, int depth) {
   const std::array<bool, 4> stored = stored_components(format);
-  const auto count = static_cast<std::size_t>(width * height) *
+  const auto count = static_cast<std::size_t>(width * height * depth) *
                      static_cast<std::size_t>(std::count(stored.begin(), stored.end(), true));
-  TextureSamples image{width, height};
+  TextureSamples image{.width = width, .height = height, .depth = depth};
   if (is_depth(format)) {
     std::vector<std::uint32_t> codes(count);
     for (std::uint32_t& code : codes) {
@@ -51,9 +51,10 @@ Texture random_texture(Random& random, TextureTarget target, InternalFormat form
                        bool with_levels) {
   std::vector<std::vector<TextureSamples>> faces(target == TextureTarget::cube_map ? 6 : 1);
   for (std::vector<TextureSamples>& levels : faces) {
-    for (int w = width, h = height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
-      levels.push_back(random_image(random, format, w, h));
-      if (!with_levels || (w == 1 && h == 1)) break;
+    int depth = target == TextureTarget::texture_3d ? 1 << random.below(4) : 1;
+    for (int w = width, h = height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1), depth = std::max(depth / 2, 1)) {
+      levels.push_back(random_image(random, format, w, h, depth));
+      if (!with_levels || (w == 1 && h == 1 && depth == 1)) break;
     }
   }
   return make_texture(target, format, std::move(faces)).value();

@@ -16,6 +16,9 @@ inline constexpr std::array kInternalFormats{
     InternalFormat::alpha8,  InternalFormat::luminance8, InternalFormat::luminance8_alpha8, InternalFormat::intensity8,
     InternalFormat::rgb8,    InternalFormat::rgba8,      InternalFormat::depth16,           InternalFormat::depth24,
     InternalFormat::rgba16f, InternalFormat::rgba32f};
+// Those that texture-shader stages alone read.
+inline constexpr std::array kStageFormats{InternalFormat::hilo16, InternalFormat::dsdt8, InternalFormat::dsdt8_mag8,
+                                          InternalFormat::dsdt8_mag8_intensity8};
 inline constexpr std::array kMinFilters{MinFilter::nearest,
                                         MinFilter::linear,
                                         MinFilter::nearest_mipmap_nearest,
@@ -23,7 +26,8 @@ inline constexpr std::array kMinFilters{MinFilter::nearest,
                                         MinFilter::nearest_mipmap_linear,
                                         MinFilter::linear_mipmap_linear};
 inline constexpr std::array kMagFilters{MagFilter::nearest, MagFilter::linear};
-inline constexpr std::array kWraps{Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edge, Wrap::mirrored_repeat};
+inline constexpr std::array kWraps{Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edge, Wrap::mirrored_repeat,
+                                   Wrap::clamp_to_border};
 
 [[nodiscard]] inline bool is_depth(InternalFormat format) {
   return format == InternalFormat::depth16 || format == InternalFormat::depth24;
@@ -32,7 +36,8 @@ inline constexpr std::array kWraps{Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edg
   return format == InternalFormat::rgba16f || format == InternalFormat::rgba32f;
 }
 
-// Every level of every face has texels of its own, so that a wrong level or face shows.
+// 3D textures have up to eight layers. Every level of every face has texels of its own, so that a wrong level or face
+// shows.
 [[nodiscard]] Texture random_texture(Random& random, TextureTarget target, InternalFormat format, int width, int height,
                                      bool with_levels);
 

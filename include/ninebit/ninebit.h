@@ -40,6 +40,8 @@
 #include "ninebit/raster/prepared_draw.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/s3tc.h"
+#include "ninebit/raster/texel_words.h"
+#include "ninebit/raster/texture_stages.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/ground_truth.h"
@@ -50,4 +52,9 @@
 #include "ninebit/shadow/shadow_map.h"
 #include "ninebit/shadow/shadow_volume.h"
 #include "ninebit/shadow/technique.h"
+#include "ninebit/texture_shader/evaluate_stages.h"
+#include "ninebit/texture_shader/stage_operation.h"
+#include "ninebit/texture_shader/stage_program.h"
+#include "ninebit/texture_shader/stage_state.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #endif

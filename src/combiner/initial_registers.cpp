@@ -5,12 +5,6 @@
 namespace ninebit {
 namespace {
 
-s9 code_of(const HardwareProfile& profile, std::uint8_t byte, bool is_signed) {
-  if (!is_signed) return from_byte(profile, byte);
-  const int twice = 2 * static_cast<std::int8_t>(byte);
-  return static_cast<s9>(std::max(twice >> profile.byte_shift.value, profile.lowest.value));
-}
-
 Rgba9 codes_of(const HardwareProfile& profile, const Bytes4& bytes) {
   Rgba9 codes{};
   for (std::size_t i = 0; i < 4; ++i) codes[i] = from_byte(profile, bytes[i]);
@@ -23,12 +17,19 @@ s9 byte_code(const HardwareProfile& profile, int byte) {
 
 }  // namespace
 
+s9 texel_byte_code(const HardwareProfile& profile, std::uint8_t byte, bool is_signed) {
+  if (!is_signed) return from_byte(profile, byte);
+  const int twice = 2 * static_cast<std::int8_t>(byte);
+  return static_cast<s9>(std::max(twice >> profile.byte_shift.value, profile.lowest.value));
+}
+
 Rgba9 texel_codes(const HardwareProfile& profile, const Texel& texel) {
   std::array<s9, 4> v{};
-  for (std::size_t i = 0; i < 4; ++i) v[i] = code_of(profile, texel.value[i], texel.is_signed);
+  for (std::size_t i = 0; i < 4; ++i) v[i] = texel_byte_code(profile, texel.value[i], texel.is_signed);
   const auto one = static_cast<s9>(profile.one.value);
   switch (texel.format) {
     case TextureFormat::alpha:
+    case TextureFormat::dsdt_mag_intensity:
       return {0, 0, 0, v[3]};
     case TextureFormat::luminance:
       return {v[0], v[0], v[0], one};
@@ -42,7 +43,6 @@ Rgba9 texel_codes(const HardwareProfile& profile, const Texel& texel) {
     case TextureFormat::rgba:
       return v;
     case TextureFormat::depth:
-    case TextureFormat::dsdt_mag_intensity:
       return {0, 0, 0, v[0]};
     case TextureFormat::hilo:
     case TextureFormat::dsdt:

@@ -34,10 +34,14 @@ std::uint64_t texel_size(InternalFormat format) {
       return 1;
     case InternalFormat::luminance8_alpha8:
     case InternalFormat::depth16:
+    case InternalFormat::dsdt8:
       return 2;
     case InternalFormat::rgb8:
     case InternalFormat::rgba8:
     case InternalFormat::depth24:
+    case InternalFormat::hilo16:
+    case InternalFormat::dsdt8_mag8:
+    case InternalFormat::dsdt8_mag8_intensity8:
       return 4;
     case InternalFormat::rgba16f:
       return 8;

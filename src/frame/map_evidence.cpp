@@ -26,7 +26,9 @@ struct TexelPlace {
 };
 
 TexelPlace texel_at(std::uint32_t face, float s, float t, int size) {
-  const auto axis = [&](float v) { return static_cast<std::uint32_t>(nearest_texel(v, size, Wrap::clamp_to_edge)); };
+  const auto axis = [&](float v) {
+    return static_cast<std::uint32_t>(nearest_texel(v, {size, size, Wrap::clamp_to_edge}));
+  };
   return {face, axis(t) * static_cast<std::uint32_t>(size) + axis(s)};
 }
 

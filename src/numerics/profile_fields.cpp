@@ -65,6 +65,9 @@ constexpr std::array kLineShapes{FieldWord{"diamonds", "diamonds"}, FieldWord{"r
 constexpr std::array kPointShapes{FieldWord{"whole-pixels", "whole pixels"}, FieldWord{"squares", "squares"}};
 constexpr std::array kPalettes{FieldWord{"rgb565", "5, 6, 5 bits"}, FieldWord{"rgb888", "8, 8, 8 bits"},
                                FieldWord{"dithered565", "5, 6, 5 bits, dithered"}};
+constexpr std::array kStageBytes{FieldWord{"12-bits", "cut to 12 bits"}, FieldWord{"nearest", "to nearest"}};
+constexpr std::array kDotDivisors{FieldWord{"odd", "127, 255, 127"}, FieldWord{"even", "128, 256, 128"}};
+constexpr std::array kAheadMappings{FieldWord{"own", "its own"}, FieldWord{"of-diffuse", "the diffuse stage's"}};
 
 // The codes of a profile whose `one` is given.
 constexpr FieldNumbers code_of_one(const HardwareProfile& p) {
@@ -123,6 +126,8 @@ constexpr std::array kFields{
                                 "Whether the mux may look at the lowest bit of spare0's alpha instead of one half."),
     flag<&P::color_sum_inverts>("color_sum_inverts", features, "13",
                                 "Whether spare0 and the secondary colour may go into the colour sum as 1 - x."),
+    flag<&P::texture_shaders>("texture_shaders", features, "",
+                              "Whether the chip has texture-shader stages (NV_texture_shader and NV_texture_shader2)."),
     number<&P::spare0_alpha_without_texture0>("spare0_alpha_without_texture0", start_registers, kBytes, kByteEnds, "",
                                               "The byte in spare0's alpha at the start while texture unit 0 is off."),
     number<&P::disabled_texture_alpha>("disabled_texture_alpha", start_registers, kBytes, kByteEnds, "16",
@@ -156,6 +161,16 @@ constexpr std::array kFields{
     word<&P::texture_bias_narrowing>("texture_bias_narrowing", rasterizer, kNarrowings, "26",
                                      "How a bias of the level of detail becomes a step of 1/256."),
     word<&P::dxt1_palette>("dxt1_palette", rasterizer, kPalettes, "24", "How the colours of a DXT1 texture are kept."),
+    word<&P::stage_byte>("stage_byte", texture_shader, kStageBytes, "33",
+                         "How a texture-shader stage's number from 0 to 1 becomes a byte."),
+    word<&P::dot_divisors>("dot_divisors", texture_shader, kDotDivisors, "36",
+                           "What the signed mappings of dot products divide by: Direct3D's, OpenGL's, the plain one."),
+    number<&P::dependent_divisor>("dependent_divisor", texture_shader, numbers_of<255, 256>, numbers_of<255, 256>, "37",
+                                  "What a byte is divided by to be a coordinate of a dependent texture."),
+    word<&P::ahead_mapping>("ahead_mapping", texture_shader, kAheadMappings, "38",
+                            "Whose mapping the third dot product of a diffuse cube map has, which is read ahead."),
+    word<&P::replaced_depth_narrowing>("replaced_depth_narrowing", texture_shader, kNarrowings, "39",
+                                       "How a replaced depth becomes a depth code."),
 };
 
 // A field that is missing in the table makes the struct larger. Checked where all choices have one size.

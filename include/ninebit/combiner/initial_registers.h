@@ -34,11 +34,14 @@ using Bytes4 = std::array<std::uint8_t, 4>;
 
 // A filtered texel.
 struct Texel {
-  Bytes4 value{};  // red, green, blue, alpha; luminance, intensity or depth is in the first; components that the
-                   // format does not have are not read
+  Bytes4 value{};  // red, green, blue, alpha; luminance, intensity or depth is in the first, the intensity of
+                   // dsdt_mag_intensity in alpha; components that the format does not have are not read
   TextureFormat format = TextureFormat::rgba;  // selects the register components that the value fills
   bool is_signed = false;  // NV_texture_shader: each byte is a two's complement number; NV20 class only
 };
+
+// Returns the code of a texel's byte, which may be a two's complement number (rules 1 and 15).
+[[nodiscard]] s9 texel_byte_code(const HardwareProfile& profile, std::uint8_t byte, bool is_signed);
 
 // Returns the codes that a texel puts into its register. A signed byte s becomes 2 s, at least the profile's `lowest`
 // (rule 15, measured on NV2A for s >= 0; the rest is assumed).

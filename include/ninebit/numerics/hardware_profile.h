@@ -79,6 +79,18 @@ enum class PointShape : std::uint8_t {
   whole_pixels,  // OpenGL 1.3, 3.3: a square of whole pixels, moved to whole pixels
   squares        // those whose centres a square around the point's own position holds, with a rule for its edges
 };
+// How a texture-shader stage's number from 0 to 1 becomes a byte.
+enum class StageByte : std::uint8_t {
+  twelve_bits,  // cut to 12 bits n, then 255 (n + 1) >> 12
+  nearest       // times 255, to nearest, halves up
+};
+// What the signed bytes of a dot product are divided by: of the mappings of Direct3D, of OpenGL, and the plain one.
+enum class DotDivisors : std::uint8_t {
+  odd,  // 127, 255, 127
+  even  // 128, 256, 128
+};
+// Whose mapping the dot product has that DOT_PRODUCT_DIFFUSE_CUBE_MAP reads ahead of its stage.
+enum class AheadMapping : std::uint8_t { own, of_diffuse };
 // How the colours of a DXT1 texture are kept.
 enum class Dxt1Palette : std::uint8_t {
   rgb565,      // the palette in 5, 6 and 5 bits, then widened
@@ -115,6 +127,7 @@ struct HardwareProfile {
   Choice<bool> blue_to_alpha;        // an RGB portion may write its blue to a register's alpha
   Choice<bool> mux_by_lowest_bit;    // the mux may test the lowest bit of spare0's alpha
   Choice<bool> color_sum_inverts;    // spare0 and the secondary colour may go into the colour sum as 1 - x
+  Choice<bool> texture_shaders;      // NV_texture_shader and NV_texture_shader2
 
   // Registers before the first general combiner.
   Choice<int> spare0_alpha_without_texture0;  // byte, when texture unit 0 is off
@@ -137,6 +150,13 @@ struct HardwareProfile {
   Choice<FilterRounding> texture_filter_rounding;  // of linear filters
   Choice<Narrowing> texture_bias_narrowing;        // of a level-of-detail bias, to 1/256
   Choice<Dxt1Palette> dxt1_palette;                // of DXT1 textures
+
+  // Texture-shader stages, where the chip has them.
+  Choice<StageByte> stage_byte;                // of pass_through and of scaled offset textures
+  Choice<DotDivisors> dot_divisors;            // of signed mappings of dot products
+  Choice<int> dependent_divisor;               // a byte over this is a coordinate of a dependent texture
+  Choice<AheadMapping> ahead_mapping;          // of the third dot product of a diffuse cube map
+  Choice<Narrowing> replaced_depth_narrowing;  // of a replaced depth, to a depth code
 };
 
 // Returns all shipped profiles, the default (geforce2) first. Addresses and names stay valid for the whole run.
@@ -172,6 +192,7 @@ inline constexpr HardwareProfile geforce2{
     .blue_to_alpha = {false, Evidence::specified, "NV_register_combiners has no such output"},
     .mux_by_lowest_bit = {false, Evidence::specified, "NV_register_combiners has the threshold of one half alone"},
     .color_sum_inverts = {false, Evidence::specified, "NV_register_combiners has no such sum"},
+    .texture_shaders = {false, Evidence::specified, "NV_texture_shader is of the NV20 class"},
     .spare0_alpha_without_texture0 = {255, Evidence::assumed, "the extension leaves it unspecified"},
     .disabled_texture_alpha = {255, Evidence::inferred, "rule 16, measured on NV2A"},
     .secondary_alpha = {SecondaryAlpha::one, Evidence::inferred, "drivers up to 56.90 gave 1.0"},
@@ -192,6 +213,11 @@ inline constexpr HardwareProfile geforce2{
     .texture_bias_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 26, measured on NV2A"},
     .dxt1_palette = {Dxt1Palette::rgb565, Evidence::inferred,
                      "banding of DXT1 skies in reviews of 2001; how the chip rounds is assumed"},
+    .stage_byte = {StageByte::twelve_bits, Evidence::assumed, "the chip has no such stage; as nv2a"},
+    .dot_divisors = {DotDivisors::odd, Evidence::assumed, "the chip has no such stage; as nv2a"},
+    .dependent_divisor = {255, Evidence::assumed, "the chip has no such stage; as nv2a"},
+    .ahead_mapping = {AheadMapping::own, Evidence::assumed, "the chip has no such stage; as nv2a"},
+    .replaced_depth_narrowing = {Narrowing::toward_zero, Evidence::assumed, "the chip has no such stage; as nv2a"},
 };
 
 namespace detail {
@@ -234,6 +260,7 @@ consteval HardwareProfile xbox() {
   p.blue_to_alpha = {true, Evidence::measured, "NV2A output flag"};
   p.mux_by_lowest_bit = {true, Evidence::measured, "rule 11: 129 takes CD, 130 and 0 take AB"};
   p.color_sum_inverts = {true, Evidence::measured, "rule 13: 1 - 191/255 is 64/255, by either"};
+  p.texture_shaders = {true, Evidence::specified, "NV20 class"};
   p.disabled_texture_alpha = {255, Evidence::measured, "rule 16"};
   p.secondary_alpha = {SecondaryAlpha::as_given, Evidence::specified, "NV_register_combiners2"};
   p.subpixel_bits = {4, Evidence::measured, "rule 21"};
@@ -252,6 +279,14 @@ consteval HardwareProfile xbox() {
   p.texture_filter_rounding = {FilterRounding::each_blend, Evidence::measured, "rule 26: 159,744 values"};
   p.texture_bias_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 26: the bias is s4.8"};
   p.dxt1_palette = {Dxt1Palette::dithered565, Evidence::measured, "rule 24: 788,736 values of textures in pictures"};
+  p.stage_byte = {StageByte::twelve_bits, Evidence::measured, "rule 33: 557,056 values"};
+  p.dot_divisors = {DotDivisors::odd, Evidence::assumed,
+                    "rule 36: cube maps show directions alone; rival: 128, 256, 128"};
+  p.dependent_divisor = {255, Evidence::assumed, "rule 37: 131,072 pixels show no difference; rival: 256"};
+  p.ahead_mapping = {AheadMapping::own, Evidence::assumed,
+                     "rule 38: all stages of the pictures have one mapping; rival: that of the diffuse stage"};
+  p.replaced_depth_narrowing = {Narrowing::toward_zero, Evidence::measured,
+                                "rule 39: 65,410 of 65,536 depths of 16 bits; of 24 bits assumed"};
   return p;
 }
 
@@ -278,6 +313,7 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.blue_to_alpha = {true, Evidence::assumed, as_nv2a};
   p.mux_by_lowest_bit = {true, Evidence::assumed, as_nv2a};
   p.color_sum_inverts = {true, Evidence::assumed, as_nv2a};
+  p.texture_shaders = {true, Evidence::assumed, as_nv2a};
   p.disabled_texture_alpha = {255, Evidence::assumed, as_nv2a};
   p.subpixel_bits = {4, Evidence::assumed, as_nv2a};
   p.line_shape = {LineShape::diamonds, Evidence::specified, "OpenGL 1.3, 3.4.1 and 3.4.2"};
@@ -295,6 +331,12 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
                               "OpenGL 1.4, 3.8.8 adds it as it is: to the nearest step of the level of detail"};
   p.dxt1_palette = {Dxt1Palette::rgb888, Evidence::specified,
                     "EXT_texture_compression_s3tc: real numbers between the colours"};
+  p.stage_byte = {StageByte::nearest, Evidence::specified, "OpenGL: colours are rounded to nearest"};
+  p.dot_divisors = {DotDivisors::odd, Evidence::assumed, as_nv2a};
+  p.dependent_divisor = {255, Evidence::specified, "OpenGL: a byte n stands for n / 255"};
+  p.ahead_mapping = {AheadMapping::own, Evidence::assumed, as_nv2a};
+  p.replaced_depth_narrowing = {Narrowing::nearest_halves_up, Evidence::specified,
+                                "OpenGL: depths are rounded to nearest"};
   return p;
 }
 }  // namespace detail

@@ -21,7 +21,8 @@ enum class FieldGroup : std::uint8_t {
   integer_rules,    // rules of integer arithmetic; other arithmetics do not read them
   features,         // what the chip has
   start_registers,  // registers before the first general combiner
-  rasterizer        // coverage, depth, interpolation, textures
+  rasterizer,       // coverage, depth, interpolation, textures
+  texture_shader    // texture-shader stages
 };
 
 // The type of a field's value.

@@ -16,6 +16,9 @@
 //   d|ma|/dx) / |ma|, in doubles, on the face that the fragment's own direction selects.
 // - The weight between two levels is the fraction of lambda, cut to b bits.
 // - A coordinate that is NaN reads as 0; infinity as the end of the range it is clamped to, or 0 where it repeats.
+// - Linear filters of 3D textures blend along r after t; layers are found like rows.
+// - Rectangles are only clamped: a wrap mode that repeats counts as clamp_to_edge, their default.
+// - A border's byte is read like a texel's, in two's complement where the texel is.
 // - No filter reads across the faces of a cube map: each is wrapped as a texture of its own.
 // - Depth comparison (rule 29): r is clamped to [0, 1] and rounded to the nearest depth code, halves up; NaN counts as
 //   0. Filters weigh the results, 0 or 255, not the depths.
@@ -45,8 +48,9 @@ enum class MinFilter : std::uint8_t {
 };
 // The filter for magnification.
 enum class MagFilter : std::uint8_t { nearest, linear };
-// The texel for a coordinate outside of [0, 1]. With a linear filter, clamp mixes in the border colour.
-enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat };
+// The texel for a coordinate outside of [0, 1]. With a linear filter, clamp mixes in the border colour;
+// clamp_to_border is that colour outside, with any filter.
+enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat, clamp_to_border };
 // GL_TEXTURE_COMPARE_FUNC, in GL's order: a texel is 1 if `r function depth` holds, else 0; none reads the depth
 // itself.
 enum class DepthComparison : std::uint8_t { none, never, less, equal, lequal, greater, notequal, gequal, always };
@@ -57,11 +61,18 @@ struct Sampler {
   MagFilter mag_filter = MagFilter::linear;                 // for magnification
   Wrap wrap_s = Wrap::repeat;                               // of s
   Wrap wrap_t = Wrap::repeat;                               // of t
+  Wrap wrap_r = Wrap::repeat;                               // of r, of 3D textures
   // Clamped to [0, 1] and stored as the texture's format would: luminance, intensity and depth from red.
   std::array<float, 4> border_color{};
   DepthComparison comparison = DepthComparison::none;  // of depth textures; ignored for others
   float lod_bias = 0.0F;                               // EXT_texture_lod_bias; clamped to [-15, 15], NaN counts as 0
+  // Components red, green, blue, alpha whose bytes are two's complement: filtered as such, and doubled in a register
+  // (rule 15). Of hilo16, alpha's flag is of HI and green's of LO.
+  std::array<bool, 4> is_signed{};
 };
+
+// Which bytes of a texture's texels are two's complement: those that the sampler says, and ds and dt.
+[[nodiscard]] std::array<bool, 4> signed_components(const Texture& texture, const Sampler& sampler);
 
 // The sampler for index maps: the nearest texel of level 0.
 inline constexpr Sampler kNearestSampler{.min_filter = MinFilter::nearest,
@@ -70,12 +81,18 @@ inline constexpr Sampler kNearestSampler{.min_filter = MinFilter::nearest,
                                          .wrap_t = Wrap::clamp_to_edge};
 
 // The coordinates of a run of fragments, after any division by q: s, t and r, each one float per fragment. Differences
-// to the next fragment in x and y are read if a sampler needs_derivatives(); r is read for cube maps and depth
-// comparisons, its differences for cube maps.
+// to the next fragment in x and y are read if a sampler needs_derivatives(); r is read if it needs_r(), its differences
+// for cube maps and 3D textures.
 struct TextureCoordinates {
   std::array<const float*, 3> value{};  // of the fragments
   std::array<const float*, 3> dx{};     // to the fragment on the right
   std::array<const float*, 3> dy{};     // to the fragment above
+};
+
+// Who reads a sampler's texels.
+enum class TexelUse : std::uint8_t {
+  registers,  // the combiners: codes
+  stages      // texture-shader stages: bytes, signed ones in two's complement, and all that the format stores
 };
 
 // How linear filters weigh and round; see HardwareProfile.
@@ -91,13 +108,16 @@ class TextureSampler {
  public:
   // Empty if the texture is incomplete for the filter: the unit is then off. The texture must pass check_texture.
   [[nodiscard]] static std::optional<TextureSampler> make(const HardwareProfile& profile, const Texture& texture,
-                                                          const Sampler& sampler);
+                                                          const Sampler& sampler, TexelUse use = TexelUse::registers);
 
   // Whether the level of detail is needed: the two filters differ, or there are mip-maps.
   [[nodiscard]] bool needs_derivatives() const { return needs_derivatives_; }
 
   // Whether r is read, and with derivatives its differences.
-  [[nodiscard]] bool needs_r() const { return cube_ || comparison_ != DepthComparison::none; }
+  [[nodiscard]] bool needs_r() const { return cube_ || volume_ || comparison_ != DepthComparison::none; }
+
+  // Whether codes may be negative.
+  [[nodiscard]] bool gives_signed_codes() const { return decodes_; }
 
   // Whether s, t and r are divided by q: true except for cube maps.
   [[nodiscard]] bool divides_by_q() const { return !cube_; }
@@ -105,11 +125,14 @@ class TextureSampler {
   // The base internal format of the texels that texel_codes returns: depth_comparison with a comparison.
   [[nodiscard]] TextureFormat format() const { return format_; }
 
-  // The codes that texel_codes gives for `count` fragments, to codes[component][fragment]. Depth without comparison is
-  // rounded to a byte; floats are clamped to [0, 1] and rounded to one, NaN giving 0.
+  // The codes that texel_codes gives for `count` fragments, to codes[component][fragment], or bytes for stages. Depth
+  // without comparison is rounded to a byte; floats are clamped to [0, 1] and rounded to one, NaN giving 0.
   void sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const;
 
-  // Fragment i's filtered texel, as sample() takes it.
+  // The bytes of fragment i's filtered texel, as a stage reads them.
+  [[nodiscard]] Bytes4 bytes(const TextureCoordinates& at, std::size_t i) const;
+
+  // Fragment i's filtered texel, as sample() takes it, of a texture without signed components.
   [[nodiscard]] Texel texel(const TextureCoordinates& at, std::size_t i) const;
 
   // The same as red, green, blue, alpha in floats, as texel_codes orders them: bytes as n / 255, depth codes as
@@ -126,13 +149,21 @@ class TextureSampler {
   [[nodiscard]] double weigh_reals(const Taps& taps, const Read& read) const;
   [[nodiscard]] Filtered filter(const TextureCoordinates& at, std::size_t i) const;
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
+  void weigh_words(const Taps& taps, Filtered& to) const;
   class ByteSampler;  // the fast path for bytes
+  void find_sources(const HardwareProfile& profile, TexelUse use);
+  void decode(std::size_t count, const std::array<s9*, 4>& codes) const;
 
   const Texture* texture_ = nullptr;
   Sampler sampler_;
   TextureFormat format_ = TextureFormat::rgb;
   DepthComparison comparison_ = DepthComparison::none;
   bool cube_ = false;
+  bool volume_ = false;
+  bool rectangle_ = false;
+  bool decodes_ = false;  // bytes of signed components become codes
+  std::array<bool, 4> is_signed_{};
+  int lowest_ = 0;  // code of a register
   bool needs_derivatives_ = false;
   int last_level_ = 0;
   int lod_bias_q8_ = 0;

@@ -54,8 +54,9 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
     samplers[unit] = TextureSampler::make(state.profile, texture, units[unit].sampler);
     if (!samplers[unit] || !samplers[unit]->needs_derivatives()) continue;
     needs_texture_changes = true;
-    if (texture.target == TextureTarget::texture_2d) {
-      point_change[unit] = 1.0F / static_cast<float>(texture.faces[0][0].width);
+    if (texture.target != TextureTarget::cube_map) {
+      const bool counts_texels = texture.target == TextureTarget::rectangle;
+      point_change[unit] = counts_texels ? 1.0F : 1.0F / static_cast<float>(texture.faces[0][0].width);
     }
   }
   has_flat_result = !for_probe && outputs.need_fragment_alone() &&
@@ -74,7 +75,10 @@ void DrawContext::prepare_program(const RenderTarget& target, bool for_probe) {
       wanted.color[kAlpha] = wanted.color[kAlpha] || state.alpha_test.enabled;
     }
     wanted_color = wanted.color;
-    program.emplace(*state.program, wanted, ComponentSet{}, BatchInputs::not_negative);
+    const auto is_signed = [](const auto& sampler) { return sampler && sampler->gives_signed_codes(); };
+    const bool any_signed = std::any_of(samplers.begin(), samplers.end(), is_signed);
+    program.emplace(*state.program, wanted, ComponentSet{},
+                    any_signed ? BatchInputs::any_codes : BatchInputs::not_negative);
     const bool keeps_registers = state.program->datapath.arithmetic == Arithmetic::integer && !needs_registers;
     if (!keeps_registers) refilled = overwritten(*state.program);
   }

@@ -84,7 +84,8 @@ struct CubePlace {
   typename O::F s, t;
 };
 
-// The major-axis table of ARB_texture_cube_map. On ties x wins over y and y over z; a zero counts as positive.
+// The major-axis table of ARB_texture_cube_map. On ties x wins over y and y over z; a zero counts as positive. The zero
+// direction, as NaN, is the first place of +X (rule 41).
 template <class O>
 NINEBIT_RULE CubePlace<O> cube_place(const O& o, typename O::F rx, typename O::F ry, typename O::F rz) {
   const auto zero = o.set(0.0F), half = o.set(0.5F), one = o.set(1.0F);
@@ -102,17 +103,16 @@ NINEBIT_RULE CubePlace<O> cube_place(const O& o, typename O::F rx, typename O::F
   const auto tc = o.select(o.all(is_y, negative), o.negated(tc_positive), tc_positive);
   const auto s = o.mul(o.add(o.div(sc, ma), one), half);
   const auto t = o.mul(o.add(o.div(tc, ma), one), half);
-  // Infinity over infinity is NaN, which fails both comparisons.
+  // Infinity over infinity, or 0 over 0, is NaN, which fails both comparisons.
   const auto s_is_on_face = o.all(o.greater_equal(s, zero), o.less_equal(s, one));
   const auto t_is_on_face = o.all(o.greater_equal(t, zero), o.less_equal(t, one));
   const auto is_number = o.all(o.all(o.equal(rx, rx), o.equal(ry, ry)), o.equal(rz, rz));
-  const auto is_zero = o.equal(ma, zero);
   CubePlace<O> place;
   place.face = o.number_where(is_z, static_cast<int>(CubeFace::positive_z),
                               o.number_where(is_y, static_cast<int>(CubeFace::positive_y), o.set(0)));
   place.face = o.add(place.face, o.number_where(negative, 1, o.set(0)));
   place.face = o.where(is_number, place.face);
-  place.s = o.where(is_number, o.select(is_zero, half, o.where(s_is_on_face, s)));
-  place.t = o.where(is_number, o.select(is_zero, half, o.where(t_is_on_face, t)));
+  place.s = o.where(o.all(is_number, s_is_on_face), s);
+  place.t = o.where(o.all(is_number, t_is_on_face), t);
   return place;
 }

@@ -40,8 +40,10 @@ int cube_detail_q8(int size, const TextureCoordinates& at, std::size_t i) {
 }  // namespace
 
 std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::make(const TextureSampler& of) {
-  if (of.texture_->faces[0][0].planes.index() != 0) return {};
+  if (of.texture_->faces[0][0].planes.index() != 0 || of.volume_ || of.rectangle_) return {};
   const bool filters = is_linear(of.sampler_.min_filter) || of.sampler_.mag_filter == MagFilter::linear;
+  const bool has_border = of.sampler_.wrap_s == Wrap::clamp_to_border || of.sampler_.wrap_t == Wrap::clamp_to_border;
+  if (has_border || (has_words(of.texture_->format) && (filters || of.needs_derivatives_))) return {};
   // The lanes cannot read the border.
   if (filters && (of.sampler_.wrap_s == Wrap::clamp || of.sampler_.wrap_t == Wrap::clamp)) return {};
   const std::shared_ptr<const ByteSampler> made(new ByteSampler(of));
@@ -53,9 +55,10 @@ TextureSampler::ByteSampler::ByteSampler(const TextureSampler& of)
     : rules_{of.sampler_.min_filter, of.sampler_.mag_filter, of.last_level_, of.filter_rules_},
       needs_detail_(of.needs_derivatives_),
       lod_bias_q8_(of.lod_bias_q8_),
-      byte_shift_(of.byte_shift_),
+      byte_shift_(of.decodes_ ? 0 : of.byte_shift_),
       source_(of.source_),
       constant_(of.constant_) {
+  for (std::size_t k = 0; k < 4; ++k) flip_[k] = of.is_signed_[k] ? 0x80 : 0;
   const TextureImage& base = of.texture_->faces[0][0];
   level_ = {.cube = of.cube_,
             .width = base.width,
@@ -113,6 +116,7 @@ bool TextureSampler::ByteSampler::find_level_words(const Texture& texture) {
             .wrap_s = level_.wrap_s,
             .wrap_t = level_.wrap_t};
   words_.cube = level_.cube;
+  for (std::size_t k = 0; k < 4; ++k) words_.flip |= std::uint32_t{flip_[k]} << (8 * k);
   std::intptr_t first = 0;
   for (std::size_t f = 0; f < texture.face_count(); ++f) {
     for (std::size_t level = 0; level < static_cast<std::size_t>(words_.count); ++level) {
@@ -226,11 +230,19 @@ void TextureSampler::ByteSampler::read_component(const Texels& texels, std::size
   CornerBytes corner;
   for (std::size_t k = 0; k < 4; ++k) {
     fetch(component, texels.linear, texels.linear.offset[k], count, corner[k].data());
+    flip(component, count, corner[k].data());
     std::fill(corner[k].begin() + static_cast<std::ptrdiff_t>(count), corner[k].end(), s9{0});
   }
   std::array<s9, kBatchSize> sum;
   weigh_linear(texels.linear, corner, rules_.filter, count, sum);
   std::copy_n(sum.begin(), count, to);
+  flip(component, count, to);
+}
+
+// Two's complement with its highest bit flipped is filtered like any byte.
+void TextureSampler::ByteSampler::flip(std::size_t component, std::size_t count, s9* codes) const {
+  if (flip_[component] == 0) return;
+  for (std::size_t i = 0; i < count; ++i) codes[i] = static_cast<s9>(codes[i] ^ flip_[component]);
 }
 
 void TextureSampler::ByteSampler::sample(const TextureCoordinates& at, std::size_t first, std::size_t count,

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "ninebit/combiner/evaluate.h"
@@ -52,6 +53,7 @@ class TextureSampler::ByteSampler {
   void find_texels(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
   void filter(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
   void fetch_words(const TextureCoordinates& at, std::size_t first, std::size_t count, LaneWords& to) const;
+  void flip(std::size_t component, std::size_t count, s9* codes) const;
   void read_component(const Texels& texels, std::size_t component, std::size_t count, s9* to) const;
   template <class Lanes>
   void fetch(std::size_t component, const Lanes& lanes, const LaneIntegers& offset, std::size_t count, s9* to) const;
@@ -64,6 +66,7 @@ class TextureSampler::ByteSampler {
   int byte_shift_;
   std::array<int, 4> source_;  // as in TextureSampler
   std::array<s9, 4> constant_;
+  std::array<std::uint8_t, 4> flip_{};  // 0x80 for signed components
 
   // Level 0's planes of all faces, by component.
   std::array<std::array<BytePlane, 6>, 4> plane_{};

@@ -14,7 +14,8 @@ bool is_power_of_two(int side) {
 }
 
 std::string size_text(const TextureImage& image) {
-  return std::to_string(image.width) + " x " + std::to_string(image.height);
+  const std::string area = std::to_string(image.width) + " x " + std::to_string(image.height);
+  return image.depth == 1 ? area : area + " x " + std::to_string(image.depth);
 }
 
 std::string image_name(const Texture& texture, std::size_t face, std::size_t level) {
@@ -38,14 +39,25 @@ std::size_t planes_index(InternalFormat format) {
   }
 }
 
+// The error in an image's sides, or empty.
+std::string complaint_about_size(const Texture& texture, const TextureImage& image) {
+  const bool any_side = texture.target == TextureTarget::rectangle, is_3d = texture.target == TextureTarget::texture_3d;
+  const int largest = is_3d ? kMax3dTextureSize : kMaxSurfaceSize;
+  for (const int side : {image.width, image.height, image.depth}) {
+    if (side >= 1 && side <= largest && (any_side || is_power_of_two(side))) continue;
+    return " is " + size_text(image) + "; each side must be " + (any_side ? "" : "a power of two ") + "from 1 to " +
+           std::to_string(largest);
+  }
+  if (!is_3d && image.depth != 1) return " is " + size_text(image) + "; only 3D textures have layers";
+  if (texture.target == TextureTarget::texture_1d && image.height != 1) {
+    return " is " + size_text(image) + "; a 1D texture has one row";
+  }
+  return {};
+}
+
 // The error in one image, or empty.
 std::string complaint_about(const Texture& texture, const TextureImage& image) {
-  for (const int side : {image.width, image.height}) {
-    if (!is_power_of_two(side) || side > kMaxSurfaceSize) {
-      return " is " + size_text(image) + "; each side must be a power of two from 1 to " +
-             std::to_string(kMaxSurfaceSize);
-    }
-  }
+  if (std::string complaint = complaint_about_size(texture, image); !complaint.empty()) return complaint;
   if (texture.target == TextureTarget::cube_map && image.width != image.height) {
     return " is " + size_text(image) + "; the faces of a cube map must be square";
   }
@@ -95,6 +107,14 @@ TextureFormat base_format(InternalFormat format) {
       return TextureFormat::intensity;
     case InternalFormat::rgb8:
       return TextureFormat::rgb;
+    case InternalFormat::hilo16:
+      return TextureFormat::hilo;
+    case InternalFormat::dsdt8:
+      return TextureFormat::dsdt;
+    case InternalFormat::dsdt8_mag8:
+      return TextureFormat::dsdt_mag;
+    case InternalFormat::dsdt8_mag8_intensity8:
+      return TextureFormat::dsdt_mag_intensity;
     case InternalFormat::depth16:
     case InternalFormat::depth24:
       return TextureFormat::depth;
@@ -118,7 +138,12 @@ std::array<bool, 4> stored_components(InternalFormat format) {
     case InternalFormat::luminance8_alpha8:
       return {true, false, false, true};
     case InternalFormat::rgb8:
+    case InternalFormat::dsdt8_mag8:
       return {true, true, true, false};
+    case InternalFormat::dsdt8:
+      return {false, true, true, false};
+    case InternalFormat::hilo16:
+    case InternalFormat::dsdt8_mag8_intensity8:
     case InternalFormat::rgba8:
     case InternalFormat::rgba16f:
     case InternalFormat::rgba32f:
@@ -128,13 +153,19 @@ std::array<bool, 4> stored_components(InternalFormat format) {
 }
 
 Status check_texture(const Texture& texture) {
-  if (texture.target == TextureTarget::cube_map && base_format(texture.format) == TextureFormat::depth) {
-    return Diagnostic{"a cube map has a depth format; only 2D textures can"};
+  const bool is_deep = texture.target == TextureTarget::cube_map || texture.target == TextureTarget::texture_3d;
+  if (is_deep && base_format(texture.format) == TextureFormat::depth) {
+    return Diagnostic{std::string(texture.target == TextureTarget::cube_map ? "a cube map" : "a 3D texture") +
+                      " has a depth format; only 2D textures can"};
+  }
+  if (texture.target == TextureTarget::rectangle && texture.faces[0].size() > 1) {
+    return Diagnostic{"a rectangle has mip-maps; it can have one level"};
   }
   for (std::size_t face = 0; face < texture.faces.size(); ++face) {
     const std::vector<TextureImage>& levels = texture.faces[face];
     if (face >= texture.face_count() && !levels.empty()) {
-      return Diagnostic{"a 2D texture has more than one face"};
+      constexpr std::array kNames{"a 2D texture", "", "a 1D texture", "a 3D texture", "a rectangle"};
+      return Diagnostic{std::string(kNames[static_cast<std::size_t>(texture.target)]) + " has more than one face"};
     }
     if (levels.size() > static_cast<std::size_t>(kMaxTextureLevels)) {
       return Diagnostic{"a texture has " + std::to_string(levels.size()) + " levels; there can be " +
@@ -150,15 +181,18 @@ Status check_texture(const Texture& texture) {
 
 bool is_complete(const Texture& texture, bool with_mipmaps) {
   const std::vector<TextureImage>& first = texture.faces[0];
-  if (first.empty()) return false;
+  if (first.empty() || (with_mipmaps && texture.target == TextureTarget::rectangle)) return false;
   for (std::size_t face = 0; face < texture.face_count(); ++face) {
     const std::vector<TextureImage>& levels = texture.faces[face];
-    int width = first[0].width, height = first[0].height;
+    int width = first[0].width, height = first[0].height, depth = first[0].depth;
     for (std::size_t level = 0;; ++level) {
-      if (level >= levels.size() || levels[level].width != width || levels[level].height != height) return false;
-      if (!with_mipmaps || (width == 1 && height == 1)) break;
+      if (level >= levels.size()) return false;
+      const TextureImage& image = levels[level];
+      if (image.width != width || image.height != height || image.depth != depth) return false;
+      if (!with_mipmaps || (width == 1 && height == 1 && depth == 1)) break;
       width = std::max(width / 2, 1);
       height = std::max(height / 2, 1);
+      depth = std::max(depth / 2, 1);
     }
   }
   return true;

@@ -38,8 +38,8 @@ int level_of_detail_q8(double rho_squared) {
 }
 
 double rho_squared(const TexelChanges& c) {
-  const double x = c.ux * c.ux + c.vx * c.vx;
-  const double y = c.uy * c.uy + c.vy * c.vy;
+  const double x = c.ux * c.ux + c.vx * c.vx + c.wx * c.wx;
+  const double y = c.uy * c.uy + c.vy * c.vy + c.wy * c.wy;
   double larger = 0.0;
   if (x > larger) larger = x;
   if (y > larger) larger = y;

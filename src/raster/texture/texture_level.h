@@ -13,9 +13,9 @@ inline constexpr int kNoTexels = -(1 << 20);
 inline constexpr int kAllTexels = 1 << 20;
 [[nodiscard]] int level_of_detail_q8(double rho_squared);
 
-// rho² from the changes of s and t, in texels.
+// rho² from the changes of s, t and, in 3D textures, r, in texels.
 struct TexelChanges {
-  double ux = 0, vx = 0, uy = 0, vy = 0;
+  double ux = 0, vx = 0, uy = 0, vy = 0, wx = 0, wy = 0;
 };
 [[nodiscard]] double rho_squared(const TexelChanges& changes);
 

@@ -14,10 +14,15 @@ std::size_t plane_count(InternalFormat format) {
   return static_cast<std::size_t>(std::count(stored.begin(), stored.end(), true));
 }
 
+std::size_t texels_of(const TextureSamples& image) {
+  return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+         static_cast<std::size_t>(image.depth);
+}
+
 // The view of an image's samples.
 TextureImage view_of(InternalFormat format, const TextureSamples& image) {
   const std::array<bool, 4> stored = stored_components(format);
-  const std::size_t plane_size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  const std::size_t plane_size = texels_of(image);
   return std::visit(
       [&](const auto& samples) {
         using T = typename std::decay_t<decltype(samples)>::value_type;
@@ -28,7 +33,7 @@ TextureImage view_of(InternalFormat format, const TextureSamples& image) {
           planes[k] = {next, image.width};
           next += plane_size;
         }
-        return TextureImage{image.width, image.height, planes};
+        return TextureImage{image.width, image.height, planes, image.depth};
       },
       image.samples);
 }
@@ -36,7 +41,8 @@ TextureImage view_of(InternalFormat format, const TextureSamples& image) {
 // True for bytes of red, green and blue, with alpha or without. They are kept texel by texel, four bytes each: vectors
 // read a texel's components at once.
 bool are_kept_in_words(InternalFormat format) {
-  return format == InternalFormat::rgb8 || format == InternalFormat::rgba8;
+  const std::array<bool, 4> stored = stored_components(format);
+  return stored[0] && stored[1] && stored[2];
 }
 
 constexpr std::size_t kWordBytes = 4;
@@ -48,7 +54,7 @@ Texture keep_words(TextureTarget target, InternalFormat format, const Faces& fac
   std::size_t texels = 0;
   for (const auto& levels : faces) {
     for (const TextureSamples& image : levels) {
-      texels += static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+      texels += texels_of(image);
     }
   }
   Texture texture{.target = target, .format = format};
@@ -65,7 +71,7 @@ Texture keep_words(TextureTarget target, InternalFormat format, const Faces& fac
         planes[k] = {next + k, image.width * static_cast<std::ptrdiff_t>(kWordBytes), kWordBytes};
         for (std::size_t i = 0; i < count && k < components; ++i) next[kWordBytes * i + k] = samples[k * count + i];
       }
-      texture.faces[face].push_back({image.width, image.height, planes});
+      texture.faces[face].push_back({image.width, image.height, planes, image.depth});
       next += kWordBytes * count;
     }
   }
@@ -112,12 +118,13 @@ TextureSamples samples_of(InternalFormat format, const TextureImage& image) {
 
 // The error in an image's samples, or empty.
 std::string complaint_about(InternalFormat format, const TextureSamples& image) {
-  if (image.width < 1 || image.height < 1 || image.width > kMaxSurfaceSize || image.height > kMaxSurfaceSize) {
+  for (const int side : {image.width, image.height, image.depth}) {
+    if (side >= 1 && side <= kMaxSurfaceSize) continue;
     return "a texture image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+           (image.depth == 1 ? "" : " x " + std::to_string(image.depth)) +
            "; each side must be a power of two from 1 to " + std::to_string(kMaxSurfaceSize);
   }
-  const std::size_t needed =
-      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * plane_count(format);
+  const std::size_t needed = texels_of(image) * plane_count(format);
   const std::size_t size = std::visit([](const auto& samples) { return samples.size(); }, image.samples);
   if (size != needed) {
     return "a texture image has " + std::to_string(size) + " samples where its size and format need " +
@@ -194,6 +201,11 @@ Result<Texture> make_texture(TextureTarget target, InternalFormat format,
 
 Result<Texture> with_mipmaps(const Texture& texture) {
   if (Status status = check_texture(texture); !status) return status.error();
+  if (texture.target == TextureTarget::rectangle) return Diagnostic{"rectangles have no mip-maps"};
+  if (texture.target == TextureTarget::texture_3d) return Diagnostic{"mip-maps of 3D textures are not computed"};
+  if (base_format(texture.format) >= TextureFormat::hilo) {
+    return Diagnostic{"mip-maps of HILO and DSDT textures are not computed"};
+  }
   Faces faces(texture.face_count());
   for (std::size_t face = 0; face < faces.size(); ++face) {
     if (texture.faces[face].empty()) return Diagnostic{"a texture without a level 0 has no mip-maps"};

@@ -17,35 +17,50 @@ inline std::int64_t floor_of(double value) {
   return cut - (static_cast<double>(cut) > value ? 1 : 0);
 }
 
+// An axis of an image: its texels, how many of them a coordinate of 1 stands for, and its wrap mode. `size` is a power
+// of two unless `scale` is 1; then the mode clamps.
+struct TextureAxis {
+  int size = 1;
+  int scale = 1;
+  Wrap wrap = Wrap::repeat;
+};
+
 // s in texels, brought into the range that the wrap mode allows; for repeat only near enough for integers to take its
 // remainder. Exact, but for values so close to a texel's edge that no rounding rule tells them from it: a float times a
-// power of two fits a double. `size` is a power of two.
-inline double wrapped_position(float s, int size, Wrap wrap) {
+// power of two fits a double.
+inline double wrapped_position(float s, const TextureAxis& axis) {
   constexpr float kEvenFrom = 0x1p24F;  // from here on floats are even integers: places where a texture begins
   if (std::isnan(s)) s = 0.0F;
-  const double n = size;
-  switch (wrap) {
+  const double n = axis.size, at = static_cast<double>(s) * axis.scale;
+  switch (axis.wrap) {
     case Wrap::repeat:
-      return std::fabs(s) >= kEvenFrom ? 0.0 : static_cast<double>(s) * n;
+      return std::fabs(s) >= kEvenFrom ? 0.0 : at;
     case Wrap::clamp:
-      return static_cast<double>(std::clamp(s, 0.0F, 1.0F)) * n;
+      return std::clamp(at, 0.0, n);
     case Wrap::clamp_to_edge:
-      return std::clamp(static_cast<double>(s) * n, 0.5, n - 0.5);
+      return std::clamp(at, 0.5, n - 0.5);
+    case Wrap::clamp_to_border:
+      return std::clamp(at, -1.0, n + 1.0);
     case Wrap::mirrored_repeat: {
       if (std::fabs(s) >= kEvenFrom) return 0.5;
-      const double u = static_cast<double>(s) * n;
-      const double phase = u - 2.0 * n * static_cast<double>(floor_of(u / (2.0 * n)));
+      const double phase = at - 2.0 * n * static_cast<double>(floor_of(at / (2.0 * n)));
       return std::clamp(phase > n ? 2.0 * n - phase : phase, 0.5, n - 0.5);
     }
   }
   return 0.5;
 }
 
+// A texel, or the border outside.
+inline int texel_or_border(std::int64_t texel, int size) {
+  return texel >= 0 && texel < size ? static_cast<int>(texel) : kBorderTexel;
+}
+
 // NEAREST: the texel that holds s; the end of the range belongs to the last one.
-inline int nearest_texel(float s, int size, Wrap wrap) {
-  const double u = wrapped_position(s, size, wrap);
-  if (wrap == Wrap::repeat) return static_cast<int>(floor_of(u) & (size - 1));
-  return std::min(static_cast<int>(u), size - 1);
+inline int nearest_texel(float s, const TextureAxis& axis) {
+  const double u = wrapped_position(s, axis);
+  if (axis.wrap == Wrap::repeat) return static_cast<int>(floor_of(u) & (axis.size - 1));
+  if (axis.wrap == Wrap::clamp_to_border) return texel_or_border(floor_of(u), axis.size);
+  return std::min(static_cast<int>(u), axis.size - 1);
 }
 
 // LINEAR: two neighbours, either of which may be kBorderTexel, and the second's weight in 1/2^bits.
@@ -54,20 +69,23 @@ struct LinearTexels {
   int second = 0;
   std::uint32_t weight = 0;
 };
-inline LinearTexels linear_texels(float s, int size, Wrap wrap, const FilterRules& rules) {
+inline LinearTexels linear_texels(float s, const TextureAxis& axis, const FilterRules& rules) {
+  const int size = axis.size;
   const int bits = rules.weight_bits;
   const std::int64_t one = std::int64_t{1} << bits;
-  const double scaled = wrapped_position(s, size, wrap) * static_cast<double>(one);
+  const double scaled = wrapped_position(s, axis) * static_cast<double>(one);
   // A sum with a number just below 0 would round.
   const std::int64_t fixed =
       rules.cuts_weights ? floor_of(scaled) - one / 2 : floor_of(scaled + 0.5 * static_cast<double>(1 - one));
   const std::int64_t first = fixed >> bits;
   const auto weight = static_cast<std::uint32_t>(fixed & (one - 1));
-  switch (wrap) {
+  switch (axis.wrap) {
     case Wrap::repeat:
       return {static_cast<int>(first & (size - 1)), static_cast<int>((first + 1) & (size - 1)), weight};
     case Wrap::clamp:
       return {static_cast<int>(first), first + 1 < size ? static_cast<int>(first + 1) : kBorderTexel, weight};
+    case Wrap::clamp_to_border:
+      return {texel_or_border(first, size), texel_or_border(first + 1, size), weight};
     case Wrap::clamp_to_edge:
     case Wrap::mirrored_repeat:
       break;

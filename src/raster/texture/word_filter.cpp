@@ -106,7 +106,8 @@ struct Places {
 };
 
 HWY_INLINE VU read_words(const WordLevels& texture, VI offset) {
-  return hn::GatherIndex(kDU, reinterpret_cast<const std::uint32_t*>(texture.first), offset);
+  const VU word = hn::GatherIndex(kDU, reinterpret_cast<const std::uint32_t*>(texture.first), offset);
+  return hn::Xor(word, hn::Set(kDU, texture.flip));
 }
 
 // A level of each fragment.
@@ -178,7 +179,7 @@ HWY_INLINE VU filter_vector(const WordLevels& texture, const FilterRules& rules,
                             : sum_of(Level(texture, places.face, coarser));
     sum.blend(more, hn::BitCast(kDU, hn::LoadU(kDI, levels.next.data() + i)), bits);
   }
-  return sum.words(bits, levels.has_next);
+  return hn::Xor(sum.words(bits, levels.has_next), hn::Set(kDU, texture.flip));
 }
 
 template <class Sum, bool kAllLinear>
@@ -204,7 +205,8 @@ HWY_INLINE void filter_base(const WordLevels& texture, const FilterRules& rules,
     const WordTaps taps = texture.cube
                               ? read_taps<true>(texture, rules, places, Level(texture, places.face, zero), zero)
                               : read_taps<true>(texture, rules, places, base, zero);
-    hn::StoreU(Sum(taps, rules.weight_bits).words(rules.weight_bits, false), kDU, to.data() + i);
+    const VU words = Sum(taps, rules.weight_bits).words(rules.weight_bits, false);
+    hn::StoreU(hn::Xor(words, hn::Set(kDU, texture.flip)), kDU, to.data() + i);
   }
 }
 

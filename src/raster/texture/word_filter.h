@@ -19,7 +19,8 @@ struct WordLevels {
   bool cube = false;
   int width = 1;  // of level 0
   int height = 1;
-  int count = 1;  // of levels
+  int count = 1;           // of levels
+  std::uint32_t flip = 0;  // the highest bits of signed components, which are filtered with that bit flipped
   Wrap wrap_s = Wrap::repeat;
   Wrap wrap_t = Wrap::repeat;
   std::array<std::int32_t, kRoom> stride{};     // by level

@@ -189,7 +189,7 @@ std::size_t DepthCubeRenderer::texel_at(std::size_t pixel) const {
   const CubeCoordinate at = cube_coordinate(directions_[0][pixel], directions_[1][pixel], directions_[2][pixel]);
   const int size = settings().map_size;
   const auto texel = [size](float coordinate) {
-    return static_cast<std::size_t>(nearest_texel(coordinate, size, Wrap::clamp_to_edge));
+    return static_cast<std::size_t>(nearest_texel(coordinate, {size, size, Wrap::clamp_to_edge}));
   };
   return texel(at.t) * static_cast<std::size_t>(size) + texel(at.s);
 }

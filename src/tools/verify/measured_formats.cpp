@@ -3,6 +3,7 @@
 
 #include "src/tools/verify/measured_combiners.h"
 #include "src/tools/verify/measured_rows.h"
+#include "src/tools/verify/measured_stages.h"
 #include "src/tools/verify/measured_table.h"
 
 namespace ninebit::tools {
@@ -50,6 +51,9 @@ constexpr StatedValue kLineWidth{"width", "Line_", StatedValue::Kind::real, 0, 6
                  true},
     kLoopCorners{
         "loop", "loop = LINE_LOOP through ", StatedValue::Kind::list, 0, 4095, "(356,95) (354,67) (342,145)", 0, true};
+constexpr StatedValue kCube0{
+    "rows of cube 0", "rows of cube 0: ", StatedValue::Kind::rows, -1e30, 1e30, "1 0 1; -1 -1 1; 0 0 0", 9},
+    kCube1{"rows of cube 1", "rows of cube 1: ", StatedValue::Kind::rows, -1e30, 1e30, "1 0 1; 1 1 -1; 0 0 0", 9};
 constexpr StatedValue kMuxAb{"AB", "AB=C0=", StatedValue::Kind::list, 0, 255, "(255,0,0)", 3},
     kMuxCd{"CD", "CD=C1=", StatedValue::Kind::list, 0, 255, "(0,0,255)", 3},
     kFullTexel{"full", "full = texel ", StatedValue::Kind::real, 0, 255, "255"},
@@ -253,6 +257,67 @@ std::vector<MeasuredFormat> make_combiner_formats() {
   };
 }
 
+// Tables of texture-shader stages and of texel formats.
+std::vector<MeasuredFormat> make_stage_formats() {
+  const Column note{}, word{{}, Kind::word}, digits{{}, Kind::digits}, real{{}, Kind::real},
+      measured{{}, Kind::measured}, any_byte = byte({}), flag = whole({}, 0, 1), pixel = whole({}, 0, 167),
+                                    code = whole({}, 0, 65535), cube = whole({}, 0, 1);
+  return {
+      {"pass through",
+       columns({{"s,t,r,q", real}, {"pic_r,pic_g,pic_b,pic_a", measured}, {"model_r,model_g,model_b,model_a", note}}),
+       run_pass_through,
+       wrong_stages,
+       {kUnderBlend}},
+      {"offset textures",
+       columns({{"picture", note},
+                {"Bs,Gs", flag},
+                {"i,j", pixel},
+                {"b_first,g_first,b_last,g_last", any_byte},
+                {"b,g", note},
+                {"m00,m01,m11,m10", real},
+                {"class", measured}}),
+       run_offset, wrong_stages},
+      {"luminance of offset textures", columns({{"scale,offset", real}, {"L,T", any_byte}, {"out", measured}}),
+       run_luminance, wrong_stages},
+      {"dot products of cube maps",
+       columns({{"mode,mapping,eye", word},
+                {"cube", cube},
+                {"R,G,B,A", any_byte},
+                {"face,tx,ty", note},
+                {"pic_r,pic_g,pic_b", measured},
+                {"tex", word}}),
+       run_dot_cube,
+       wrong_dot_cube,
+       {kCube0, kCube1},
+       {},
+       {},
+       {},
+       "nv2a_cube_radial.csv"},
+      {"dot products of 16 bits",
+       columns({{"picture", note},
+                {"As,Gs", flag},
+                {"i,j", pixel},
+                {"hi0,lo0,hi1,lo1,hi2,lo2,hi3,lo3", code},
+                {"H,L", note},
+                {"class", measured}}),
+       run_hilo_dots, wrong_stages},
+      {"replaced depths",
+       columns({{"x,y", note}, {"R,G,B", any_byte}, {"a0,a1,a2,b0,b1,b2", real}, {"depth", measured}, {"model", note}}),
+       run_depth_replace, wrong_stages},
+      {"cube maps", columns({{"s,t,r", real}, {"face,tx,ty", note}, {"pic_r,pic_g,pic_b", measured}}), run_cube_map,
+       wrong_stages},
+      {"culled fragments",
+       columns({{"modes", word}, {"s0,t0,r0,q0,s1,t1,r1,q1,s2,t2,r2,q2", real}, {"visible", measured}}), run_cull,
+       wrong_cull},
+      {"YUV", columns({{"Y,U,V", any_byte}, {"R,G,B", measured}}), run_yuv, wrong_stages},
+      {"texel formats",
+       columns({{"format", word}, {"word", digits}, {"pic_r,pic_g,pic_b,pic_a", measured}}),
+       run_texel_word,
+       wrong_texel_word,
+       {kUnderBlend}},
+  };
+}
+
 }  // namespace
 
 std::string header_of(const std::vector<MeasuredColumn>& all) {
@@ -266,7 +331,7 @@ namespace {
 const std::vector<MeasuredFormat>& formats() {
   static const std::vector<MeasuredFormat> all = [] {
     std::vector<MeasuredFormat> joined = make_formats();
-    for (const auto& more : {make_primitive_formats(), make_combiner_formats()}) {
+    for (const auto& more : {make_primitive_formats(), make_combiner_formats(), make_stage_formats()}) {
       joined.insert(joined.end(), more.begin(), more.end());
     }
     return joined;

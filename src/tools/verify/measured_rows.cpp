@@ -118,11 +118,6 @@ Bytes4 texel_of(const MeasuredRow& row, S3tcFormat format, Block block, unsigned
   return decode_s3tc_block(format, profile.dxt1_palette, bytes)[at];
 }
 
-// The picture's blend of a value over another one.
-int shown_over(int value, int alpha, int under) {
-  return (2 * (alpha * value + (255 - alpha) * under) + 255) / 510;
-}
-
 std::vector<int> shown(const Bytes4& texel, const MeasuredRow& row) {
   const auto over = [&](std::size_t k, const char* under) { return shown_over(texel[k], texel[3], row.whole(under)); };
   return {over(0, "under"), over(1, "under"), over(2, "under"), over(3, "alpha_under")};

@@ -69,6 +69,11 @@ class MeasuredRow;
   return {byte(16), byte(8), byte(0), byte(24)};
 }
 
+// The picture's blend of a value by its alpha over another one (rule 19).
+[[nodiscard]] inline int shown_over(int value, int alpha, int under) {
+  return (2 * (alpha * value + (255 - alpha) * under) + 255) / 510;
+}
+
 // Without tests.
 [[nodiscard]] inline PipelineState plain_state(const HardwareProfile& profile) {
   PipelineState state;

@@ -67,6 +67,14 @@ std::optional<MeasuredRow::Cell> stated_at(const Stated& what, std::string_view 
     cell.list = {static_cast<double>(cell.whole)};
     return cell;
   }
+  if (what.kind == Stated::Kind::rows) {
+    for (const std::string_view row : pieces(text, ';')) {
+      for (const std::string_view piece : pieces(row, ' ')) {
+        if (!reads(piece, cell.list.emplace_back())) return std::nullopt;
+      }
+    }
+    return cell.list.size() == what.count ? std::optional(std::move(cell)) : std::nullopt;
+  }
   while (text.starts_with('(') && text.find(')') != std::string_view::npos) {
     for (const std::string_view piece : pieces(text.substr(1, text.find(')') - 1), ',')) {
       if (!reads(piece, cell.list.emplace_back())) return std::nullopt;
@@ -104,6 +112,11 @@ std::vector<std::string_view> pieces(std::string_view text, char separator) {
     if (end == std::string_view::npos) return found;
     text.remove_prefix(end + 1);
   }
+}
+
+std::optional<int> number_of(std::string_view text) {
+  int value = 0;
+  return reads(text, value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<std::vector<PixelRun>> pixel_runs(std::string_view text) {
@@ -173,6 +186,25 @@ Status read_measured(const std::vector<MeasuredColumn>& columns, const std::vect
     row.set(columns[i].name, std::move(cell));
   }
   return {};
+}
+
+Result<MeasuredRow::Cell> read_numbers(const std::string& file) {
+  auto input = InputFile::open(file);
+  if (!input) return input.error();
+  CsvLines lines(std::move(*input));
+  MeasuredRow::Cell cell;
+  while (true) {
+    auto line = lines.next();
+    if (!line) return line.error();
+    if (!*line) return cell;
+    const std::string_view text = (*line)->text;
+    if (text.starts_with('#')) continue;
+    for (const std::string_view piece : pieces(text, ',')) {
+      if (reads(piece, cell.list.emplace_back())) continue;
+      return csv_fault(file, (*line)->number, static_cast<std::size_t>(piece.data() - text.data()) + 1,
+                       fmt::format("expected a number, not '{}'", shown(piece)));
+    }
+  }
 }
 
 Result<std::map<std::string, MeasuredRow>> read_beside(const std::string& file, const MeasuredFormat& format) {

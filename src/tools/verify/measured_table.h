@@ -38,13 +38,14 @@ struct StatedValue {
   enum class Kind {
     real,
     digits,  // hexadecimal
-    list     // numbers in parentheses: "(32,32,32,255)", or "(160,398) (220,388)"
+    list,    // numbers in parentheses: "(32,32,32,255)", or "(160,398) (220,388)"
+    rows     // numbers separated by spaces, in rows separated by semicolons: "1 0 1; 0 1 0"
   };
   std::string_view name, before;
   Kind kind = Kind::real;
   double low = 0.0, high = 255.0;  // the range of its numbers
   std::string_view example;        // of the value
-  std::size_t count = 0;           // of a list: how many numbers; 0: pairs, two at least
+  std::size_t count = 0;           // of a list or of rows: how many numbers; 0: pairs, two at least
   bool may_be_missing = false;     // where not every row needs it
 };
 
@@ -107,6 +108,8 @@ struct MeasuredFormat {
   // Another table, in the same folder, that has more of each row's cells; empty: none. Both have the column `key`.
   std::string_view beside{}, key{};
   std::vector<MeasuredColumn> columns_beside{};
+  // A file of numbers in the same folder, all of which every row has under the file's name; empty: none.
+  std::string_view numbers_beside{};
 };
 
 // The names of columns, separated by commas.
@@ -130,6 +133,12 @@ struct MeasuredFormat {
 // The rows of the table beside another, by key. `columns` is its format.
 [[nodiscard]] Result<std::map<std::string, MeasuredRow>> read_beside(const std::string& file,
                                                                      const MeasuredFormat& format);
+
+// The numbers of a file, separated by commas and line ends, as a list.
+[[nodiscard]] Result<MeasuredRow::Cell> read_numbers(const std::string& file);
+
+// A text that is a whole number.
+[[nodiscard]] std::optional<int> number_of(std::string_view text);
 
 // The pieces of a line between separators, trimmed.
 [[nodiscard]] std::vector<std::string_view> pieces(std::string_view text, char separator);

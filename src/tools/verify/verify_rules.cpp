@@ -28,7 +28,7 @@ std::vector<Rival> rivals_of(const HardwareProfile& profile) {
 std::vector<Rival> pixel_rivals_of(const HardwareProfile& profile) {
   std::vector<Rival> rivals;
   for (const ProfileField& field : profile_fields()) {
-    if (field.group != FieldGroup::rasterizer) continue;
+    if (field.group != FieldGroup::rasterizer && field.group != FieldGroup::texture_shader) continue;
     const int own = field.get(profile).value;
     for (int value = 0; value < static_cast<int>(field.words.size()); ++value) {
       if (value == own) continue;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "ninebit/combiner/validate.h"
 #include "src/combiner/given_registers.h"
@@ -12,13 +11,6 @@
 
 namespace ninebit::tools {
 namespace {
-
-std::optional<int> number_of(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 // Whether a table's first line is a row.
 bool has_numbers_alone(std::string_view line) {
@@ -120,6 +112,12 @@ Status VerifyTable::read_header(const CsvLine& line, const std::vector<std::stri
   if (format_ != nullptr) {
     if (!program_.file.empty()) return csv_fault(name(), line.number, 1, "--program is not for measured tables");
     if (Status read = read_stated(format_->stated, comments, name(), line.number, stated_); !read) return read;
+    // Only rows that need these numbers report their absence.
+    if (const auto file = folder_ / format_->numbers_beside; !format_->numbers_beside.empty() && exists(file)) {
+      auto numbers = read_numbers(file.string());
+      if (!numbers) return numbers.error();
+      stated_.set(format_->numbers_beside, std::move(*numbers));
+    }
     if (format_->beside.empty()) return {};
     auto beside = read_beside((folder_ / format_->beside).string(), *format_);
     if (!beside) return beside.error();
