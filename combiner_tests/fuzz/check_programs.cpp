@@ -64,7 +64,10 @@ std::string check_rc10(std::string_view bytes) {
 std::string check_ps(std::string_view bytes) {
   (void)is_pixel_shader(bytes);
   for (const HardwareProfile* const profile : kProfiles) {
-    std::string wrong = wrong_with(parse_pixel_shader({bytes, kFile}, *profile), bytes, *profile);
+    const bool is_assembled = is_shader_tokens(bytes);
+    std::string wrong = wrong_with(
+        is_assembled ? parse_shader_tokens({bytes, kFile}, *profile) : parse_pixel_shader({bytes, kFile}, *profile),
+        bytes, *profile);
     if (!wrong.empty()) return wrong;
   }
   return {};
