@@ -16,12 +16,12 @@ constexpr Words<TextureOperation, 4> kCubeModes{
      {"DIFFUSE", TextureOperation::dot_product_diffuse_cube_map},
      {"SPEC", TextureOperation::dot_product_reflect_cube_map},
      {"SPEC_CONST", TextureOperation::dot_product_const_eye_reflect_cube_map}}};
-constexpr Words<DotMapping, 6> kMappings{{{"0to1", DotMapping::zero_to_one},
-                                          {"-1to1D3D", DotMapping::minus1_to_1_d3d},
-                                          {"-1to1GL", DotMapping::minus1_to_1_gl},
-                                          {"-1to1", DotMapping::minus1_to_1},
-                                          {"HiLo_1", DotMapping::hilo_1},
-                                          {"HiLoHemi", DotMapping::hilo_hemisphere}}};
+constexpr Words<DotMapping, 6> kDotMappings{{{"0to1", DotMapping::zero_to_one},
+                                             {"-1to1D3D", DotMapping::minus1_to_1_d3d},
+                                             {"-1to1GL", DotMapping::minus1_to_1_gl},
+                                             {"-1to1", DotMapping::minus1_to_1},
+                                             {"HiLo_1", DotMapping::hilo_1},
+                                             {"HiLoHemi", DotMapping::hilo_hemisphere}}};
 constexpr Words<bool, 2> kCubeTextures{{{"C", false}, {"R", true}}};
 
 TextureShaderState nv2a_state() {
@@ -44,8 +44,8 @@ TextureShaderState dot_state(std::size_t last_stage, TextureOperation last, DotM
 }
 
 // Runs stages whose textures are of the kinds that they read. The states of measured tables are always valid.
-TextureShaderResult run(const TextureShaderState& state, const HardwareProfile& profile,
-                        const StageCoordinates& coordinates, const FetchTexel& fetch) {
+TextureShaderResult run_stages(const TextureShaderState& state, const HardwareProfile& profile,
+                               const StageCoordinates& coordinates, const FetchTexel& fetch) {
   StageTextures textures;
   for (std::size_t i = 0; i < textures.size(); ++i) {
     textures[i] = StageTexture{.target = info_of(state.stage[i].operation).target};
@@ -62,14 +62,14 @@ std::array<float, 4> coordinates_of(const MeasuredRow& row, std::array<const cha
   return at;
 }
 
-Bytes4 sampled(const Texture& texture, const Sampler& sampler, const std::array<float, 3>& at,
-               const HardwareProfile& profile) {
+Bytes4 texel_at(const Texture& texture, const Sampler& sampler, const std::array<float, 3>& at,
+                const HardwareProfile& profile) {
   TextureCoordinates coordinates;
   for (std::size_t k = 0; k < 3; ++k) coordinates.value[k] = &at[k];
   return TextureSampler::make(profile, texture, sampler, TexelUse::stages)->bytes(coordinates, 0);
 }
 
-std::vector<int> shown(const Bytes4& color, const MeasuredRow& row) {
+std::vector<int> shown_pixel(const Bytes4& color, const MeasuredRow& row) {
   std::vector<int> pixel;
   for (std::size_t k = 0; k < 4; ++k) {
     pixel.push_back(shown_over(color[k], color[3], static_cast<int>(row.list("under")[k])));
@@ -80,19 +80,20 @@ std::vector<int> shown(const Bytes4& color, const MeasuredRow& row) {
 // A checkerboard of 32 by 32 cells: red 0 in the first, 1 in the next one.
 const Texture& checkerboard() {
   static const Texture made = [] {
-    constexpr std::size_t kSide = 256, kCell = 8;
-    std::vector<std::uint8_t> cells(kSide * kSide);
+    constexpr std::size_t kBoardSide = 256, kCellSide = 8;
+    std::vector<std::uint8_t> cells(kBoardSide * kBoardSide);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      cells[i] = static_cast<std::uint8_t>((i % kSide / kCell + i / kSide / kCell) % 2);
+      cells[i] = static_cast<std::uint8_t>((i % kBoardSide / kCellSide + i / kBoardSide / kCellSide) % 2);
     }
-    return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {{{kSide, kSide, std::move(cells)}}})
+    return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8,
+                        {{{kBoardSide, kBoardSide, std::move(cells)}}})
         .value();
   }();
   return made;
 }
 
 int cell_at(const std::array<float, 3>& at, const HardwareProfile& profile) {
-  return sampled(checkerboard(), kNearestSampler, at, profile)[0];
+  return texel_at(checkerboard(), kNearestSampler, at, profile)[0];
 }
 
 // The pictures draw two by two texels 168 pixels wide, from the first texel's beginning to the last one's end.
@@ -106,22 +107,22 @@ float filtered_at(int pixel) {
   return static_cast<float>((0.5 + std::floor(256.0 * place) / 256.0) / 2.0);
 }
 
-constexpr Sampler kLinear{.min_filter = MinFilter::linear,
-                          .mag_filter = MagFilter::linear,
-                          .wrap_s = Wrap::clamp_to_edge,
-                          .wrap_t = Wrap::clamp_to_edge};
+constexpr Sampler kLinearStage{.min_filter = MinFilter::linear,
+                               .mag_filter = MagFilter::linear,
+                               .wrap_s = Wrap::clamp_to_edge,
+                               .wrap_t = Wrap::clamp_to_edge};
 
 // Two by two texels, filtered for the pixel of a row.
-Bytes4 filtered(InternalFormat format, const std::array<Bytes4, 4>& texels, const std::array<bool, 4>& is_signed,
-                const MeasuredRow& row, const HardwareProfile& profile) {
+Bytes4 filtered_texel(InternalFormat format, const std::array<Bytes4, 4>& texels, const std::array<bool, 4>& is_signed,
+                      const MeasuredRow& row, const HardwareProfile& profile) {
   std::vector<std::uint8_t> samples;
   for (std::size_t k = 0; k < 4; ++k) {
     for (const Bytes4& texel : texels) samples.push_back(texel[k]);
   }
   const Texture texture = make_texture(TextureTarget::texture_2d, format, {{{2, 2, std::move(samples)}}}).value();
-  Sampler sampler = kLinear;
+  Sampler sampler = kLinearStage;
   sampler.is_signed = is_signed;
-  return sampled(texture, sampler, {filtered_at(row.whole("i")), filtered_at(row.whole("j")), 0.0F}, profile);
+  return texel_at(texture, sampler, {filtered_at(row.whole("i")), filtered_at(row.whole("j")), 0.0F}, profile);
 }
 
 // The cube map's two colours of each face, and the components of the face's gradient.
@@ -129,17 +130,17 @@ struct FaceColors {
   std::uint32_t first, second;
   std::array<bool, 3> gradient;
 };
-constexpr std::array<FaceColors, 6> kFaces{{{0xFF7777, 0x222222, {true, false, false}},
-                                            {0x663355, 0xDDDDDD, {true, false, true}},
-                                            {0x55FF55, 0x222222, {false, true, false}},
-                                            {0xAAAA33, 0xDDDDDD, {true, true, false}},
-                                            {0x5555FF, 0x222222, {false, false, true}},
-                                            {0x33AAAA, 0xDDDDDD, {false, true, true}}}};
+constexpr std::array<FaceColors, 6> kFaceColors{{{0xFF7777, 0x222222, {true, false, false}},
+                                                 {0x663355, 0xDDDDDD, {true, false, true}},
+                                                 {0x55FF55, 0x222222, {false, true, false}},
+                                                 {0xAAAA33, 0xDDDDDD, {true, true, false}},
+                                                 {0x5555FF, 0x222222, {false, false, true}},
+                                                 {0x33AAAA, 0xDDDDDD, {false, true, true}}}};
 constexpr std::size_t kCubeSide = 64;
 
-Texture cube_of(const auto& color_of_texel) {
+Texture cube_map_of(const auto& color_of_texel) {
   std::vector<std::vector<TextureSamples>> faces;
-  for (const FaceColors& face : kFaces) {
+  for (const FaceColors& face : kFaceColors) {
     std::vector<std::uint8_t> samples(3 * kCubeSide * kCubeSide);
     for (std::size_t i = 0; i < kCubeSide * kCubeSide; ++i) {
       const ColorBytes color = color_of_texel(face, i);
@@ -152,10 +153,10 @@ Texture cube_of(const auto& color_of_texel) {
 }
 
 const Texture& checkered_cube() {
-  static const Texture made = cube_of([](const FaceColors& face, std::size_t i) {
-    constexpr std::size_t kCell = 4;
-    const bool is_second = (i % kCubeSide / kCell + i / kCubeSide / kCell) % 2 == 1;
-    return color_of(is_second ? face.second : face.first);
+  static const Texture made = cube_map_of([](const FaceColors& face, std::size_t i) {
+    constexpr std::size_t kCellSide = 4;
+    const bool is_second = (i % kCubeSide / kCellSide + i / kCubeSide / kCellSide) % 2 == 1;
+    return tools::color_of(is_second ? face.second : face.first);
   });
   return made;
 }
@@ -163,14 +164,14 @@ const Texture& checkered_cube() {
 // The texel of the table beside that holds a gradient.
 ColorBytes gradient_color(const std::vector<double>& gradient, const std::array<float, 3>& at,
                           const HardwareProfile& profile) {
-  static const Texture places = cube_of([](const FaceColors& face, std::size_t i) {
-    const auto number = static_cast<std::uint8_t>(&face - kFaces.data());
+  static const Texture places = cube_map_of([](const FaceColors& face, std::size_t i) {
+    const auto number = static_cast<std::uint8_t>(&face - kFaceColors.data());
     return ColorBytes{static_cast<std::uint8_t>(i % kCubeSide), static_cast<std::uint8_t>(i / kCubeSide), number, 0};
   });
-  const Bytes4 place = sampled(places, kNearestSampler, at, profile);
+  const Bytes4 place = texel_at(places, kNearestSampler, at, profile);
   const auto value = static_cast<std::uint8_t>(gradient[kCubeSide * place[1] + place[0]]);
   ColorBytes color{0, 0, 0, 255};
-  for (std::size_t k = 0; k < 3; ++k) color[k] = kFaces[place[2]].gradient[k] ? value : 0;
+  for (std::size_t k = 0; k < 3; ++k) color[k] = kFaceColors[place[2]].gradient[k] ? value : 0;
   return color;
 }
 
@@ -189,8 +190,8 @@ std::vector<float> eye_of(const std::string& text) {
 std::vector<int> run_pass_through(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::pass_through;
-  const auto result = run(state, profile, {coordinates_of(row, {"s", "t", "r", "q"})}, {});
-  return shown(result.stage[0].texel, row);
+  const auto result = run_stages(state, profile, {coordinates_of(row, {"s", "t", "r", "q"})}, {});
+  return shown_pixel(result.stage[0].texel, row);
 }
 
 std::vector<int> run_offset(const MeasuredRow& row, const HardwareProfile& profile) {
@@ -208,8 +209,8 @@ std::vector<int> run_offset(const MeasuredRow& row, const HardwareProfile& profi
   StageCoordinates at{};
   at[0][3] = 1.0F;
   at[1] = {base_coordinate(row.whole("i")), base_coordinate(row.whole("j")), 0.0F, 1.0F};
-  const auto result = run(state, profile, at, [&](int unit, const TexturePlace& place) {
-    if (unit == 0) return filtered(InternalFormat::rgba8, texels, is_signed, row, profile);
+  const auto result = run_stages(state, profile, at, [&](int unit, const TexturePlace& place) {
+    if (unit == 0) return filtered_texel(InternalFormat::rgba8, texels, is_signed, row, profile);
     return Bytes4{static_cast<std::uint8_t>(cell_at(place.at, profile))};
   });
   return {result.stage[1].texel[0]};
@@ -221,7 +222,7 @@ std::vector<int> run_luminance(const MeasuredRow& row, const HardwareProfile& pr
   state.stage[1].operation = TextureOperation::offset_2d_scale;
   state.stage[1].scale = static_cast<float>(row.real("scale"));
   state.stage[1].bias = static_cast<float>(row.real("offset"));
-  const auto result = run(state, profile, {}, [&](int unit, const TexturePlace&) {
+  const auto result = run_stages(state, profile, {}, [&](int unit, const TexturePlace&) {
     return unit == 0 ? Bytes4{row.byte("L")} : Bytes4{row.byte("T")};
   });
   return {result.stage[1].texel[0]};
@@ -231,7 +232,7 @@ std::vector<int> run_dot_cube(const MeasuredRow& row, const HardwareProfile& pro
   const TextureOperation mode = *value_of(kCubeModes, row.text("mode"));
   const bool is_diffuse = mode == TextureOperation::dot_product_diffuse_cube_map;
   TextureShaderState state = dot_state(3, is_diffuse ? TextureOperation::dot_product_reflect_cube_map : mode,
-                                       *value_of(kMappings, row.text("mapping")));
+                                       *value_of(kDotMappings, row.text("mapping")));
   if (is_diffuse) state.stage[2].operation = mode;
   const std::vector<double>& rows = row.list(row.whole("cube") == 0 ? "rows of cube 0" : "rows of cube 1");
   const std::vector<float> eye = eye_of(row.text("eye"));
@@ -241,13 +242,13 @@ std::vector<int> run_dot_cube(const MeasuredRow& row, const HardwareProfile& pro
     for (std::size_t i = 0; i < 3; ++i) at[k + 1][i] = static_cast<float>(rows[3 * k + i]);
     if (eye.size() == 3) at[k + 1][3] = state.stage[3].eye[k] = eye[k];
   }
-  const auto result = run(state, profile, at, [&](int unit, const TexturePlace&) {
+  const auto result = run_stages(state, profile, at, [&](int unit, const TexturePlace&) {
     return unit == 0 ? Bytes4{row.byte("R"), row.byte("G"), row.byte("B"), row.byte("A")} : Bytes4{};
   });
   const std::array<float, 3>& looks = *result.stage[is_diffuse ? 2 : 3].at;
   const Bytes4 color = *value_of(kCubeTextures, row.text("tex"))
                            ? gradient_color(row.list("nv2a_cube_radial.csv"), looks, profile)
-                           : sampled(checkered_cube(), kNearestSampler, looks, profile);
+                           : texel_at(checkered_cube(), kNearestSampler, looks, profile);
   return {color[0], color[1], color[2]};
 }
 
@@ -265,8 +266,8 @@ std::vector<int> run_hilo_dots(const MeasuredRow& row, const HardwareProfile& pr
   at[0][3] = 1.0F;
   at[1] = {10.0F, 0.0F, base_coordinate(row.whole("i")), 1.0F};
   at[2] = {0.0F, 15.0F, base_coordinate(row.whole("j")), 1.0F};
-  const auto result = run(state, profile, at, [&](int unit, const TexturePlace& place) {
-    if (unit == 0) return filtered(InternalFormat::hilo16, texels, is_signed, row, profile);
+  const auto result = run_stages(state, profile, at, [&](int unit, const TexturePlace& place) {
+    if (unit == 0) return filtered_texel(InternalFormat::hilo16, texels, is_signed, row, profile);
     return Bytes4{static_cast<std::uint8_t>(cell_at(place.at, profile))};
   });
   return {result.stage[2].texel[0]};
@@ -288,9 +289,9 @@ std::vector<int> run_depth_replace(const MeasuredRow& row, const HardwareProfile
 std::vector<int> run_cube_map(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::texture_cube_map;
-  const auto result = run(
+  const auto result = run_stages(
       state, profile, {coordinates_of(row, {"s", "t", "r", nullptr})},
-      [&](int, const TexturePlace& place) { return sampled(checkered_cube(), kNearestSampler, place.at, profile); });
+      [&](int, const TexturePlace& place) { return texel_at(checkered_cube(), kNearestSampler, place.at, profile); });
   const Bytes4& color = result.stage[0].texel;
   return {color[0], color[1], color[2]};
 }
@@ -305,7 +306,7 @@ std::vector<int> run_cull(const MeasuredRow& row, const HardwareProfile& profile
       {{"s0", "t0", "r0", "q0"}, {"s1", "t1", "r1", "q1"}, {"s2", "t2", "r2", "q2"}}};
   int visible = 0;
   for (std::size_t layer = 0; layer < kLayers.size(); ++layer) {
-    const auto result = run(state, profile, {coordinates_of(row, kLayers[layer])}, {});
+    const auto result = run_stages(state, profile, {coordinates_of(row, kLayers[layer])}, {});
     if (!result.is_culled) visible = static_cast<int>(layer) + 1;
   }
   return {visible};
@@ -317,13 +318,13 @@ std::vector<int> run_yuv(const MeasuredRow& row, const HardwareProfile& profile)
   state.converts_yuv = true;
   const std::uint32_t word = static_cast<std::uint32_t>(row.whole("Y") | row.whole("U") << 8 | row.whole("V") << 24);
   const auto result =
-      run(state, profile, {}, [&](int, const TexturePlace&) { return texels_of_yuv_word(word, false)[0]; });
+      run_stages(state, profile, {}, [&](int, const TexturePlace&) { return texels_of_yuv_word(word, false)[0]; });
   const Rgba9& codes = result.stage[0].codes;
   return {codes[0], codes[1], codes[2]};
 }
 
 std::vector<int> run_texel_word(const MeasuredRow& row, const HardwareProfile&) {
-  return shown(texel_of_word(*texel_word_called(row.text("format")), row.digits("word")), row);
+  return shown_pixel(texel_of_word(*texel_word_called(row.text("format")), row.digits("word")), row);
 }
 
 std::string wrong_stages(const MeasuredRow&, const HardwareProfile& profile) {
@@ -333,7 +334,7 @@ std::string wrong_stages(const MeasuredRow&, const HardwareProfile& profile) {
 
 std::string wrong_dot_cube(const MeasuredRow& row, const HardwareProfile& profile) {
   for (const std::string& wrong : {wrong_stages(row, profile), wrong_word(row, "mode", kCubeModes),
-                                   wrong_word(row, "mapping", kMappings), wrong_word(row, "tex", kCubeTextures)}) {
+                                   wrong_word(row, "mapping", kDotMappings), wrong_word(row, "tex", kCubeTextures)}) {
     if (!wrong.empty()) return wrong;
   }
   const bool has_eye = row.text("mode").starts_with("SPEC");

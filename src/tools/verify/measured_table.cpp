@@ -75,7 +75,9 @@ std::optional<MeasuredRow::Cell> stated_at(const Stated& what, std::string_view 
     }
     return cell.list.size() == what.count ? std::optional(std::move(cell)) : std::nullopt;
   }
-  while (text.starts_with('(') && text.find(')') != std::string_view::npos) {
+  // What follows the last number is a remark.
+  const auto needs_more = [&] { return what.count == 0 || cell.list.size() < what.count; };
+  while (needs_more() && text.starts_with('(') && text.find(')') != std::string_view::npos) {
     for (const std::string_view piece : pieces(text.substr(1, text.find(')') - 1), ',')) {
       if (!reads(piece, cell.list.emplace_back())) return std::nullopt;
     }
