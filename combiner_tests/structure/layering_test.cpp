@@ -16,11 +16,11 @@ namespace fs = std::filesystem;
 
 // A room knows the rooms of a lower rank and itself. system and numerics do not know each other, nor do scene and
 // image, effect and shadow, capi and raster, or playground and bench.
-const std::map<std::string, int> kRank{
-    {"system", 0}, {"numerics", 0},   {"combiner", 1}, {"texture_shader", 2}, {"language", 3}, {"capi", 4},
-    {"raster", 4}, {"scene", 5},      {"image", 5},    {"frame", 6},          {"shadow", 7},   {"effect", 7},
-    {"study", 8},  {"page", 6},       {"playground", 9}, {"bench", 9},        {"tools", 10},   {"python", 11},
-    {"gl_layer", 10}};
+const std::map<std::string, int> kRank{{"system", 0},   {"numerics", 0}, {"combiner", 1},   {"texture_shader", 2},
+                                       {"language", 3}, {"capi", 4},     {"raster", 4},     {"scene", 5},
+                                       {"image", 5},    {"frame", 6},    {"shadow", 7},     {"effect", 7},
+                                       {"study", 8},    {"page", 6},     {"playground", 9}, {"bench", 9},
+                                       {"tools", 10},   {"python", 11},  {"gl_layer", 10}};
 
 // The folders of rooms in src/. A folder knows those before it and itself; files that stand beside the folders come
 // last.
