@@ -114,8 +114,7 @@ TEST(Profiles, WhatEvidenceCarriesTheTwoChips) {
             "mux_by_lowest_bit color_sum_inverts texture_shaders fog_alpha_without_fog ");
   const HardwareProfile& xbox = profiles::nv2a;
   EXPECT_EQ(fields_with(xbox, seed), "");
-  EXPECT_EQ(fields_with(xbox, assumed),
-            "spare0_alpha_without_texture0 dot_divisors dependent_divisor ahead_mapping ");
+  EXPECT_EQ(fields_with(xbox, assumed), "spare0_alpha_without_texture0 dot_divisors dependent_divisor ahead_mapping ");
   EXPECT_EQ(fields_with(xbox, inferred), "expand_offset general_narrowing narrowing_point polygon_offset_slope ");
   EXPECT_EQ(fields_with(xbox, specified),
             "arithmetic lowest lowest_output general_combiners texture_units per_stage_constants texture_shaders "

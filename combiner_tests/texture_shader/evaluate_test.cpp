@@ -1,10 +1,10 @@
 // Stages without textures' arithmetic: the rules at their edges, NaN and infinity.
-#include "ninebit/texture_shader/evaluate_stages.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "ninebit/texture_shader/evaluate_stages.h"
 
 namespace ninebit::test {
 namespace {

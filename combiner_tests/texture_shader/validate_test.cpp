@@ -1,6 +1,4 @@
 // What is refused, with OpenGL's errors, and which stages are inconsistent.
-#include "ninebit/texture_shader/validate_stages.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "ninebit/texture_shader/stage_program.h"
+#include "ninebit/texture_shader/validate_stages.h"
 
 namespace ninebit::test {
 namespace {
