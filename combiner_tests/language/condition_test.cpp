@@ -135,6 +135,7 @@ TEST(Condition, WhatCannotBeComputedIsAFault) {
     const std::string before = "a" + std::to_string(i - 1);
     doubled["a" + std::to_string(i)] = before + " + " + before;
   }
+  doubled["long"] = "1" + std::string(600'000, ' ');
   for (const auto& [expression, fault] : std::vector<std::pair<std::string, std::string>>{
            {"", "expected a number, a name or defined(NAME); found the end of the line"},
            {"1 +", "expected a number, a name or defined(NAME); found the end of the line"},
@@ -151,10 +152,12 @@ TEST(Condition, WhatCannotBeComputedIsAFault) {
            {"18446744073709551616", "'18446744073709551616' is not a whole number of 64 bits"},
            {"1 / 0", "1 / 0 has no value"},
            {"1 % 0u", "1 % 0 has no value"},
+           {"18446744073709551615 / 0", "18446744073709551615 / 0 has no value"},
            {"1 / 0 && 0", "1 / 0 has no value"},
            {"1 << 64", "1 << 64 has no value"},
            {deep, "expected at most 64 brackets and signs in each other; found '('"},
-           {"a29", "expected at most 65536 words"}}) {
+           {"a29", "expected at most 65536 words"},
+           {"long + long", "the condition is longer than 1 MiB with names replaced"}}) {
     const ConditionValue value = value_with(expression, doubled);
     EXPECT_EQ(value.fault.substr(0, fault.size()), fault) << expression;
     EXPECT_FALSE(value.holds) << expression;

@@ -8,6 +8,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/language/profile_json.h"
+#include "ninebit/numerics/profile_fields.h"
 
 namespace ninebit {
 namespace {
@@ -32,6 +33,13 @@ std::string faults_of(const std::string& text) {
   const auto parsed = parse(text);
   EXPECT_FALSE(parsed) << text;
   return test::all_faults(parsed);
+}
+
+// What a profile file may say.
+std::string names_of_keys() {
+  std::string names = "ninebit, version, base, name, chip";
+  for (const ProfileField& field : profile_fields()) names.append(", ").append(field.name);
+  return names;
 }
 
 // A profile on geforce2 with more keys.
@@ -186,20 +194,13 @@ TEST(JsonProfile, EveryFaultHasItsPlace) {
       "mine.json:2:11: \"gefroce2\" is not a shipped profile; expected one of geforce2, geforce2-early-truncation, "
       "geforce256-8bit, nv2a, ideal, float-shader\n"
       "mine.json:3:11: \"nv2a\" is the name of a shipped profile\n"
-      "mine.json:4:3: unknown key \"haf\"; the keys here are ninebit, version, base, name, chip, arithmetic, one, "
-      "lowest, lowest_output, half, expand_offset, byte_shift, general_narrowing, narrowing_point, final_narrowing, "
-      "general_combiners, texture_units, per_stage_constants, blue_to_alpha, mux_by_lowest_bit, "
-      "color_sum_inverts, spare0_alpha_without_texture0, "
-      "disabled_texture_alpha, secondary_alpha, fog_alpha_without_fog, subpixel_bits, "
-      "line_shape, point_shape, "
-      "vertex_color_mantissa_bits, polygon_offset_slope, color_interpolation, color_weights, depth_narrowing, "
-      "fog_narrowing, "
-      "texture_weight_bits, "
-      "texture_weight_narrowing, texture_filter_rounding, texture_bias_narrowing, dxt1_palette\n"
-      "mine.json:5:10: one must be a whole number, not a string\n"
-      "mine.json:6:22: \"two\" is not a valid secondary_alpha; expected one of one, as-given\n"
-      "mine.json:7:20: blue_to_alpha must be true or false, not a number\n"
-      "mine.json:7:40: texture_units must be a whole number from 1 to 4\n");
+      "mine.json:4:3: unknown key \"haf\"; the keys here are " +
+          names_of_keys() +
+          "\n"
+          "mine.json:5:10: one must be a whole number, not a string\n"
+          "mine.json:6:22: \"two\" is not a valid secondary_alpha; expected one of one, as-given\n"
+          "mine.json:7:20: blue_to_alpha must be true or false, not a number\n"
+          "mine.json:7:40: texture_units must be a whole number from 1 to 4\n");
   EXPECT_EQ(faults_of(with(R"("arithmetic": "exact", "half": 127)")),
             "mine.json:1:61: half is not read by this arithmetic; remove it\n");
 }

@@ -11,6 +11,7 @@
 #include "combiner_tests/language/xbox_shapes.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
+#include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/language/xbox_pixel_shader.h"
 
@@ -64,7 +65,8 @@ TEST(ProgramForms, ABracketedPrefixBeforeEachLineIsIgnored) {
   ASSERT_EQ(faulty.faults().size(), 1U) << all_faults(faulty);
   EXPECT_EQ(faulty.faults()[0].line, 3);
   EXPECT_EQ(faulty.faults()[0].column, 6);
-  // A line without a prefix, and JSON.
+  // A second prefix, a line without one, and JSON.
+  EXPECT_FALSE(read_as(ProgramForm::gl, "[a] [b] glEnable(0x8522);\n"));
   EXPECT_FALSE(read_as(ProgramForm::gl, "[12] glEnable(0x8522);\nglDisable(0x8522);\n"));
   EXPECT_EQ(form_of("[\"a\"]\n"), ProgramForm::words_json);
 }
@@ -103,11 +105,17 @@ TEST(ProgramForms, WordsAreReadByRegistersAddressesAndMembers) {
   expect_same(printed, expected);
   EXPECT_EQ(text_of(printed->other_words),
             "PSTextureModes=0x00000021 PSInputTexture=0x00011000 PSDotMapping=0x00000000 ");
+  const std::string small = "$1 = {combiner_control = 0x11102}";
+  expect_same(read_as(ProgramForm::words, "\xEF\xBB\xBF# dump of {xemu}\n/* 1 */ " + small),
+              read_as(ProgramForm::words, small));
+  expect_same(read_as(ProgramForm::words, "\xEF\xBB\xBF/* words */ RC_ENABLE = 0x11102\n"),
+              read_as(ProgramForm::words, small));
   // The words of stage 1, by index and by address.
   expect_same(read_as(ProgramForm::words, "NV_PGRAPH_COMBINECOLORI0[1] = 1\nNV_PGRAPH_COMBINEFACTOR1[7] = 2\n"),
-              read_as(ProgramForm::words, "0x401904 = 1\n0x4018bc = 2\n"));
+              read_as(ProgramForm::words, "0x401904 = 1\n0X4018BC = 2\n"));
   for (const char* text : {"0x401950 = 1\n", "0x1940 = 1\n", "$1 = {a = 1}\n", "$1 = {combiner_control = {1}\n",
-                           "$1 = {rgb_inputs = {1, x}}\n", "$1 = {combiner_control = 1.5}\n"}) {
+                           "$1 = {rgb_inputs = {1, x}}\n", "$1 = {combiner_control = 1.5}\n",
+                           "$1 = {combiner_control = 1}\n$2 = {combiner_control = 1}\n"}) {
     EXPECT_FALSE(read_as(ProgramForm::words, text)) << text;
   }
 }
@@ -131,7 +139,15 @@ TEST(ProgramForms, AssembledShadersAreRead) {
   }
   expect_same(read_as(ProgramForm::tokens, file), expected);
   expect_same(read_as(ProgramForm::tokens, "const BYTE g_ps[] = { " + bytes + " };"), expected);
-  EXPECT_TRUE(read_as(ProgramForm::tokens, "ffff0101 00000001 800f0000 90e40000 0000ffff"));
+  const auto mov = read_as(ProgramForm::tokens, "ffff0101 00000001 800f0000 90e40000 0000ffff");
+  const std::string array = "DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff";
+  expect_same(read_as(ProgramForm::tokens, array + "};\nunsigned int a_len = 20;\n#endif\n"), mov);
+  expect_same(read_as(ProgramForm::tokens, "#if 0\n// compiled\n    ps_1_1\n    mov r0, v0\n#endif\n" + array + "};"),
+              mov);
+  // 50000000 is a number of def in decimal, and too large for it in hexadecimal.
+  EXPECT_TRUE(
+      read_as(ProgramForm::tokens, "4294902017, 81, 2685337600, 50000000, 0, 0, 0, 1, 2148466688, 2699296768, 65535"));
+  EXPECT_FALSE(is_shader_tokens("1, 1, 255, 255, 255, 255, 0, 0"));
   const std::pair<const char*, const char*> refused[] = {
       {"const DWORD vs[] = { 0xfffe0101, 0x0000ffff };",
        "an assembled vertex shader (vs.1.1), which register combiners"},
@@ -144,6 +160,17 @@ TEST(ProgramForms, AssembledShadersAreRead) {
       {"ffff0101 00000001 800f0000 90e40000 0000ffff 00000000",
        "the token 0x00000000 stands behind the end of the shader"},
       {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff}; DWORD b[] = {1};", "expected one shader"},
+      {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff}; mov r0, t0", "1:62: more text stands behind"},
+      {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff, garbage -5 };\nfoo bar;",
+       "1:61: expected a number of 32 bits or '}'; found 'garbage'"},
+      {"DWORD a[] = {0xffff0101, 1, 0x1ffffffff, 0x90e40000, 0xffff };",
+       "1:29: expected a number of 32 bits or '}'; found '0x1ffffffff'"},
+      {"DWORD a[] = {0xffff0101, 0xffff", "expected a number of 32 bits or '}'; found the end of the text"},
+      {"ffff0101 00000001 800f0000 90e4000 0000ffff",
+       "1:28: expected a number of 32 bits or the end of the text; found '90e4000'"},
+      {"BYTE a[] = {1, 1, 255, 255, 255, 256, 0, 0};", "1:34: the value does not fit in 8 bits"},
+      {"BYTE a[] = {1, 1, 255, 255, 255, 255};", "1:29: the last token has 2 of 4 bytes"},
+      {"\x01\x01\xff\xff\xff", "1:5: the last token has 1 of 4 bytes"},
       {"ffff0101 00000001 800f0000 901b0000 0000ffff", "reads components in an order that combiners do not have"},
       {"ffff0101 00000001 800f0000 80e40001 0000ffff", "'r1' is read before it is written"}};
   for (const auto& [text, words_of_fault] : refused) {

@@ -96,6 +96,8 @@ TEST(PixelShaderFaults, OfTheGrammar) {
       {"ps.1.1\n#define M 1\n#if M = 1\n#endif\nmov r0, v0\n", "3:1: #if: expected an operator; found '='\n"},
       {"ps.1.1\n#if\n#endif\nmov r0, v0\n",
        "2:1: #if: expected a number, a name or defined(NAME); found the end of the line\n"},
+      {"ps.1.1\n#define L " + std::string(600'000, '0') + "\n#if L + L\n#endif\nmov r0, v0\n",
+       "3:1: #if: the condition is longer than 1 MiB with names replaced\n"},
       {"ps.1.1\n#if 1 / 0\n#endif\nmov r0, v0\n", "2:1: #if: 1 / 0 has no value\n"},
       {"ps.1.1\nmvo r0, v0\nmov r0, v9\nmov r0, v0, \n",
        "2:1: 'mvo' is not an instruction of ps.1.1; did you mean 'mov'?\n3:9: ps.1.1 has only v0 to v1, found 'v9'\n"

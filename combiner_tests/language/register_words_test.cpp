@@ -297,6 +297,12 @@ const WordFault kFaults[] = {
     {k20, "RC_IN_RGB[8] = 0x0", 1, 1, "is out of range for NV20"},
     {k10, "RC_ENABLE = 0x1", 1, 1, "is a word of NV20, not of NV10"},
     {k10, "RC_COLOR[0] = 0x0\nRC_FACTOR[0] = 0x0", 2, 1, "was given before, in line 1 as RC_COLOR[0]"},
+    {k20, "0X401950 = 1", 1, 1, "0X401950 is not the address of a combiner register, such as 0x401940"},
+    {k20, "PSDotMapping = 1\nNV_PGRAPH_SHADERCTL = 2", 2, 1, "PSDotMapping was given before, in line 1"},
+    {k20, "NV_PGRAPH_SHADERCTL = 2\nPSDotMapping = 1", 2, 1, "PSDotMapping was given before, in line 1"},
+    {k20, "$1 = {combiner_control = 1}\n$2 = {combiner_control = 2}", 2, 1,
+     "expected the end of the text behind the struct; found '$'"},
+    {k20, "/* a\nb */ RC_IN_RGB[0] 0x0", 2, 19, "expected = after RC_IN_RGB[0]; found '0'"},
     // Masks and reserved codes.
     {k10, "RC_IN_RGB[0] = 0x06000000", 1, 1, "variable A (bits 27..24) has the register code 0x6"},
     {k10, "RC_IN_RGB[0] = 0x00070000", 1, 1, "variable B (bits 19..16) has the register code 0x7"},

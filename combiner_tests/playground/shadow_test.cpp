@@ -138,7 +138,7 @@ TEST(PlaygroundShadow, RefusesWhatItCannotDraw) {
     request.update(more);
     return fault_of_answer(ask(engine, request));
   };
-  EXPECT_NE(refused({{"map_size", 100}}).find("power of two"), std::string::npos);
+  EXPECT_NE(refused({{"map_size", 100}}).find("a power of two from 1 to 2048"), std::string::npos);
   EXPECT_NE(refused({{"step", 17}}).find("from 1 to 16"), std::string::npos);
   EXPECT_NE(refused({{"scope", "section"}}).find("unknown key \"scope\""), std::string::npos);
   EXPECT_NE(refused({{"scene", "nowhere.glb"}}).find("is no file that was put"), std::string::npos);

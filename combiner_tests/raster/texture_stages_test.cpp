@@ -307,5 +307,91 @@ TEST(TextureStages, BatchesWithMipMapsAgree) {
   }
 }
 
+// Runs batches of random coordinates, in which arrays that no stage reads are null, and expects what single fragments
+// give, which it returns.
+std::vector<TextureShaderResult> expect_same_batches(const TextureStages& stages, Random& random) {
+  std::array<std::array<std::vector<float>, 4>, kTextureStages> given;
+  StageBatch batch;
+  for (int u = 0; u < kTextureStages; ++u) {
+    for (int k = 0; k < 4; ++k) {
+      auto& array = given[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)];
+      for (std::size_t i = 0; i < kStageFragments; ++i) array.push_back(random.real_f(-2, 2));
+      if (stages.reads(u, k)) batch.value[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] = array.data();
+    }
+  }
+  std::vector<TextureShaderResult> results;
+  for (std::size_t i = 0; i < kStageFragments; ++i) {
+    StageInputs inputs;
+    for (std::size_t u = 0; u < kTextureStages; ++u) {
+      for (std::size_t k = 0; k < 4; ++k) inputs.at[u][k] = given[u][k][i];
+    }
+    results.push_back(stages.evaluate(inputs));
+  }
+  for (const std::int64_t target : simd_targets()) {
+    const OnTarget on(target);
+    StageBatchResult result;
+    StageOutputs outputs;
+    for (std::size_t u = 0; u < kTextureStages; ++u) outputs.codes[u] = result.codes[u].at();
+    stages.run(batch, kStageFragments, outputs);
+    for (std::size_t i = 0; i < kStageFragments; ++i) {
+      for (std::size_t u = 0; u < kTextureStages; ++u) {
+        EXPECT_EQ(result.codes[u].of(i), results[i].stage[u].codes)
+            << simd_target_name(target) << ", fragment " << i << ", stage " << u;
+      }
+    }
+  }
+  return results;
+}
+
+// The stages of dot products on the texel of stage 0, without a texture on unit 3.
+TextureShaderState dot_products(TextureOperation two, TextureOperation three) {
+  TextureShaderState state;
+  state.enabled = true;
+  state.rules = StageRules::nv2a;
+  state.stage[0].operation = TextureOperation::texture_2d;
+  state.stage[1].operation = TextureOperation::dot_product;
+  state.stage[2].operation = two;
+  state.stage[3].operation = three;
+  return state;
+}
+
+TEST(TextureStages, ADiffuseCubeMapReadsTheStageAfterItEvenIfThatIsInconsistent) {
+  Random random(kStageSeed + 2);
+  const Texture flat = random_texture(random, TextureTarget::texture_2d, InternalFormat::rgba8, 4, 4, false),
+                cube = random_texture(random, TextureTarget::cube_map, InternalFormat::rgba8, 4, 4, false);
+  StageUnits units{.texture = {&flat, nullptr, &cube, nullptr}};
+  units.sampler.fill(kNearestSampler);
+  const auto stages = TextureStages::make(
+      profiles::nv2a,
+      dot_products(TextureOperation::dot_product_diffuse_cube_map, TextureOperation::dot_product_reflect_cube_map),
+      units);
+  ASSERT_TRUE(stages.ok()) << stages.error().text();
+  ASSERT_TRUE(stages->program().stage[2].inconsistent.empty());
+  ASSERT_FALSE(stages->program().stage[3].inconsistent.empty());
+  for (int k = 0; k < 3; ++k) ASSERT_TRUE(stages->reads(3, k)) << k;
+  EXPECT_FALSE(stages->reads(3, 3));
+  expect_same_batches(*stages, random);
+}
+
+// A depth is compared with r, which is 0 where two dot products are the coordinates.
+TEST(TextureStages, TwoDotProductsCompareADepthWithZero) {
+  Random random(kStageSeed + 3);
+  const Texture flat = random_texture(random, TextureTarget::texture_2d, InternalFormat::rgba8, 4, 4, false);
+  const std::vector<std::uint32_t> half{0x7FFFFF};
+  const Texture depth = make_texture(TextureTarget::texture_2d, InternalFormat::depth24, {{{1, 1, half}}}).value();
+  StageUnits units{.texture = {&flat, nullptr, &depth, nullptr}};
+  units.sampler.fill(kNearestSampler);
+  units.sampler[2].comparison = DepthComparison::lequal;
+  const auto stages = TextureStages::make(
+      profiles::nv2a, dot_products(TextureOperation::dot_product_2d, TextureOperation::none), units);
+  ASSERT_TRUE(stages.ok()) << stages.error().text();
+  int above_half = 0;
+  for (const TextureShaderResult& one : expect_same_batches(*stages, random)) {
+    EXPECT_EQ(one.stage[2].codes, (Rgba9{255, 255, 255, 255}));
+    above_half += *one.stage[1].dot > 0.5F ? 1 : 0;
+  }
+  EXPECT_GT(above_half, 0);
+}
+
 }  // namespace
 }  // namespace ninebit::test

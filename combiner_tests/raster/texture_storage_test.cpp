@@ -51,7 +51,7 @@ TEST(TextureCheck, RefusesWhatGlWouldHaveRefused) {
   bad.faces[5][0].height = 2;
   EXPECT_EQ(complaint(bad), "level 0 of cube-map face 5 is 4 x 2; the faces of a cube map must be square");
   bad.format = InternalFormat::depth16;
-  EXPECT_EQ(complaint(bad), "a cube map has a depth format; only 2D textures can");
+  EXPECT_EQ(complaint(bad), "a cube map has a depth format; expected a 1D, 2D or rectangle texture");
 }
 
 // The same texels, interleaved, have the same mip-maps.
@@ -122,6 +122,15 @@ TEST(TextureStorage, CountsSamplesAndDepthCodes) {
   EXPECT_FALSE(make_texture(TextureTarget::cube_map, InternalFormat::rgb8, {{}, {}}).ok());
   EXPECT_EQ(make(InternalFormat::rgb8, {1 << 30, 1 << 30, std::vector<std::uint8_t>(3)}).substr(0, 26),
             "a texture image is 1073741");
+  // What a side may be depends on the target.
+  const auto sides = [](TextureTarget target, TextureSamples image) {
+    const auto made = make_texture(target, InternalFormat::alpha8, {{std::move(image)}});
+    return made ? std::string() : made.error().message;
+  };
+  EXPECT_EQ(sides(TextureTarget::rectangle, {0, 3, std::vector<std::uint8_t>(1)}),
+            "a texture image is 0 x 3; each side must be from 1 to 16384");
+  EXPECT_EQ(sides(TextureTarget::texture_3d, {1024, 1, std::vector<std::uint8_t>(2048), 2}),
+            "a texture image is 1024 x 1 x 2; each side must be a power of two from 1 to 512");
 }
 
 // Planes of a surface with padded rows, and of depth, are textures as they are.

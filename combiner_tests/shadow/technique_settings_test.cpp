@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -80,6 +82,31 @@ TEST(TechniqueSettings, InvalidTextsHaveNoValue) {
                                                                   {"style", ""}}) {
     EXPECT_FALSE(setting(name).value_of(text)) << name << ' ' << text;
   }
+}
+
+TEST(TechniqueSettings, ValuesOfAnotherKindAreNotAllowed) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  for (const char* name : {"map-size", "index-step"}) {
+    for (const SettingValue& value : {SettingValue{}, {1.5}, {kNaN}, {1e300}, {1, 1}}) {
+      EXPECT_FALSE(setting(name).allows(value)) << name;
+    }
+    EXPECT_TRUE(setting(name).allows({4})) << name;
+  }
+  EXPECT_TRUE(setting("bias").allows({}));
+  EXPECT_FALSE(setting("kernel").allows({}));
+}
+
+TEST(TechniqueSettings, RealNumbersAreShownAsPeopleWriteThem) {
+  EXPECT_EQ(shortest_decimal(0.1F), 0.1);
+  EXPECT_EQ(shortest_decimal(16384), 16384);
+}
+
+TEST(TechniqueSettings, ANewTechniqueReadsWhatAllRead) {
+  const auto all = technique_settings();
+  const auto common = std::find_if(all.begin(), all.end(),
+                                   [](const TechniqueSetting& s) { return s.group->readers == kAllTechniques; });
+  ASSERT_NE(common, all.end());
+  EXPECT_TRUE(is_read(*common, "table", {}));
 }
 
 TEST(TechniqueSettings, EachTechniqueReadsItsOwn) {

@@ -66,8 +66,9 @@ TEST(TextureShaderValidate, AllFaultsAreReportedEnumerantsFirst) {
   state.stage[3].mapping = DotMapping::hilo_hemisphere_gl;
   const auto found = validate(state, profiles::nv2a);
   ASSERT_EQ(found.size(), 5U);
-  EXPECT_EQ(found[0].message, "texture stage 1: unknown dot-product mapping");
-  EXPECT_EQ(found[1].message, "texture stage 1: the previous stage is 1, which is not before this one");
+  EXPECT_EQ(found[0].message, "texture stage 1: unknown dot-product mapping; expected an enumerator of DotMapping");
+  EXPECT_EQ(found[1].message,
+            "texture stage 1: the previous stage is 1, which is not before this one; expected one from 0 to 0");
   EXPECT_EQ(found[1].gl_error, GlError::invalid_operation);
   EXPECT_EQ(found[2].message, "texture stage 2: the previous stage is 4; expected one from 0 to 1");
   EXPECT_EQ(found[3].message, "texture stage 2: an entry of the offset matrix is not a number (NaN); expected numbers");
@@ -77,7 +78,7 @@ TEST(TextureShaderValidate, AllFaultsAreReportedEnumerantsFirst) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(std::count(refused.error().message.begin(), refused.error().message.end(), '\n'), 4);
   TextureShaderState unknown = state_of(static_cast<Op>(77));
-  expect_fault(unknown, GlError::invalid_enum, "unknown operation", 0);
+  expect_fault(unknown, GlError::invalid_enum, "unknown operation; expected an enumerator of TextureOperation", 0);
 }
 
 TEST(TextureShaderOperations, NamesAndWordsAreTheirOwn) {

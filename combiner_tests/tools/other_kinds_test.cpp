@@ -154,7 +154,9 @@ TEST(OtherKinds, GivenAsASceneAPictureAnEffectOrAPart) {
   expect({"draw", kArticle, "-o", out + ".png", "--mesh", picture}, picture + textures);
   expect({"draw", kArticle, "-o", out + ".png", "--tex0", kRoom}, kRoom + draws);
   expect({"draw", kRoom, "-o", out + ".png"}, kRoom + draws);
-  expect({"draw", page, "-o", out + ".png"}, page + ": this is a Markdown page; expected a combiner program");
+  expect({"draw", page, "-o", out + ".png"}, page +
+                                                 ": this is a Markdown page; expected a combiner program: GL calls, an "
+                                                 "!!RC1.0 program, a ps.1.x pixel shader, an assembled");
   expect({"render", kRoom, "-o", out, "--technique", "light-cookie", "--cookie", effect}, effect + effects);
   expect({"trace", "--effect", kRoom, "--pixel", "1,1"}, kRoom + draws);
   expect({"study", "merge", kArticle, "-o", out}, kArticle + explains);

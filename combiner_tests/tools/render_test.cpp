@@ -42,7 +42,7 @@ TEST_P(RealScenes, AnswersWithTheContractsKeys) {
   const Json answer = json_of(outcome);
   EXPECT_EQ(keys_of(answer),
             (Keys{"command", "version", "technique", "profile", "scene", "triangles", "size", "supersample", "map_size",
-                  "index", "pixels", "time_ms", "facts", "ignored", "files", "hash"}));
+                  "settings", "index", "pixels", "time_ms", "facts", "ignored", "files", "hash"}));
   EXPECT_EQ(keys_of(answer["index"]), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order"}));
   EXPECT_EQ(keys_of(answer["pixels"]), (Keys{"background", "lit", "shadowed"}));
   EXPECT_EQ(keys_of(answer["time_ms"]),

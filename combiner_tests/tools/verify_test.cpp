@@ -84,7 +84,15 @@ TEST_F(Verify, TextureShaderStagesOfAnNv2a) {
 TEST_F(Verify, WrongTablesOfTextureShaderStages) {
   const std::string lum = "scale,offset,L,T,out\n1,0,255,255,255\n";
   EXPECT_EQ(verify(lum, {"--profile", "nv2a"}).code, 0);
-  expect_error(verify(lum, {"--profile", "geforce2"}), 3, {"rows.csv:2:1", "geforce2 has no texture shaders"});
+  expect_error(verify(lum, {"--profile", "geforce2"}), 3,
+               {"rows.csv:2:1", "geforce2 has no texture shaders", "use --profile nv2a"});
+  for (const std::string number : {"nan", "inf", "1e308", "-1e39"}) {
+    expect_error(verify("scale,offset,L,T,out\n1," + number + ",255,255,255\n", {"--profile", "nv2a"}), 3,
+                 {"rows.csv:2:3", "offset must be a number within ±3.4e38, not '" + number + "'"});
+  }
+  const std::string offsets = "picture,Bs,Gs,i,j,b_first,g_first,b_last,g_last,b,g,m00,m01,m11,m10,class\n";
+  expect_error(verify(offsets + "p,0,0,1,1,0,0,0,0,0,0,1,nan,1,0,0\n", {"--profile", "nv2a"}), 3,
+               {"rows.csv:2:25", "m01 must be a number within ±3.4e38, not 'nan'"});
   const std::string cube = "mode,mapping,eye,cube,R,G,B,A,face,tx,ty,pic_r,pic_g,pic_b,tex\n";
   expect_error(verify(cube), 3, {"the comments do not state rows of cube 0", "# rows of cube 0: 1 0 1"});
   const std::string rows = "# rows of cube 0: 1 0 0; 0 1 0; 0 0 1\n# rows of cube 1: 1 0 0; 0 1 0; 0 0 1\n";
@@ -92,13 +100,25 @@ TEST_F(Verify, WrongTablesOfTextureShaderStages) {
   EXPECT_EQ(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,255,119,119,C\n").code, 0);
   EXPECT_EQ(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,255,119,118,C\n").code, 1);
   expect_error(one("SPEC,0to1,0 0,0,255,0,0,255,0,32,32,1,2,3,C\n"), 3, {"eye must be three whole numbers", "'0 0'"});
+  expect_error(one("SPEC,0to1,0 0 x 1,0,255,0,0,255,0,32,32,1,2,3,C\n"), 3,
+               {"eye must be three whole numbers", "'0 0 x 1'"});
   expect_error(one("STR,0to1,,0,255,0,0,255,0,32,32,1,2,3,C\n"), 3, {"mode must be one of STR_CUBE", "'STR'"});
-  expect_error(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,1,2,3,R\n"), 3, {"tex R is in nv2a_cube_radial.csv"});
+  expect_error(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,1,2,3,R\n"), 3,
+               {"tex R is in nv2a_cube_radial.csv", "there is none"});
+  const std::string radial = folder_ / "nv2a_cube_radial.csv";
+  for (const std::string number : {"nan", "inf", "-1", "256", "1e300", "1.5"}) {
+    write_bytes(radial, "1,255\n0," + number + "\n");
+    expect_error(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,1,2,3,R\n"), 3,
+                 {"nv2a_cube_radial.csv:2:3", "expected a whole number from 0 to 255, not '" + number + "'"});
+  }
+  write_bytes(radial, "1,255\n");
+  expect_error(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,1,2,3,R\n"), 3, {"64 rows of 64 numbers; it has 2 numbers"});
   const std::string cull = "modes,s0,t0,r0,q0,s1,t1,r1,q1,s2,t2,r2,q2,visible\n";
   expect_error(verify(cull + "012,0,0,0,0,0,0,0,0,0,0,0,0,3\n", {"--profile", "nv2a"}), 3,
                {"modes must be four digits 0 or 1", "'012'"});
   const std::string words = "# over (32,32,32,254)\nformat,word,pic_r,pic_g,pic_b,pic_a\n";
-  expect_error(verify(words + "A8,0x100,1,2,3,4\n", {"--profile", "nv2a"}), 3, {"word must have at most 8 bits"});
+  expect_error(verify(words + "A8,0x100,1,2,3,4\n", {"--profile", "nv2a"}), 3,
+               {"word must have at most 8 bits, not '0x100'"});
   expect_error(verify(words + "P8,0x1,1,2,3,4\n", {"--profile", "nv2a"}), 3, {"such as A8R8G8B8", "'P8'"});
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <type_traits>
 
@@ -350,10 +352,13 @@ std::string TechniqueSetting::key() const {
 }
 
 bool TechniqueSetting::allows(const SettingValue& value) const {
-  if (kind == SettingKind::word || kind == SettingKind::files || value.empty()) return true;
+  if (kind == SettingKind::word || kind == SettingKind::files) return true;
+  if (value.empty()) return get(RenderSettings{}).empty();  // the technique may choose
+  const auto is_whole = [](double n) { return n == std::floor(n); };
+  const auto is_power = [](double n) { return (static_cast<int>(n) & (static_cast<int>(n) - 1)) == 0; };
   return value.size() == numbers && std::all_of(value.begin(), value.end(), [&](double n) {
-           if (power_of_two && (static_cast<long long>(n) & (static_cast<long long>(n) - 1)) != 0) return false;
-           return n >= least && n <= greatest;  // false for NaN
+           return n >= least && n <= greatest && (kind == SettingKind::real || is_whole(n)) &&
+                  (!power_of_two || is_power(n));  // false for NaN
          });
 }
 
@@ -383,6 +388,10 @@ std::string TechniqueSetting::text_of(const SettingValue& value) const {
   return text;
 }
 
+double shortest_decimal(double value) {
+  return std::strtod(fmt::format("{}", static_cast<float>(value)).c_str(), nullptr);
+}
+
 std::span<const TechniqueSetting> technique_settings() {
   return kSettings;
 }
@@ -395,7 +404,8 @@ const TechniqueSetting* find_technique_setting(std::string_view name) {
 }
 
 bool is_read(const TechniqueSetting& setting, std::string_view technique, const RenderSettings& settings) {
-  return (setting.group->readers & readers_of(technique, settings)) != 0;
+  const unsigned readers = setting.group->readers;
+  return readers == kAllTechniques || (readers & readers_of(technique, settings)) != 0;
 }
 
 }  // namespace ninebit

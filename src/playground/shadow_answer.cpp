@@ -79,6 +79,7 @@ void read_setting(Request& request, const std::string& key, const TechniqueSetti
   if (request.failed()) return;
   if (asked && setting.allows(*asked)) return setting.set(settings, *asked);
   std::string expected(setting.expected);
+  if (setting.power_of_two) expected = "a power of two from 1 to " + std::to_string(kMaxShadowMap);
   for (const SettingWord& word : setting.words) expected += (expected.empty() ? "" : " or ") + std::string(word.word);
   request.reader().fault(value->offset, key + " is not valid; expected " + expected);
 }

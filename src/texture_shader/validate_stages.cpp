@@ -1,7 +1,10 @@
 #include "ninebit/texture_shader/validate_stages.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace ninebit {
 namespace {
@@ -28,13 +31,15 @@ std::string stages_of(const TextureOperationInfo& info) {
 // A caller may have cast any number to these enumerations. Evaluation relies on their enumerators.
 bool are_enumerators(const TextureStage& stage, Findings& findings) {
   if (stage.operation > TextureOperation::brdf) {
-    findings.add(GlError::invalid_enum, "unknown operation");
+    findings.add(GlError::invalid_enum, "unknown operation; expected an enumerator of TextureOperation");
     return false;
   }
-  if (stage.mapping > DotMapping::hilo_hemisphere) findings.add(GlError::invalid_enum, "unknown dot-product mapping");
+  if (stage.mapping > DotMapping::hilo_hemisphere) {
+    findings.add(GlError::invalid_enum, "unknown dot-product mapping; expected an enumerator of DotMapping");
+  }
   const auto is_unknown = [](CullMode mode) { return mode > CullMode::kills_not_negative; };
   if (std::any_of(stage.cull.begin(), stage.cull.end(), is_unknown)) {
-    findings.add(GlError::invalid_enum, "unknown cull mode");
+    findings.add(GlError::invalid_enum, "unknown cull mode; expected an enumerator of CullMode");
   }
   return true;
 }
@@ -58,8 +63,9 @@ void check_stage(int place, const TextureStage& stage, Findings& findings) {
     findings.add(GlError::invalid_enum, "the previous stage is " + std::to_string(stage.previous) +
                                             "; expected one from 0 to " + std::to_string(std::max(place - 1, 0)));
   } else if (place > 0 ? stage.previous >= place : stage.previous != 0) {
-    findings.add(GlError::invalid_operation,
-                 "the previous stage is " + std::to_string(stage.previous) + ", which is not before this one");
+    findings.add(GlError::invalid_operation, "the previous stage is " + std::to_string(stage.previous) +
+                                                 ", which is not before this one; expected one from 0 to " +
+                                                 std::to_string(std::max(place - 1, 0)));
   }
   if (place < info.first || place > info.last) {
     findings.add(GlError::invalid_operation, name + " is for " + stages_of(info) + " only");
@@ -84,13 +90,19 @@ std::vector<TextureShaderDiagnostic> validate(const TextureShaderState& state, c
     findings.add(GlError::invalid_enum,
                  "profile " + std::string(profile.name) + " has no texture shaders (NV_texture_shader)");
   }
-  if (state.rules > StageRules::nv2a) findings.add(GlError::invalid_enum, "unknown rules of consistency");
-  if (state.depth_unit > DepthUnit::codes) findings.add(GlError::invalid_enum, "unknown unit of replaced depths");
+  if (state.rules > StageRules::nv2a) {
+    findings.add(GlError::invalid_enum, "unknown rules of consistency; expected an enumerator of StageRules");
+  }
+  if (state.depth_unit > DepthUnit::codes) {
+    findings.add(GlError::invalid_enum, "unknown unit of replaced depths; expected an enumerator of DepthUnit");
+  }
   for (int place = 0; place < kTextureStages; ++place) {
     const TextureStage& stage = state.stage[static_cast<std::size_t>(place)];
     findings.at(place);
     if (place >= profile.texture_units && stage.operation != TextureOperation::none) {
-      findings.add(GlError::invalid_enum, "profile " + std::string(profile.name) + " has " +
+      const std::string unit = std::to_string(place);
+      findings.add(GlError::invalid_enum, "the stage needs texture unit " + unit + "; profile " +
+                                              std::string(profile.name) + " has " +
                                               std::to_string(profile.texture_units.value) + " texture units");
     }
     check_stage(place, stage, findings);

@@ -1,6 +1,6 @@
 // The settings of techniques as one table.
 //
-// A setting stands in RenderSettings, in this table, and in the technique that reads it. Everything that goes through
+// A setting is a member of RenderSettings, a row of this table, and read by a technique. Everything that goes through
 // the settings one by one walks the table: flags with their groups, help and checks, JSON, the axes of sweeps, Python,
 // the requests of pages.
 #pragma once
@@ -75,9 +75,12 @@ struct TechniqueSetting {
   [[nodiscard]] std::string_view word_of(int enumerator) const;
   // A value as such a text.
   [[nodiscard]] std::string text_of(const SettingValue& value) const;
-  // Whether each number is in range.
+  // Whether each number is in range and of the kind. An empty value is allowed where the default is one.
   [[nodiscard]] bool allows(const SettingValue& value) const;
 };
+
+// The double of a float's shortest decimal form: 0.1F becomes 0.1. Real settings are floats; JSON and rows show these.
+[[nodiscard]] double shortest_decimal(double value);
 
 // All settings of techniques, in the order of the help.
 [[nodiscard]] std::span<const TechniqueSetting> technique_settings();

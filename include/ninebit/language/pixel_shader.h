@@ -33,12 +33,12 @@ namespace NINEBIT_PUBLIC ninebit {
 [[nodiscard]] Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile);
 
 // Whether a text begins with the tokens of a shader that Direct3D's assembler or compiler made: bytes of a file,
-// numbers, or a C array of words or bytes, "const DWORD ps[] = { 0xffff0101, …". Vertex shaders and later versions are
-// some, too.
+// numbers, or a C array of words or bytes, "const DWORD ps[] = { 0xffff0101, …". Vertex shaders and later versions
+// count, too.
 [[nodiscard]] bool is_shader_tokens(std::string_view text);
 
-// Translates the tokens of an assembled ps.1.0 to ps.1.4, as parse_pixel_shader() translates its text. Other
-// shaders are a fault that names them, and so is other text behind the last token.
+// Translates the tokens of an assembled ps.1.0 to ps.1.4, as parse_pixel_shader() translates its text. Reports other
+// shaders by name, and text after the last token.
 [[nodiscard]] Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile);
 
 // What print_pixel_shader() prints, assembled: a C array of words.

@@ -89,7 +89,7 @@ struct TextureCoordinates {
   std::array<const float*, 3> dy{};     // to the fragment above
 };
 
-// Who reads a sampler's texels.
+// The reader of a sampler's texels.
 enum class TexelUse : std::uint8_t {
   registers,  // the combiners: codes
   stages      // texture-shader stages: bytes, signed ones in two's complement, and all that the format stores

@@ -39,7 +39,7 @@ struct StageBatch {
   std::array<std::array<const float*, 4>, kTextureStages> dy{};     // to the fragment above
 };
 
-// What a batch gives.
+// The results of a batch.
 struct StageOutputs {
   std::array<std::array<s9*, 4>, kTextureStages> codes{};  // [unit][red, green, blue, alpha]: what the combiners read
   std::uint8_t* killed = nullptr;  // 1: the fragment is culled, else 0; needed if the stages cull()

@@ -35,7 +35,7 @@ struct TexturePlace {
 // H = 256 A + R and L = 256 G + B.
 using FetchTexel = std::function<Bytes4(int unit, const TexturePlace& place)>;
 
-// What a stage computed.
+// The values of one stage.
 struct StageValues {
   Bytes4 input{};                              // the texel of the previous stage, if one is read
   std::optional<std::array<float, 3>> normal;  // that texel as the factor of the dot product
@@ -46,7 +46,7 @@ struct StageValues {
   Rgba9 codes{};                               // what the combiners read
 };
 
-// What all stages gave for a fragment.
+// The results of all stages for one fragment.
 struct TextureShaderResult {
   std::array<StageValues, kTextureStages> stage;  // in the order of the units
   bool is_culled = false;                         // by CULL_FRAGMENT; the stages are evaluated all the same

@@ -49,7 +49,7 @@ struct ProgramTextureStage {
 struct TextureShaderProgram {
   StageChoices choices;                                   // of the profile
   DepthUnit depth_unit = DepthUnit::window;               // of replaced depths
-  bool converts_yuv = false;                              // of every stage's result
+  bool converts_yuv = false;                              // of every stage that reads a texture; of others assumed
   std::array<ProgramTextureStage, kTextureStages> stage;  // in the order of the units
   friend constexpr bool operator==(const TextureShaderProgram&, const TextureShaderProgram&) = default;
 
@@ -60,8 +60,8 @@ struct TextureShaderProgram {
 // Whether an operation's stage computes a dot product.
 [[nodiscard]] bool has_dot_product(TextureOperation operation);
 
-// Compiles stages. Reports what validate() reports; the message has one line for each fault. Inconsistent stages are no
-// faults: they give (0, 0, 0, 0), and so does what reads them. A stage is inconsistent if its texture is missing,
+// Compiles stages. Reports what validate() reports; the message has one line for each fault. Inconsistent stages are
+// not faults: they give (0, 0, 0, 0), and so does what reads them. A stage is inconsistent if its texture is missing,
 // incomplete or of another target, if the stage that it reads gives no texel or is inconsistent itself, if dot products
 // before it are missing, and, by OpenGL's rules, if the formats do not suit (NV_texture_shader, 3.8.13.1).
 [[nodiscard]] Result<TextureShaderProgram> compile(const TextureShaderState& state, const StageTextures& textures,

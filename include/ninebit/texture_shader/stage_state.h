@@ -17,7 +17,7 @@ inline constexpr int kTextureStages = 4;
 // are its bytes, s8() and s16() two's complement, H = 256 A + R, L = 256 G + B.
 enum class DotMapping : std::uint8_t {
   zero_to_one,          // (R, G, B) / 255; GL_UNSIGNED_IDENTITY_NV
-  minus1_to_1_d3d,      // ((R, G, B) - 128) / 127; GL_EXPAND_NORMAL_NV
+  minus1_to_1_d3d,      // ((R, G, B) - 128) / 127; GL_EXPAND_NORMAL_NV by this mapping is assumed
   minus1_to_1_gl,       // (2 s8(R, G, B) + 1) / 255
   minus1_to_1,          // s8(R, G, B) / 127; signed textures of OpenGL
   hilo_1,               // (H, L, 65535) / 65535; GL_HILO_NV
@@ -61,10 +61,11 @@ struct TextureStage {
 
 // All stages.
 struct TextureShaderState {
-  bool enabled = false;                              // GL_TEXTURE_SHADER_NV; if off, units work as in plain OpenGL
-  StageRules rules = StageRules::open_gl;            // of consistency
-  DepthUnit depth_unit = DepthUnit::window;          // of replaced depths
-  bool converts_yuv = false;                         // NV097_SET_CONTROL0: texels of all stages go from YUV to RGB
+  bool enabled = false;                      // GL_TEXTURE_SHADER_NV; if off, units work as in plain OpenGL
+  StageRules rules = StageRules::open_gl;    // of consistency
+  DepthUnit depth_unit = DepthUnit::window;  // of replaced depths
+  // NV097_SET_CONTROL0: from YUV to RGB, of every stage that reads a texture; of others assumed.
+  bool converts_yuv = false;
   std::array<TextureStage, kTextureStages> stage{};  // in the order of the units
   friend constexpr bool operator==(const TextureShaderState&, const TextureShaderState&) = default;
 };

@@ -41,7 +41,8 @@ ConditionNumber from_operands(ConditionNumber result, const ConditionNumber& a, 
 }
 
 std::string text_of(const Number& number) {
-  return std::to_string(number.integer);
+  return number.kinds == code::kUint64 ? std::to_string(static_cast<std::uint64_t>(number.integer))
+                                       : std::to_string(number.integer);
 }
 
 ConditionNumber applied(std::string_view mark, const ConditionNumber& a, const ConditionNumber& b) {
@@ -211,6 +212,8 @@ class ConditionParser {
       if (is_open || texts_.size() > static_cast<std::size_t>(kDeepestCondition)) return;
       auto body = names_.body_of(token_.text);
       if (!body) return;
+      opened_ += body->size();
+      if (opened_ > kMostConditionBytes) return fail(std::string(kLongCondition), false);
       open(std::string(token_.text), *std::move(body));
     }
   }
@@ -229,7 +232,7 @@ class ConditionParser {
   std::vector<OpenText> texts_;
   std::vector<std::unique_ptr<const std::string>> closed_;  // which tokens may still be parts of
   Token token_;
-  std::size_t taken_ = 0;
+  std::size_t taken_ = 0, opened_ = 0;  // tokens; bytes of bodies
   std::string fault_;
 };
 

@@ -1,12 +1,17 @@
 // The conditions of #if and #elif: C's constant expressions over the names that a preprocessor has.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace ninebit::detail {
+
+// The longest expression with names replaced, in bytes; and the most bytes of the bodies that replace names in it.
+inline constexpr std::size_t kMostConditionBytes = std::size_t{1} << 20;
+inline constexpr std::string_view kLongCondition = "the condition is longer than 1 MiB with names replaced";
 
 // The names that a preprocessor has.
 struct ConditionNames {

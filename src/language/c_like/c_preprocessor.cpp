@@ -17,6 +17,12 @@ std::string text_of(const std::vector<Token>& tokens) {
   return out;
 }
 
+bool is_too_long(const std::vector<Token>& condition) {
+  std::size_t bytes = 0;
+  for (const Token& token : condition) bytes += token.text.size() + 1;
+  return bytes > detail::kMostConditionBytes;
+}
+
 }  // namespace
 
 Preprocessor::Preprocessor(std::string_view text, Macros& macros, PreprocessorOptions options)
@@ -141,8 +147,10 @@ Answer Preprocessor::answer(const Token& directive, const std::vector<Token>& li
     const bool parenthesis = asked[i - 1].is("(") && i > 1;
     asked[i].is_final = asked[i - (parenthesis ? 2 : 1)].is("defined");
   }
+  const std::vector<Token> expression = expand_tokens(macros_, asked);
+  if (is_too_long(expression)) return {false, false, {}, std::string(detail::kLongCondition)};
   bool is_sure = true;
-  const auto value = detail::condition_value(text_of(expand_tokens(macros_, asked)),
+  const auto value = detail::condition_value(text_of(expression),
                                              {.is_defined =
                                                   [&](std::string_view name) {
                                                     const bool known = is_defined(name);

@@ -31,7 +31,7 @@ struct PreprocessorOptions {
   std::function<const std::string*(std::string_view)> include{};
   // An #include that is not read: the directive, its line.
   std::function<void(const Token&, const std::vector<Token>&)> skipped{};
-  // What is wrong with a directive of the text itself, and where. Without this function it is passed over.
+  // What is wrong with a directive of the text itself, and where. Without this function it is ignored.
   std::function<void(const Token&, const std::string&)> fault{};
 };
 

@@ -101,7 +101,9 @@ const std::array kForms{
     Form{.name = "ps",
          .title = "Pixel shader ps.1.x",
          .kind = "a ps.1.x pixel shader",
-         .detect = [](std::string_view text, std::string_view) { return is_pixel_shader(text); },
+         // The compiler's header of tokens has the text before them, between #if 0 and #endif.
+         .detect = [](std::string_view text,
+                      std::string_view) { return is_pixel_shader(text) && !is_shader_tokens(text); },
          .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
                      Words&) { return parse_pixel_shader(source, profile, options.source.definitions); },
          .takes_definitions = true},
@@ -232,7 +234,8 @@ std::vector<std::string> written_form_names() {
 }
 
 std::optional<ProgramForm> detected_form(std::string_view text) {
-  if (const auto plain = without_line_prefixes(text)) return detected_form(*plain);
+  const auto plain = without_line_prefixes(text);
+  if (plain) text = *plain;
   const std::string_view content = without_heading(text);
   for (std::size_t i = 0; i < kForms.size(); ++i) {
     if (kForms[i].detect != nullptr && kForms[i].detect(text, content)) return static_cast<ProgramForm>(i);
@@ -250,11 +253,10 @@ ChipClass chip_of(const HardwareProfile& profile) {
 
 Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form, const HardwareProfile& profile,
                                   const ReadOptions& options) {
-  if (const auto plain = without_line_prefixes(source.text)) {
-    return parse_program({*plain, source.file, source.written, source.begin}, form, profile, options);
-  }
+  const auto plain = without_line_prefixes(source.text);
+  const SourceText read = plain ? SourceText{*plain, source.file, source.written, source.begin} : source;
   Words other_words;
-  State state = form_row(form).parse(source, profile, options, other_words);
+  State state = form_row(form).parse(read, profile, options, other_words);
   if (!state) return {state.faults(), std::move(state.notes)};
   return {TextProgram{*state, std::move(other_words)}, std::move(state.notes)};
 }

@@ -65,7 +65,7 @@ bool is_assignment(std::string_view text) {
   text = after_space(text.substr(i));
   if (!text.starts_with('=')) return false;
   text = after_space(text.substr(1));
-  return text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) != 0 || text.front() == '\n';
+  return text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) != 0;
 }
 
 std::optional<std::string> without_line_prefixes(std::string_view text) {

@@ -149,7 +149,7 @@ Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, con
   const auto tokens = detail::preprocess_shader(source.text, definitions, faults, notes);
   used.insert(tokens.used.begin(), tokens.used.end());
   if (!tokens.is_whole) return {faults.take(), notes.take()};
-  const ShaderText text = detail::parse_shader(tokens, faults, notes);
+  const ShaderText text = detail::parse_shader(tokens, faults);
   if (text.version.name.empty()) return {faults.take(), notes.take()};
   return program_of_shader(text, profile, faults, notes);
 }

@@ -70,10 +70,10 @@ class PlainShader {
 
   // A backslash, if nothing but blanks stands between it and the end of its line.
   bool continuation() {
-    const std::size_t end = std::min(out_.find('\n', at_), out_.size());
-    const std::string_view between = std::string_view(out_).substr(at_ + 1, end - std::min(end, at_ + 1));
-    const bool is_blank_rest = std::all_of(between.begin(), between.end(), is_blank);
-    if (out_[at_] != '\\' || end == out_.size() || !is_blank_rest) return false;
+    if (out_[at_] != '\\') return false;
+    std::size_t end = at_ + 1;
+    while (end < out_.size() && out_[end] != '\n' && is_blank(out_[end])) ++end;
+    if (end == out_.size() || out_[end] != '\n') return false;
     clear_to(end);
     out_[at_++] = ' ';
     return true;

@@ -36,8 +36,8 @@ constexpr std::array kResultModifiers{ResultModifier{"x2", Scale::by_two, Bias::
 
 class ShaderParser {
  public:
-  ShaderParser(const ShaderTokens& tokens, SourceFaults& faults, SourceFaults& notes)
-      : in_(tokens.tokens), includes_(tokens.includes), faults_(faults), notes_(notes) {}
+  ShaderParser(const ShaderTokens& tokens, SourceFaults& faults)
+      : in_(tokens.tokens), includes_(tokens.includes), faults_(faults) {}
 
   ShaderText parse() {
     if (!version()) return std::move(out_);
@@ -292,7 +292,6 @@ class ShaderParser {
   ShaderCursor in_;
   bool includes_;
   SourceFaults& faults_;
-  SourceFaults& notes_;
   ShaderText out_;
   bool is_heading_ = false;
   bool too_many_ = false;
@@ -300,8 +299,8 @@ class ShaderParser {
 
 }  // namespace
 
-ShaderText parse_shader(const ShaderTokens& tokens, SourceFaults& faults, SourceFaults& notes) {
-  return ShaderParser(tokens, faults, notes).parse();
+ShaderText parse_shader(const ShaderTokens& tokens, SourceFaults& faults) {
+  return ShaderParser(tokens, faults).parse();
 }
 
 }  // namespace ninebit::detail

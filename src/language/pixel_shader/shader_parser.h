@@ -15,7 +15,7 @@ namespace ninebit::detail {
 
 // Reads all instructions. Reports faults of the syntax, unknown words, and instructions, modifiers and registers that
 // the version does not have. Instructions with faults are left out.
-[[nodiscard]] ShaderText parse_shader(const ShaderTokens& tokens, SourceFaults& faults, SourceFaults& notes);
+[[nodiscard]] ShaderText parse_shader(const ShaderTokens& tokens, SourceFaults& faults);
 
 // Reports what Direct3D's rules for the version do not allow, although each instruction for itself is right.
 void check_shader_rules(const ShaderText& text, SourceFaults& faults);

@@ -6,27 +6,20 @@
 #include <charconv>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ninebit/language/pixel_shader.h"
-#include "src/language/c_like/c_lexer.h"
 #include "src/language/pixel_shader/shader_macros.h"
 #include "src/language/pixel_shader/shader_operands.h"
 #include "src/language/pixel_shader/shader_parser.h"
+#include "src/language/pixel_shader/shader_token_list.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {
 namespace {
 
-struct PlacedToken {
-  std::uint32_t value = 0;
-  std::size_t offset = 0;  // in the text
-};
-
-constexpr std::uint32_t kPixelShader = 0xffff, kVertexShader = 0xfffe;  // the upper half of a version
 constexpr std::uint32_t kComment = 0xfffe, kEnd = 0xffff;
 constexpr std::uint32_t kParameter = 0x8000'0000, kPaired = 0x4000'0000;
 
@@ -76,99 +69,6 @@ constexpr std::array kSwizzles{Swizzle{0xe4, ShaderSelector::none}, Swizzle{0xff
 
 // The shift of a result by its code of four bits; empty: combiners do not have it.
 constexpr std::uint32_t kByTwo = 1, kByFour = 2, kByOneHalf = 15;
-
-bool is_version(std::uint32_t token) {
-  const std::uint32_t kind = token >> 16, major = token >> 8 & 0xff, minor = token & 0xff;
-  return (kind == kPixelShader || kind == kVertexShader) && major >= 1 && major <= 3 && minor <= 4;
-}
-
-// Moves to the next token of C. False: the text ends.
-bool next_at(std::string_view text, std::size_t& at) {
-  SourceFaults none({text, {}});
-  return skip_blanks(text, at, {.hash_comments = true, .heading = {}}, none) && at < text.size();
-}
-
-// Moves behind the brace of "static const DWORD ps[] = {".
-bool skip_array_head(std::string_view text, std::size_t& at) {
-  constexpr std::string_view kMarks = "[]=:*()";
-  bool has_brackets = false;
-  while (next_at(text, at)) {
-    const char c = text[at];
-    if (c == '{') {
-      ++at;
-      return has_brackets;
-    }
-    if (!is_word(c) && kMarks.find(c) == std::string_view::npos) return false;
-    has_brackets = has_brackets || c == '[';
-    do {
-      ++at;
-    } while (at < text.size() && is_word(c) && is_word(text[at]));
-  }
-  return false;
-}
-
-// Takes a number of C and the comma behind it; of a bare list, eight hexadecimal digits without 0x, too.
-std::optional<PlacedToken> take_number(std::string_view text, std::size_t& at, bool is_bare) {
-  if (!next_at(text, at)) return std::nullopt;
-  PlacedToken out{.offset = at};
-  std::size_t end = at;
-  while (end < text.size() && is_word(text[end])) ++end;
-  std::string_view digits = text.substr(at, end - at);
-  const bool prefixed = digits.starts_with("0x") || digits.starts_with("0X");
-  const bool hex = prefixed || (is_bare && digits.size() == 8);
-  if (prefixed) digits.remove_prefix(2);
-  while ((prefixed || !hex) && !digits.empty() &&
-         std::string_view("uUlL").find(digits.back()) != std::string_view::npos) {
-    digits.remove_suffix(1);
-  }
-  const int base = hex ? 16 : digits.size() > 1 && digits[0] == '0' ? 8 : 10;
-  const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), out.value, base);
-  if (digits.empty() || error != std::errc() || last != digits.data() + digits.size()) return std::nullopt;
-  at = end;
-  if (next_at(text, at) && text[at] == ',') ++at;
-  return out;
-}
-
-// Every four bytes as a word in little endian; bytes that are left over are dropped.
-std::vector<PlacedToken> words_of_bytes(const std::vector<PlacedToken>& bytes) {
-  std::vector<PlacedToken> words;
-  for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) {
-    PlacedToken word{.offset = bytes[i].offset};
-    for (std::size_t k = 0; k < 4; ++k) word.value |= (bytes[i + k].value & 0xff) << (8 * k);
-    words.push_back(word);
-  }
-  return words;
-}
-
-std::vector<PlacedToken> bytes_of_file(std::string_view text) {
-  std::vector<PlacedToken> bytes;
-  for (std::size_t i = 0; i < text.size(); ++i) bytes.push_back({static_cast<unsigned char>(text[i]), i});
-  return bytes;
-}
-
-// The tokens that a text begins with, at most `most`; empty: the first is not a version. `end`: behind them.
-std::vector<PlacedToken> tokens_in(std::string_view text, std::size_t most, std::size_t& end) {
-  std::vector<PlacedToken> words = words_of_bytes(bytes_of_file(text.substr(0, 4)));
-  if (!words.empty() && is_version(words[0].value)) {
-    end = text.size();
-    return words_of_bytes(bytes_of_file(text.substr(0, std::min(4 * most, text.size()))));
-  }
-  const std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  std::size_t& at = end;
-  at = begin;
-  const bool is_array = skip_array_head(text, at);
-  if (!is_array) at = begin;
-  std::vector<PlacedToken> numbers;
-  while (numbers.size() < 4 * most) {
-    const auto number = take_number(text, at, !is_array);
-    if (!number) break;
-    numbers.push_back(*number);
-    if (numbers.size() == 1 && number->value > 0xff && !is_version(number->value)) return {};
-  }
-  if (!numbers.empty() && numbers[0].value <= 0xff) numbers = words_of_bytes(numbers);
-  if (numbers.empty() || !is_version(numbers[0].value)) return {};
-  return numbers;
-}
 
 std::string_view register_name(ShaderFile file, int index) {
   constexpr std::string_view kTokenRegisters =
@@ -336,16 +236,6 @@ class TokenReader {
   ShaderText out_;
 };
 
-// Behind the tokens may stand declarations of single numbers, such as the length that xxd -i prints.
-void check_rest(std::string_view text, std::size_t end, SourceFaults& faults) {
-  code::Lexer lexer(text.substr(std::min(end, text.size())));
-  for (auto token = lexer.next(); token.kind != code::Token::Kind::end; token = lexer.next()) {
-    if (!token.is("[") && !token.is("{") && !token.is("(")) continue;
-    faults.add(end + token.offset, "more text stands behind the tokens; expected one shader and nothing else");
-    return;
-  }
-}
-
 std::uint32_t register_bits(ShaderFile file, int index) {
   const auto type = static_cast<std::uint32_t>(std::find(kFiles.begin(), kFiles.end(), file) - kFiles.begin());
   return kParameter | type << 28 | static_cast<std::uint32_t>(index);
@@ -392,22 +282,24 @@ namespace ninebit {
 
 bool is_shader_tokens(std::string_view text) {
   constexpr std::size_t kLookedAt = std::size_t{1} << 16;
-  std::size_t end = 0;
-  return !detail::tokens_in(text.substr(0, kLookedAt), 1, end).empty();
+  detail::SourceFaults none({text, {}});
+  return !detail::tokens_in(text.substr(0, kLookedAt), 1, none).tokens.empty();
 }
 
 Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile) {
   constexpr std::size_t kMostTokens = std::size_t{1} << 16;
   detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return faults.take();
-  std::size_t end = 0;
-  const auto tokens = detail::tokens_in(source.text, kMostTokens, end);
-  if (tokens.empty()) {
+  const detail::TokenList list = detail::tokens_in(source.text, kMostTokens + 1, faults);
+  if (list.tokens.empty()) {
     faults.add(0, "expected the tokens of an assembled pixel shader, which begin with 0xffff0101");
-    return faults.take();
+  } else if (list.tokens.size() > kMostTokens) {
+    faults.add(list.tokens.back().offset, "expected at most " + std::to_string(kMostTokens) + " tokens");
   }
-  const detail::ShaderText text = detail::TokenReader(tokens, faults).read();
-  if (faults.empty()) detail::check_rest(source.text, end, faults);
+  detail::TokensRest rest(source.text, list, faults);
+  if (!faults.empty() || !rest.is_list_closed()) return faults.take();
+  const detail::ShaderText text = detail::TokenReader(list.tokens, faults).read();
+  if (faults.empty()) rest.check();
   if (!faults.empty()) return faults.take();
   return detail::program_of_shader(text, profile, faults, notes);
 }
@@ -417,7 +309,7 @@ Result<std::string> print_shader_tokens(const CombinerState& state, const Hardwa
   if (!assembly) return assembly.error();
   detail::SourceFaults none({*assembly, {}});
   const auto tokens = detail::preprocess_shader(*assembly, {}, none, none);
-  const detail::ShaderText shader = detail::parse_shader(tokens, none, none);
+  const detail::ShaderText shader = detail::parse_shader(tokens, none);
   std::string text = "static const DWORD shader[] = {\n";
   detail::add_line(text, {0xffff'0101});
   for (std::size_t i = 0; i < shader.constants.size(); ++i) {

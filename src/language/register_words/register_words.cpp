@@ -78,7 +78,8 @@ class Line {
 
   std::string read_name() {
     const std::size_t start = at_;
-    if (at_ < text_.size() && (is_letter(text_[at_]) || text_.substr(at_).starts_with("0x"))) {
+    if (at_ < text_.size() &&
+        (is_letter(text_[at_]) || text_.substr(at_).starts_with("0x") || text_.substr(at_).starts_with("0X"))) {
       while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
     }
     if (at_ > start && at_ < text_.size() && (text_[at_] == '[' || text_[at_] == '(')) {
@@ -123,7 +124,8 @@ class PrintedStruct {
   }
 
   std::vector<RegisterWord> read() {
-    members(0);
+    const bool is_whole = members(0);
+    if (is_whole && token_.kind != Kind::end) expected("the end of the text behind the struct");
     if (faults_.empty() && words_.empty()) faults_.add({}, "has no member such as combiner_control or rgb_inputs");
     return std::move(words_);
   }
@@ -204,6 +206,17 @@ class PrintedStruct {
   std::vector<RegisterWord> words_;
 };
 
+// The text with blanks in place of a byte order mark and comments before its first word.
+std::string without_first_comments(std::string_view text) {
+  std::string plain(text);
+  std::size_t begin = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  detail::SourceFaults none({text, {}});
+  if (!detail::skip_blanks(text, begin, {.hash_comments = true, .heading = {}}, none)) return plain;
+  std::replace_if(
+      plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(begin), [](char c) { return c != '\n'; }, ' ');
+  return plain;
+}
+
 std::vector<RegisterWord> read_lines(std::string_view text, TextFaults& faults) {
   // With more words than the chip has, some are repeated; reading on would only repeat that fault.
   constexpr std::size_t kMaxWords = 1000;
@@ -231,9 +244,10 @@ Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass c
                                            std::vector<RegisterWord>* other_words) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return faults.take();
-  const bool printed = words::is_printed_struct(
-      source.text.substr(std::min(source.text.find_first_not_of(" \t\r\n"), source.text.size())));
-  const auto found = printed ? PrintedStruct(source.text, faults).read() : read_lines(source.text, faults);
+  const std::string text = without_first_comments(source.text);
+  const bool printed =
+      words::is_printed_struct(std::string_view(text).substr(std::min(text.find_first_not_of(" \n"), text.size())));
+  const auto found = printed ? PrintedStruct(text, faults).read() : read_lines(text, faults);
   if (printed && !faults.empty()) return faults.take();
   Parsed<CombinerState> decoded = decode_register_words(found, source.file, chip, profile, other_words);
   if (faults.empty()) return decoded;

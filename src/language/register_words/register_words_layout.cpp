@@ -234,7 +234,7 @@ FoundSlot find_slot(std::string_view name, ChipClass chip) {
     return {{}, std::string(name) + " is a word of " + chip_text(other) + ", not of " + chip_text(chip)};
   }
   if (bare.empty()) {
-    return {{}, std::string(name) + " is not the address of a combiner register; the NV2A has them from 0x401880 on"};
+    return {{}, std::string(name) + " is not the address of a combiner register, such as 0x401940"};
   }
   return {{},
           std::string(name) + " is not a register word of " + chip_text(chip) + "; expected " +
@@ -345,16 +345,19 @@ std::string_view find_other_word(std::string_view name) {
 bool OtherWords::take(const RegisterWord& word, ChipClass chip, TextFaults& faults) {
   const std::string_view name = find_other_word(word.name);
   if (name.empty()) return false;
-  const auto before =
-      std::find_if(found.begin(), found.end(), [&](const RegisterWord& other) { return other.name == name; });
+  const auto given = [&](std::string_view one) {
+    return std::find_if(found.begin(), found.end(), [&](const RegisterWord& other) { return other.name == one; });
+  };
+  const std::string bare = bare_name(word.name);
+  // SHADERCTL holds two words; xemu's PshState has it as other_stage_input.
+  const bool holds_two = bare == "shaderctl" || bare == "other_stage_input";
+  auto before = given(name);
+  if (holds_two && before == found.end()) before = given("PSDotMapping");
   if (chip == ChipClass::nv10) {
     faults.add(word.place, word.name + " is a word of NV20, not of NV10");
   } else if (before != found.end()) {
     faults.add(word.place, before->name + " was given before, in line " + std::to_string(before->place.line));
   } else {
-    const std::string bare = bare_name(word.name);
-    // SHADERCTL holds two words; xemu's PshState has it as other_stage_input.
-    const bool holds_two = bare == "shaderctl" || bare == "other_stage_input";
     constexpr std::uint32_t kDotMapping = 0xfff;
     found.push_back({std::string(name), holds_two ? word.value & ~kDotMapping : word.value, word.place});
     if (holds_two) found.push_back({"PSDotMapping", word.value & kDotMapping, word.place});

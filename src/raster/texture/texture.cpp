@@ -156,7 +156,7 @@ Status check_texture(const Texture& texture) {
   const bool is_deep = texture.target == TextureTarget::cube_map || texture.target == TextureTarget::texture_3d;
   if (is_deep && base_format(texture.format) == TextureFormat::depth) {
     return Diagnostic{std::string(texture.target == TextureTarget::cube_map ? "a cube map" : "a 3D texture") +
-                      " has a depth format; only 2D textures can"};
+                      " has a depth format; expected a 1D, 2D or rectangle texture"};
   }
   if (texture.target == TextureTarget::rectangle && texture.faces[0].size() > 1) {
     return Diagnostic{"a rectangle has mip-maps; it can have one level"};

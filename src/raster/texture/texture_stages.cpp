@@ -50,6 +50,7 @@ class TextureStages::Batch {
 
   Batch(const TextureStages& stages, const StageBatch& given, std::size_t count, const StageOutputs& to)
       : stages_(stages), given_(given), count_(count), to_(to), places_(stages.needs_derivatives_ ? kPlaces : 1) {
+    std::fill_n(zero_.begin(), count, 0.0F);
     if (to.killed != nullptr) std::fill_n(to.killed, count, std::uint8_t{0});
     if (places_ == 1) return;
     neighbours_.resize(2 * kTextureStages * 4);
@@ -94,7 +95,7 @@ class TextureStages::Batch {
     At at{};
     for (std::size_t p = 0; p < places_; ++p) {
       for (int k = 0; k < number; ++k) at[p][index(k)] = dots_[p][index(first + k)].data();
-      if (number < 3) at[p][2] = dots_[p][index(first)].data();  // not read
+      if (number < 3) at[p][2] = zero_.data();
     }
     return at;
   }
@@ -242,6 +243,7 @@ class TextureStages::Batch {
   alignas(64) std::array<std::array<Floats, 3>, kPlaces> at_;
   alignas(64) std::array<std::array<Floats, 3>, 2> changes_;
   alignas(64) std::array<Floats, 3> eye_;
+  alignas(64) Floats zero_;
 };
 
 Result<TextureStages> TextureStages::make(const HardwareProfile& profile, const TextureShaderState& state,
@@ -282,6 +284,11 @@ void TextureStages::find_reads() {
     if (fetches && sampler_[at]->needs_derivatives()) needs_derivatives_ = true;
     culls_ = culls_ || operation == TextureOperation::cull_fragment;
     replaces_depth_ = replaces_depth_ || operation == TextureOperation::dot_product_depth_replace;
+  }
+  // A diffuse cube map reads the coordinates of the stage after it, even where that stage is inconsistent.
+  const ProgramTextureStage& before = program_.stage[2];
+  if (before.inconsistent.empty() && before.state.operation == TextureOperation::dot_product_diffuse_cube_map) {
+    reads_[3][0] = reads_[3][1] = reads_[3][2] = true;
   }
 }
 

@@ -1,5 +1,6 @@
 // Textures that own their samples, and mip-maps made by a box filter.
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -14,15 +15,16 @@ std::size_t plane_count(InternalFormat format) {
   return static_cast<std::size_t>(std::count(stored.begin(), stored.end(), true));
 }
 
-std::size_t texels_of(const TextureSamples& image) {
-  return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
-         static_cast<std::size_t>(image.depth);
+// 32 bits may not hold the number before complaint_about has checked it.
+std::uint64_t texels_of(const TextureSamples& image) {
+  return static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height) *
+         static_cast<std::uint64_t>(image.depth);
 }
 
 // The view of an image's samples.
 TextureImage view_of(InternalFormat format, const TextureSamples& image) {
   const std::array<bool, 4> stored = stored_components(format);
-  const std::size_t plane_size = texels_of(image);
+  const auto plane_size = static_cast<std::size_t>(texels_of(image));
   return std::visit(
       [&](const auto& samples) {
         using T = typename std::decay_t<decltype(samples)>::value_type;
@@ -54,7 +56,7 @@ Texture keep_words(TextureTarget target, InternalFormat format, const Faces& fac
   std::size_t texels = 0;
   for (const auto& levels : faces) {
     for (const TextureSamples& image : levels) {
-      texels += texels_of(image);
+      texels += static_cast<std::size_t>(texels_of(image));
     }
   }
   Texture texture{.target = target, .format = format};
@@ -117,14 +119,16 @@ TextureSamples samples_of(InternalFormat format, const TextureImage& image) {
 }
 
 // The error in an image's samples, or empty.
-std::string complaint_about(InternalFormat format, const TextureSamples& image) {
+std::string complaint_about(TextureTarget target, InternalFormat format, const TextureSamples& image) {
+  const bool any_side = target == TextureTarget::rectangle;
+  const int longest = target == TextureTarget::texture_3d ? kMax3dTextureSize : kMaxSurfaceSize;
   for (const int side : {image.width, image.height, image.depth}) {
-    if (side >= 1 && side <= kMaxSurfaceSize) continue;
+    if (side >= 1 && side <= longest) continue;
     return "a texture image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-           (image.depth == 1 ? "" : " x " + std::to_string(image.depth)) +
-           "; each side must be a power of two from 1 to " + std::to_string(kMaxSurfaceSize);
+           (image.depth == 1 ? "" : " x " + std::to_string(image.depth)) + "; each side must be " +
+           (any_side ? "" : "a power of two ") + "from 1 to " + std::to_string(longest);
   }
-  const std::size_t needed = texels_of(image) * plane_count(format);
+  const std::uint64_t needed = texels_of(image) * plane_count(format);
   const std::size_t size = std::visit([](const auto& samples) { return samples.size(); }, image.samples);
   if (size != needed) {
     return "a texture image has " + std::to_string(size) + " samples where its size and format need " +
@@ -191,7 +195,9 @@ Result<Texture> make_texture(TextureTarget target, InternalFormat format,
   }
   for (const auto& levels : faces) {
     for (const TextureSamples& image : levels) {
-      if (std::string complaint = complaint_about(format, image); !complaint.empty()) return Diagnostic{complaint};
+      if (std::string complaint = complaint_about(target, format, image); !complaint.empty()) {
+        return Diagnostic{complaint};
+      }
     }
   }
   Texture texture = keep(target, format, std::move(faces));

@@ -3,15 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace ninebit {
 namespace {
-
-// The double of a float's shortest decimal form: 0.1F becomes 0.1.
-double decimal(double value) {
-  return std::strtod(fmt::format("{}", static_cast<float>(value)).c_str(), nullptr);
-}
 
 // A rendering's fact as a row's value; no value if there is none.
 StudyValue fact(const Rendering* rendering, std::string_view name) {
@@ -26,7 +20,7 @@ StudyValue fact(const Rendering* rendering, std::string_view name) {
 StudyValue field_of(const TechniqueSetting& setting, const SettingValue& value, std::size_t number) {
   if (setting.kind == SettingKind::word) return setting.text_of(value);
   if (setting.kind == SettingKind::whole) return static_cast<std::int64_t>(value[number]);
-  return decimal(value[number]);
+  return shortest_decimal(value[number]);
 }
 
 bool is_among(const std::vector<const TechniqueSetting*>& settings, std::string_view name) {

@@ -112,7 +112,7 @@ Json settings_json(std::string_view technique, const RenderSettings& settings) {
     const SettingValue value = setting.get(settings);
     Json numbers = Json::array();
     for (const double n : value)
-      numbers.push_back(setting.kind == SettingKind::whole ? Json(static_cast<int>(n)) : Json(n));
+      numbers.push_back(setting.kind == SettingKind::whole ? Json(static_cast<int>(n)) : Json(shortest_decimal(n)));
     out[setting.key()] = value.empty()                       ? Json()
                          : setting.kind == SettingKind::word ? Json(setting.text_of(value))
                          : setting.numbers == 1              ? numbers[0]

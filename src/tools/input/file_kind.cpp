@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/program_text.h"
@@ -192,11 +193,21 @@ KindUse use_of(std::string_view kind) {
   return {};
 }
 
-std::string_view expected_of(FileRole role) {
+// "GL calls, an !!RC1.0 program, … or a log of register writes".
+std::string program_kinds() {
+  std::vector<std::string_view> kinds;
+  for (const Form& form : forms()) {
+    if (form.parse != nullptr) kinds.push_back(form.kind);
+  }
+  const std::string_view last = kinds.back();
+  kinds.pop_back();
+  return fmt::format("{} or {}", fmt::join(kinds, ", "), last);
+}
+
+std::string expected_of(FileRole role) {
   switch (role) {
     case FileRole::program:
-      return "a combiner program: GL calls, !!RC1.0, a ps.1.x pixel shader, register words, JSON, an Xbox pixel shader "
-             "definition or a log of register writes";
+      return "a combiner program: " + program_kinds();
     case FileRole::scene:
       return "a scene: a glTF, OBJ, PLY, OFF, 3DS, STL, COLLADA or FBX file";
     case FileRole::picture:

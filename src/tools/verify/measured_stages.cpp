@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texel_words.h"
@@ -175,12 +179,15 @@ ColorBytes gradient_color(const std::vector<double>& gradient, const std::array<
   return color;
 }
 
-// The three numbers of a cell such as "0 0 -7"; fewer: it has something else.
-std::vector<float> eye_of(const std::string& text) {
-  std::vector<float> eye;
-  for (const std::string_view piece : pieces(text, ' ')) {
-    const auto number = number_of(piece);
-    if (number) eye.push_back(static_cast<float>(*number));
+// The three whole numbers of a cell such as "0 0 -7"; empty: it has something else.
+std::optional<std::array<float, 3>> eye_of(const std::string& text) {
+  const std::vector<std::string_view> numbers = pieces(text, ' ');
+  std::array<float, 3> eye{};
+  if (numbers.size() != eye.size()) return std::nullopt;
+  for (std::size_t k = 0; k < eye.size(); ++k) {
+    const auto number = number_of(numbers[k]);
+    if (!number) return std::nullopt;
+    eye[k] = static_cast<float>(*number);
   }
   return eye;
 }
@@ -235,12 +242,12 @@ std::vector<int> run_dot_cube(const MeasuredRow& row, const HardwareProfile& pro
                                        *value_of(kDotMappings, row.text("mapping")));
   if (is_diffuse) state.stage[2].operation = mode;
   const std::vector<double>& rows = row.list(row.whole("cube") == 0 ? "rows of cube 0" : "rows of cube 1");
-  const std::vector<float> eye = eye_of(row.text("eye"));
+  const auto eye = eye_of(row.text("eye"));
   StageCoordinates at{};
   at[0][3] = 1.0F;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < 3; ++i) at[k + 1][i] = static_cast<float>(rows[3 * k + i]);
-    if (eye.size() == 3) at[k + 1][3] = state.stage[3].eye[k] = eye[k];
+    if (eye) at[k + 1][3] = state.stage[3].eye[k] = (*eye)[k];
   }
   const auto result = run_stages(state, profile, at, [&](int unit, const TexturePlace&) {
     return unit == 0 ? Bytes4{row.byte("R"), row.byte("G"), row.byte("B"), row.byte("A")} : Bytes4{};
@@ -329,7 +336,7 @@ std::vector<int> run_texel_word(const MeasuredRow& row, const HardwareProfile&) 
 
 std::string wrong_stages(const MeasuredRow&, const HardwareProfile& profile) {
   if (profile.texture_shaders) return "";
-  return fmt::format("profile {} has no texture shaders (NV_texture_shader); nv2a has them", profile.name);
+  return fmt::format("profile {} has no texture shaders (NV_texture_shader); use --profile nv2a", profile.name);
 }
 
 std::string wrong_dot_cube(const MeasuredRow& row, const HardwareProfile& profile) {
@@ -338,11 +345,13 @@ std::string wrong_dot_cube(const MeasuredRow& row, const HardwareProfile& profil
     if (!wrong.empty()) return wrong;
   }
   const bool has_eye = row.text("mode").starts_with("SPEC");
-  if (row.text("tex") == "R" &&
-      (!row.has("nv2a_cube_radial.csv") || row.list("nv2a_cube_radial.csv").size() != kCubeSide * kCubeSide)) {
-    return "tex R is in nv2a_cube_radial.csv, which must lie beside this table and have 64 rows of 64 numbers";
+  constexpr std::string_view kGradient = "nv2a_cube_radial.csv";
+  const std::size_t numbers = row.has(kGradient) ? row.list(kGradient).size() : 0;
+  if (row.text("tex") == "R" && numbers != kCubeSide * kCubeSide) {
+    return fmt::format("tex R is in {}, which must lie beside this table and have 64 rows of 64 numbers; {}", kGradient,
+                       row.has(kGradient) ? fmt::format("it has {} numbers", numbers) : "there is none");
   }
-  if (has_eye && eye_of(row.text("eye")).size() != 3) {
+  if (has_eye && !eye_of(row.text("eye"))) {
     return fmt::format("eye must be three whole numbers, such as 0 0 1, not '{}'", shown(row.text("eye")));
   }
   return "";
@@ -361,7 +370,7 @@ std::string wrong_texel_word(const MeasuredRow& row, const HardwareProfile&) {
     return fmt::format("format must be one with a word a texel, such as A8R8G8B8, not '{}'", shown(row.text("format")));
   }
   if (bits_of(*format) == 32 || row.digits("word") >> bits_of(*format) == 0) return "";
-  return fmt::format("word must have at most {} bits", bits_of(*format));
+  return fmt::format("word must have at most {} bits, not '{}'", bits_of(*format), shown(row.text("word")));
 }
 
 }  // namespace ninebit::tools

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace ninebit::tools {
 namespace {
 
 using Column = MeasuredColumn;
 using Kind = MeasuredColumn::Kind;
+
+constexpr double kLargestReal = 3.4e38;  // as a float it is finite
 
 template <class T>
 bool reads(std::string_view text, T& value, int base = 10) {
@@ -30,7 +33,8 @@ std::string read_cell(const Column& column, std::string_view field, MeasuredRow:
   if (field.empty() && (column.kind == Kind::measured || is_extent || column.may_be_empty)) return "";
   if (column.kind == Kind::real) {
     const std::string_view number = field.ends_with(')') ? trimmed(field.substr(0, field.find('('))) : field;
-    return reads(number, cell.real) ? "" : "a number";
+    // NaN is not within.
+    return reads(number, cell.real) && std::abs(cell.real) <= kLargestReal ? "" : "a number within ±3.4e38";
   }
   if (column.kind == Kind::digits) {
     if (field.starts_with("0x")) field.remove_prefix(2);
@@ -190,7 +194,7 @@ Status read_measured(const std::vector<MeasuredColumn>& columns, const std::vect
   return {};
 }
 
-Result<MeasuredRow::Cell> read_numbers(const std::string& file) {
+Result<MeasuredRow::Cell> read_bytes(const std::string& file) {
   auto input = InputFile::open(file);
   if (!input) return input.error();
   CsvLines lines(std::move(*input));
@@ -202,9 +206,12 @@ Result<MeasuredRow::Cell> read_numbers(const std::string& file) {
     const std::string_view text = (*line)->text;
     if (text.starts_with('#')) continue;
     for (const std::string_view piece : pieces(text, ',')) {
-      if (reads(piece, cell.list.emplace_back())) continue;
-      return csv_fault(file, (*line)->number, static_cast<std::size_t>(piece.data() - text.data()) + 1,
-                       fmt::format("expected a number, not '{}'", shown(piece)));
+      const auto number = number_of(piece);
+      if (!number || *number < 0 || *number > 255) {
+        return csv_fault(file, (*line)->number, static_cast<std::size_t>(piece.data() - text.data()) + 1,
+                         fmt::format("expected a whole number from 0 to 255, not '{}'", shown(piece)));
+      }
+      cell.list.push_back(*number);
     }
   }
 }

@@ -108,8 +108,8 @@ struct MeasuredFormat {
   // Another table, in the same folder, that has more of each row's cells; empty: none. Both have the column `key`.
   std::string_view beside{}, key{};
   std::vector<MeasuredColumn> columns_beside{};
-  // A file of numbers in the same folder, all of which every row has under the file's name; empty: none.
-  std::string_view numbers_beside{};
+  // A file of bytes in the same folder, all of which every row has under the file's name; empty: none.
+  std::string_view bytes_beside{};
 };
 
 // The names of columns, separated by commas.
@@ -134,8 +134,8 @@ struct MeasuredFormat {
 [[nodiscard]] Result<std::map<std::string, MeasuredRow>> read_beside(const std::string& file,
                                                                      const MeasuredFormat& format);
 
-// The numbers of a file, separated by commas and line ends, as a list.
-[[nodiscard]] Result<MeasuredRow::Cell> read_numbers(const std::string& file);
+// The numbers from 0 to 255 of a file, separated by commas and line ends, as a list.
+[[nodiscard]] Result<MeasuredRow::Cell> read_bytes(const std::string& file);
 
 // A text that is a whole number.
 [[nodiscard]] std::optional<int> number_of(std::string_view text);
