@@ -64,7 +64,9 @@ struct TechniqueSetting {
   std::string_view expected{};            // a valid value in messages: "a power of two from 1 to 16384"
   std::string_view help{};                // one line
   SettingAxis axis{};                     // of sweeps
+  // Reads the setting.
   SettingValue (*get)(const RenderSettings& settings) = nullptr;
+  // Writes the setting; the value must be one that it allows().
   void (*set)(RenderSettings& settings, const SettingValue& value) = nullptr;
 
   // The name with underscores.

@@ -24,10 +24,10 @@ namespace NINEBIT_PUBLIC ninebit {
 // A texture as stages see it: its kind, its base format, its signed components.
 [[nodiscard]] StageTexture stage_texture(const Texture& texture, const Sampler& sampler);
 
-// The textures of the units with their samplers; nullptr: the unit has none.
+// The textures of the units with their samplers.
 struct StageUnits {
-  std::array<const Texture*, kTextureStages> texture{};
-  std::array<Sampler, kTextureStages> sampler{};
+  std::array<const Texture*, kTextureStages> texture{};  // nullptr: the unit has none
+  std::array<Sampler, kTextureStages> sampler{};         // of the texture of the same unit
 };
 
 // The interpolated coordinates of up to kBatchSize fragments: [unit][s, t, r, q], one float a fragment. Differences to
