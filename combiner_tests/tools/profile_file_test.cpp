@@ -12,9 +12,8 @@ TEST(ProfileFile, IsListedByItsOwnNameAfterTheShippedOnes) {
       write_bytes(folder / "mine.json", R"({"base": "nv2a", "name": "my-card", "half": 127, "texture_units": 3})");
   const Json answer = json_of(ninebit({"profiles", "--json", "--profile", file}));
   EXPECT_EQ(answer.at("profile"), "my-card");
-  int rows = 0, rows_of_the_base = 0;
+  std::size_t rows = 0;
   for (const Json& row : answer.at("rows")) {
-    rows_of_the_base += row.at("profile") == "nv2a" ? 1 : 0;
     if (row.at("profile") != "my-card") continue;
     ++rows;
     const bool own = row.at("field") == "half" || row.at("field") == "texture_units";
@@ -26,8 +25,7 @@ TEST(ProfileFile, IsListedByItsOwnNameAfterTheShippedOnes) {
       EXPECT_EQ(row.at("evidence"), "assumed");
     }
   }
-  EXPECT_EQ(rows, rows_of_the_base);
-  EXPECT_GE(rows, 34);
+  EXPECT_EQ(rows, json_of(ninebit({"profiles", "--json", "--profile", "nv2a"})).at("rows").size());
 }
 
 TEST(ProfileFile, EqualsItsBaseInARendering) {

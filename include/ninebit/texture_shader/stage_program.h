@@ -42,7 +42,7 @@ struct ProgramTextureStage {
   std::string inconsistent;                                // why the stage gives (0, 0, 0, 0); empty: it is consistent
   std::array<bool, 4> is_signed{};                         // components of its texel that are two's complement
   std::array<bool, 4> is_visible{true, true, true, true};  // components that combiners see; the others read 0
-  friend constexpr bool operator==(const ProgramTextureStage&, const ProgramTextureStage&) = default;
+  friend bool operator==(const ProgramTextureStage&, const ProgramTextureStage&) = default;
 };
 
 // Stages ready to be evaluated; compile() makes them.
@@ -51,7 +51,7 @@ struct TextureShaderProgram {
   DepthUnit depth_unit = DepthUnit::window;               // of replaced depths
   bool converts_yuv = false;                              // of every stage that reads a texture; of others assumed
   std::array<ProgramTextureStage, kTextureStages> stage;  // in the order of the units
-  friend constexpr bool operator==(const TextureShaderProgram&, const TextureShaderProgram&) = default;
+  friend bool operator==(const TextureShaderProgram&, const TextureShaderProgram&) = default;
 
   // One sentence for each inconsistent stage, in their order: "texture stage 2: …; it gives (0, 0, 0, 0)".
   [[nodiscard]] std::vector<std::string> warnings() const;
