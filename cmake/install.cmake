@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ninebit)
 
 set(components combiner)
-set(rooms numerics combiner language)
+set(rooms numerics combiner texture_shader language)
 set(without PATTERN *json.h EXCLUDE)  # they are of another library
 if(NOT NINEBIT_COMBINER_ONLY)
   list(APPEND components json capi raster ninebit)

@@ -9,9 +9,11 @@
 
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_state.h"
 
-namespace ninebit::stage_lanes {
+namespace ninebit {
+namespace NINEBIT_PUBLIC stage_lanes {  // the library of the rasterizer calls it
 
 // Arrays of at least `count` numbers each; what is written does not overlap what is read, unless the same.
 using Three = std::array<const float*, 3>;
@@ -48,4 +50,5 @@ void cull(CullMode mode, const float* at, std::size_t count, std::uint8_t* kille
 // Rule 40, in place.
 void convert_yuv(std::size_t count, const std::array<s9*, 3>& color);
 
-}  // namespace ninebit::stage_lanes
+}  // namespace stage_lanes
+}  // namespace ninebit
