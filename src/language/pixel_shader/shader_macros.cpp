@@ -172,8 +172,9 @@ class ShaderReader {
   bool reads(const code::Token& directive, const std::vector<code::Token>& line, const code::Answer& answer) {
     if (!answer.unknown.empty() && asked_.insert(answer.unknown).second) {
       out_.is_whole = false;
+      const std::string condition = quoted(between(line));
       faults_.add(hash_of(directive), quoted(answer.unknown) + " is not defined, and #" + std::string(directive.text) +
-                                          " " + std::string(between(line)) +
+                                          " " + condition.substr(1, condition.size() - 2) +
                                           " depends on it; give it as in --define '" + answer.unknown +
                                           "=…', or by #define");
     }
