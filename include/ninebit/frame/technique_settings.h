@@ -42,7 +42,7 @@ struct SettingWord {
 
 // A setting as an axis of a sweep.
 struct SettingAxis {
-  std::string_view flag{};                    // without dashes: "steps"; empty: the setting is no axis
+  std::string_view flag{};                    // without dashes: "steps"; empty: it cannot be swept
   std::array<std::string_view, 2> columns{};  // fields of a row, one for each number of a value
   bool by_default = true;                     // rows have the columns even if the setting is neither swept nor changed
   std::string_view expected{};                // the list of the flag, in messages; empty: a list of the words

@@ -352,7 +352,7 @@ std::optional<gl::GLenum> value_of_spelling(std::string_view name, bool qualifie
   return std::nullopt;
 }
 
-// GL_ is no letter in which names are alike.
+// All names begin with GL_, which would make any two of them look alike: it is not compared.
 std::string meant_enumerant(std::string_view name) {
   constexpr std::string_view kStart = "GL_";
   std::vector<std::string_view> names = gl_names();

@@ -148,7 +148,7 @@ class TokenReader {
     return true;
   }
 
-  // The register of a parameter; -1: there is no such one.
+  // The register of a parameter; -1: the version has none.
   int register_of(const PlacedToken& token, ShaderFile& file) {
     const std::uint32_t type = token.value >> 28 & 7, index = token.value & 0x7ff;
     if (type < kFiles.size()) {
