@@ -1,8 +1,9 @@
 // Commands that change what a shader of the layer depends on: bound and enabled textures, fog, lighting, shaders. They
-// go to the driver as they are.
+// go to the driver as they are, but for the formats of NV_texture_shader.
 #include "src/gl_layer/calls/display_lists.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/texture_formats.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 
@@ -57,15 +58,29 @@ NINEBIT_INPUT_CALL(TexParameteriv, (GLenum target, GLenum pname, const GLint* pa
 NINEBIT_INPUT_CALL(TexImage1D,
                    (GLenum target, GLint level, GLint internal, GLsizei width, GLint border, GLenum format, GLenum type,
                     const GLvoid* pixels),
-                   (target, level, internal, width, border, format, type, pixels))
+                   (target, level, stored_format(internal), width, border, stored_pixel_format(format), type, pixels))
 NINEBIT_INPUT_CALL(TexImage2D,
                    (GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border,
                     GLenum format, GLenum type, const GLvoid* pixels),
-                   (target, level, internal, width, height, border, format, type, pixels))
+                   (target, level, stored_format(internal), width, height, border, stored_pixel_format(format), type,
+                    pixels))
 NINEBIT_INPUT_CALL(TexImage3D,
                    (GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLsizei depth,
                     GLint border, GLenum format, GLenum type, const GLvoid* pixels),
-                   (target, level, internal, width, height, depth, border, format, type, pixels))
+                   (target, level, stored_format(internal), width, height, depth, border, stored_pixel_format(format),
+                    type, pixels))
+NINEBIT_INPUT_CALL(TexSubImage1D,
+                   (GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
+                    const GLvoid* pixels),
+                   (target, level, x, width, stored_pixel_format(format), type, pixels))
+NINEBIT_INPUT_CALL(TexSubImage2D,
+                   (GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                    GLenum type, const GLvoid* pixels),
+                   (target, level, x, y, width, height, stored_pixel_format(format), type, pixels))
+NINEBIT_INPUT_CALL(TexSubImage3D,
+                   (GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height, GLsizei depth,
+                    GLenum format, GLenum type, const GLvoid* pixels),
+                   (target, level, x, y, z, width, height, depth, stored_pixel_format(format), type, pixels))
 NINEBIT_INPUT_CALL(CompressedTexImage1D,
                    (GLenum target, GLint level, GLenum internal, GLsizei width, GLint border, GLsizei size,
                     const GLvoid* data),

@@ -73,7 +73,9 @@ struct Entry {
   X(glNewList) X(glPopAttrib) X(glPushAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) \
   X(glRects) X(glRectsv) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) \
   X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) \
-  X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) X(glUseProgram) X(glUseProgramObjectARB) \
+  X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) \
+  X(glTexSubImage1D) A(glTexSubImage1DEXT, glTexSubImage1D) X(glTexSubImage2D) \
+  A(glTexSubImage2DEXT, glTexSubImage2D) X(glTexSubImage3D) A(glTexSubImage3DEXT, glTexSubImage3D) X(glUseProgram) X(glUseProgramObjectARB) \
   X(glXCreateContext) X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXGetProcAddress) \
   X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) A(glXMakeCurrentReadSGI, glXMakeContextCurrent) \
   X(glXSwapBuffers)

@@ -16,9 +16,10 @@ namespace {
 // The extensions that the layer adds. A driver that has one itself lists it already.
 std::vector<const char*> added_extensions(const Context& context) {
   std::vector<const char*> names{"GL_NV_register_combiners"};
-  if (context.combiners.profile().per_stage_constants) {
-    names.push_back("GL_NV_register_combiners2");
+  if (context.combiners.profile().per_stage_constants) names.push_back("GL_NV_register_combiners2");
+  if (context.combiners.profile().texture_shaders) {
     names.push_back("GL_NV_texture_shader");
+    names.push_back("GL_NV_texture_shader2");
   }
   const auto* const listed = reinterpret_cast<const char*>(found_driver.GetString(GL_EXTENSIONS));
   std::erase_if(names, [&](const char* name) { return listed != nullptr && has_word(listed, name); });
@@ -57,8 +58,9 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_CURRENT_PROGRAM:
       return context.bound ? 1 : 0;
     case GL_PER_STAGE_CONSTANTS_NV:
-    case GL_TEXTURE_SHADER_NV:
       return context.combiners.profile().per_stage_constants ? 1 : 0;
+    case GL_TEXTURE_SHADER_NV:
+      return context.combiners.profile().texture_shaders ? 1 : 0;
     default:
       return 0;
   }
@@ -67,7 +69,7 @@ int number_of_values(const Context& context, GLenum pname) {
 // The state as floats, as integers by `integers`.
 void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers) {
   if (pname == GL_TEXTURE_SHADER_NV) {
-    *integers = context.texture_shaders.enabled ? 1 : 0;
+    *integers = context.combiners.texture_shader().enabled ? 1 : 0;
   } else if (pname == GL_CURRENT_PROGRAM) {
     *integers = static_cast<GLint>(context.app_program);
   } else if (pname == GL_NUM_EXTENSIONS) {

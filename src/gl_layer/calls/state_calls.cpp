@@ -8,12 +8,10 @@ namespace front = ninebit::gl;
 
 namespace {
 
-enum class Owner : std::uint8_t { driver, combiners, texture_shaders };
-
-Owner owner_of(const Context& context, GLenum cap) {
-  const bool second = context.combiners.profile().per_stage_constants;
-  if (cap == GL_REGISTER_COMBINERS_NV || (cap == GL_PER_STAGE_CONSTANTS_NV && second)) return Owner::combiners;
-  return cap == GL_TEXTURE_SHADER_NV && second ? Owner::texture_shaders : Owner::driver;
+bool is_the_layers(const Context& context, GLenum cap) {
+  const ninebit::HardwareProfile& profile = context.combiners.profile();
+  return cap == GL_REGISTER_COMBINERS_NV || (cap == GL_PER_STAGE_CONSTANTS_NV && profile.per_stage_constants) ||
+         (cap == GL_TEXTURE_SHADER_NV && profile.texture_shaders);
 }
 
 bool changes_inputs(GLenum cap) {
@@ -23,6 +21,7 @@ bool changes_inputs(GLenum cap) {
     case GL_TEXTURE_3D:
     case GL_TEXTURE_CUBE_MAP:
     case GL_TEXTURE_RECTANGLE:
+    case GL_COLOR_SUM:
     case GL_FOG:
     case GL_LIGHTING:
     case GL_FRAGMENT_PROGRAM_ARB:
@@ -37,8 +36,7 @@ void set_enabled(GLenum cap, bool enabled) {
   Context* const context = current();
   const auto by_driver = enabled ? find_driver().Enable : find_driver().Disable;
   if (context == nullptr) return by_driver(cap);
-  const Owner owner = owner_of(*context, cap);
-  if (owner == Owner::driver) {
+  if (!is_the_layers(*context, cap)) {
     by_driver(cap);
     if (!changes_inputs(cap)) return;
     context->inputs_stale = true;
@@ -51,12 +49,8 @@ void set_enabled(GLenum cap, bool enabled) {
     return record(*context, [cap, enabled] { set_enabled(cap, enabled); });
   }
   if (!context->outside_begin()) return;
-  if (owner == Owner::texture_shaders) {
-    context->texture_shaders.enabled = enabled;
-  } else {
-    const front::CurrentContext current(context->combiners);
-    enabled ? front::glEnable(cap) : front::glDisable(cap);
-  }
+  const front::CurrentContext current(context->combiners);
+  enabled ? front::glEnable(cap) : front::glDisable(cap);
   context->forget();
 }
 
@@ -73,10 +67,7 @@ void push(Context& context, GLbitfield mask) {
   const int depth = stack_depth();
   if (depth == before || (mask & kGroups) == 0) return;
   SavedState saved{.mask = mask, .depth = depth};
-  if (context.touched) {
-    saved.combiners = std::make_unique<front::Context>(context.combiners);
-    saved.texture_shaders = std::make_unique<TextureShaders>(context.texture_shaders);
-  }
+  if (context.touched) saved.combiners = std::make_unique<front::Context>(context.combiners);
   context.attribute_stack.push_back(std::move(saved));
 }
 
@@ -84,12 +75,11 @@ void restore(Context& context, const SavedState& saved) {
   // Saved before the program used combiners: the defaults.
   const front::Context combiners =
       saved.combiners != nullptr ? *saved.combiners : front::Context(context.combiners.profile());
-  const TextureShaders shaders = saved.texture_shaders != nullptr ? *saved.texture_shaders : TextureShaders{};
   context.combiners.enable_register_combiners(combiners.register_combiners_enabled());
-  context.texture_shaders.enabled = shaders.enabled;
+  context.combiners.texture_shader().enabled = combiners.texture_shader().enabled;
   if ((saved.mask & GL_TEXTURE_BIT) != 0) {
     context.combiners.state() = combiners.state();
-    context.texture_shaders = shaders;
+    context.combiners.texture_shader() = combiners.texture_shader();
   } else {
     context.combiners.state().per_stage_constants = combiners.state().per_stage_constants;
   }
@@ -119,10 +109,8 @@ GLAPI void GLAPIENTRY glDisable(GLenum cap) {
 
 GLAPI GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
   Context* const context = current();
-  const Owner owner = context != nullptr ? owner_of(*context, cap) : Owner::driver;
-  if (owner == Owner::driver) return find_driver().IsEnabled(cap);
+  if (context == nullptr || !is_the_layers(*context, cap)) return find_driver().IsEnabled(cap);
   if (!context->outside_begin()) return GL_FALSE;
-  if (owner == Owner::texture_shaders) return context->texture_shaders.enabled ? GL_TRUE : GL_FALSE;
   const front::CurrentContext current(context->combiners);
   return front::glIsEnabled(cap);
 }

@@ -84,6 +84,7 @@ bool draws_anything(const CapturedDraw& draw) {
 std::unique_ptr<Capture> Capture::begin(Context& context, const char* call) {
   const Driver& d = found_driver;
   if (context.program == nullptr || !context.bound) return nullptr;
+  if (context.inputs.environments) return nullptr;  // no combiners
   if (!can_capture(d)) {
     log_once("the driver has no framebuffer objects with eight buffers: draw calls are not captured");
     return nullptr;
@@ -201,7 +202,7 @@ CapturedDraw Capture::end() {
   draw_.secondary = read_floats(2);
   draw_.fog = read_floats(3);
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
-    if (draw_.inputs.units[i].source != UnitSource::disabled) draw_.texels[i] = read_floats(4 + i);
+    if (draw_.inputs.stages || draw_.inputs.units[i].target != StageTarget::none) draw_.texels[i] = read_floats(4 + i);
   }
   d.ReadBuffer(GL_COLOR_ATTACHMENT0);
   draw_.color.resize(draw_.primary.size());

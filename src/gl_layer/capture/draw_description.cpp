@@ -93,21 +93,21 @@ struct Target {
 };
 
 // nullptr: the unit samples no texture.
-const Target* target_of_unit(UnitSource source) {
+const Target* target_of_unit(StageTarget target) {
   static constexpr Target kTargets[]{{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D, "GL_TEXTURE_1D"},
                                      {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, "GL_TEXTURE_2D"},
                                      {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE, "GL_TEXTURE_RECTANGLE"},
                                      {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D, "GL_TEXTURE_3D"},
                                      {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP, "GL_TEXTURE_CUBE_MAP"}};
-  if (source < UnitSource::texture_1d || source > UnitSource::texture_cube_map) return nullptr;
-  return &kTargets[static_cast<std::size_t>(source) - static_cast<std::size_t>(UnitSource::texture_1d)];
+  if (target == StageTarget::none) return nullptr;
+  return &kTargets[static_cast<std::size_t>(target) - 1];
 }
 
 Json describe_units(const Context& context) {
   Json units = Json::array();
   const GLint active = driver_integer(GL_ACTIVE_TEXTURE);
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
-    const Target* const target = target_of_unit(context.inputs.units[i].source);
+    const Target* const target = target_of_unit(context.inputs.units[i].target);
     if (target == nullptr) {
       units.push_back(nullptr);
       continue;

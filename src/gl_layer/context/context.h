@@ -53,28 +53,11 @@ struct OpenList {
   StepList list{};                              // the steps before the driver's open list
 };
 
-// NV_texture_shader's state of a texture unit.
-struct UnitShader {
-  ShaderOperation operation = ShaderOperation::none;
-  std::array<bool, 4> cull_if_less{};  // GL_CULL_MODES_NV: true is GL_LESS, false GL_GEQUAL
-  unsigned previous_texture = 0x84C0;  // GL_PREVIOUS_TEXTURE_INPUT_NV, a GL_TEXTUREi; kept for queries alone
-  unsigned dot_mapping = 0x8536;       // GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV, likewise
-  std::array<float, 3> const_eye{0.0F, 0.0F, -1.0F};
-  std::array<float, 4> offset_matrix{1.0F, 0.0F, 0.0F, 1.0F};
-  float offset_scale = 1.0F, offset_bias = 0.0F;
-};
-
-struct TextureShaders {
-  bool enabled = false;  // GL_TEXTURE_SHADER_NV
-  std::array<UnitShader, kLayerUnits> units{};
-};
-
 // The layer's own state that glPushAttrib saves.
 struct SavedState {
   unsigned mask = 0;
   int depth = 0;                             // of the driver's stack after the push
   std::unique_ptr<gl::Context> combiners{};  // for the texture group, and for the enables
-  std::unique_ptr<TextureShaders> texture_shaders{};
 };
 
 class Context {
@@ -85,8 +68,7 @@ class Context {
   Context& operator=(const Context&) = delete;
 
   const std::shared_ptr<ShareGroup> group;
-  gl::Context combiners;
-  TextureShaders texture_shaders{};
+  gl::Context combiners;  // and the texture shaders' state
 
   // Whether shaders write their inputs to the colour buffers after the first: NINEBIT_GL_WRITE_INPUTS is set.
   const bool writes_inputs;
@@ -107,9 +89,9 @@ class Context {
   std::vector<SavedState> attribute_stack{};
 
   // Changes since the last draw.
-  bool inputs_stale = true;   // enabled textures, fog, lighting, the program's own shaders
-  bool program_stale = true;  // the combiners' state, apart from constants
-  bool constants_stale = true;
+  bool inputs_stale = true;     // enabled textures, fog, lighting, the program's own shaders
+  bool program_stale = true;    // the combiners' state, apart from constants
+  bool constants_stale = true;  // and the numbers of texture-shader stages
 
   // The pending error of a command that the layer executes: GL keeps the first until glGetError.
   void raise(unsigned error);

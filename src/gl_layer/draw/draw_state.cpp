@@ -4,74 +4,114 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
+#include "src/gl_layer/driver/texture_formats.h"
+#include "src/gl_layer/shader/environment.h"
 #include "src/gl_layer/shader/program_cache.h"
 
 namespace ninebit::gl_layer {
 namespace {
 
 // The target that the active unit samples, in OpenGL's order of precedence.
-UnitSource enabled_target(const DriverFeatures& features) {
-  if (driver_enables(GL_TEXTURE_CUBE_MAP)) return UnitSource::texture_cube_map;
-  if (driver_enables(GL_TEXTURE_3D)) return UnitSource::texture_3d;
-  if (features.rectangle && driver_enables(GL_TEXTURE_RECTANGLE)) return UnitSource::texture_rectangle;
-  if (driver_enables(GL_TEXTURE_2D)) return UnitSource::texture_2d;
-  if (driver_enables(GL_TEXTURE_1D)) return UnitSource::texture_1d;
-  return UnitSource::disabled;
+StageTarget enabled_target(const DriverFeatures& features) {
+  if (driver_enables(GL_TEXTURE_CUBE_MAP)) return StageTarget::cube_map;
+  if (driver_enables(GL_TEXTURE_3D)) return StageTarget::three_dimensional;
+  if (features.rectangle && driver_enables(GL_TEXTURE_RECTANGLE)) return StageTarget::rectangle;
+  if (driver_enables(GL_TEXTURE_2D)) return StageTarget::two_dimensional;
+  if (driver_enables(GL_TEXTURE_1D)) return StageTarget::one_dimensional;
+  return StageTarget::none;
 }
 
-UnitSource source_of(ShaderOperation operation) {
-  switch (operation) {
-    case ShaderOperation::none:
-      return UnitSource::zero;
-    case ShaderOperation::texture_1d:
-      return UnitSource::texture_1d;
-    case ShaderOperation::texture_2d:
-      return UnitSource::texture_2d;
-    case ShaderOperation::texture_rectangle:
-      return UnitSource::texture_rectangle;
-    case ShaderOperation::texture_3d:
-      return UnitSource::texture_3d;
-    case ShaderOperation::texture_cube_map:
-      return UnitSource::texture_cube_map;
-    case ShaderOperation::pass_through:
-      return UnitSource::pass_through;
-    case ShaderOperation::cull_fragment:
-      break;
-  }
-  return UnitSource::cull_fragment;
-}
-
-GLenum target_of(UnitSource source) {
-  switch (source) {
-    case UnitSource::texture_1d:
-      return GL_TEXTURE_1D;
-    case UnitSource::texture_2d:
-      return GL_TEXTURE_2D;
-    case UnitSource::texture_rectangle:
-      return GL_TEXTURE_RECTANGLE;
-    case UnitSource::texture_3d:
-      return GL_TEXTURE_3D;
-    case UnitSource::texture_cube_map:
-      return GL_TEXTURE_CUBE_MAP;
-    default:
-      return GL_NONE;
-  }
-}
-
-// A level parameter of the texture that the active unit has bound.
-TexelKind texel_kind(UnitSource source) {
-  const GLenum target = target_of(source);
-  if (target == GL_NONE) return TexelKind::color;
-  GLint base = 0, depth_bits = 0, compare = GL_NONE, mode = GL_LUMINANCE;
-  found_driver.GetTexParameteriv(target, GL_TEXTURE_BASE_LEVEL, &base);
-  if (base < 0 || base > 16) return TexelKind::color;
-  const GLenum image = target == GL_TEXTURE_CUBE_MAP ? GLenum{GL_TEXTURE_CUBE_MAP_POSITIVE_X} : target;
-  found_driver.GetTexLevelParameteriv(image, base, GL_TEXTURE_DEPTH_SIZE, &depth_bits);
-  if (depth_bits == 0) return TexelKind::color;
+TexelKind depth_kind(GLenum target) {
+  GLint compare = GL_NONE, mode = GL_LUMINANCE;
   found_driver.GetTexParameteriv(target, GL_TEXTURE_COMPARE_MODE, &compare);
   found_driver.GetTexParameteriv(target, GL_DEPTH_TEXTURE_MODE, &mode);
   if (mode == GL_ALPHA) return compare == GL_NONE ? TexelKind::depth_in_alpha : TexelKind::comparison_in_alpha;
   return compare == GL_NONE ? TexelKind::depth : TexelKind::comparison;
+}
+
+// Of the texture that the active unit has bound.
+TexelKind texel_kind(StageTarget of) {
+  const GLenum target = gl_target(of);
+  if (target == GL_NONE) return TexelKind::color;
+  if (base_level_value(target, GL_TEXTURE_DEPTH_SIZE) != 0) return depth_kind(target);
+  return kind_of_stored_format(static_cast<GLenum>(base_level_value(target, GL_TEXTURE_INTERNAL_FORMAT)));
+}
+
+// A texture as the rules of consistency see it. Of completeness only the base level is looked at.
+std::optional<StageTexture> stage_texture(const UnitInput& unit) {
+  const GLenum target = gl_target(unit.target);
+  if (target == GL_NONE || base_level_value(target, GL_TEXTURE_WIDTH) == 0) return std::nullopt;
+  StageTexture texture{.target = unit.target};
+  switch (unit.kind) {
+    case TexelKind::color:
+      break;
+    case TexelKind::depth:
+    case TexelKind::depth_in_alpha:
+      texture.format = TextureFormat::depth;
+      break;
+    case TexelKind::comparison:
+    case TexelKind::comparison_in_alpha:
+      texture.format = TextureFormat::depth_comparison;
+      break;
+    case TexelKind::signed_color:
+      texture.is_signed = {true, true, true, true};
+      break;
+    case TexelKind::signed_rgb_unsigned_alpha:
+      texture.is_signed = {true, true, true, false};
+      break;
+    case TexelKind::hilo:
+    case TexelKind::signed_hilo:
+      texture.format = TextureFormat::hilo;
+      if (unit.kind == TexelKind::signed_hilo) texture.is_signed = {true, true, true, true};
+      break;
+    case TexelKind::dsdt:
+      texture.format = TextureFormat::dsdt;
+      break;
+    case TexelKind::dsdt_mag:
+      texture.format = TextureFormat::dsdt_mag;
+      break;
+  }
+  return texture;
+}
+
+// Calls a function with each unit's number while the unit is active.
+template <class Visit>
+void visit_units(const Context& context, const Visit& visit) {
+  const auto active = static_cast<GLenum>(driver_integer(GL_ACTIVE_TEXTURE));
+  const auto units = std::min(kLayerUnits, static_cast<std::size_t>(context.combiners.profile().texture_units.value));
+  for (std::size_t i = 0; i < units; ++i) {
+    found_driver.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+    visit(i);
+  }
+  found_driver.ActiveTexture(active);
+}
+
+// The stages with the textures that are bound. Numbers that are uniforms are the defaults, so that equal stages make
+// one shader.
+TextureShaderProgram stages_of(const Context& context, std::array<UnitInput, kLayerUnits>& units) {
+  StageTextures textures;
+  TextureShaderState state = context.combiners.texture_shader();
+  visit_units(context, [&](std::size_t i) {
+    units[i].target = info_of(state.stage[i].operation).target;
+    units[i].kind = texel_kind(units[i].target);
+    textures[i] = stage_texture(units[i]);
+  });
+  for (TextureStage& stage : state.stage) {
+    stage.matrix = TextureStage{}.matrix;
+    stage.scale = TextureStage{}.scale;
+    stage.bias = TextureStage{}.bias;
+    stage.eye = TextureStage{}.eye;
+  }
+  auto program = compile(state, textures, context.combiners.profile());
+  if (!program) {  // gl_nv refuses what compile() would
+    log_once("texture shaders: " + program.error().message);
+    return {};
+  }
+  for (std::size_t i = 0; i < kLayerUnits; ++i) {
+    if (!program->stage[i].inconsistent.empty()) units[i] = {};
+  }
+  for (const std::string& warning : program->warnings()) log_once(warning);
+  return *program;
 }
 
 FogFactor fog_factor() {
@@ -88,23 +128,31 @@ FogFactor fog_factor() {
 
 ShaderInputs find_inputs(const Context& context) {
   ShaderInputs inputs;
-  const auto active = static_cast<GLenum>(driver_integer(GL_ACTIVE_TEXTURE));
-  const auto units = std::min(kLayerUnits, static_cast<std::size_t>(context.combiners.profile().texture_units.value));
-  for (std::size_t i = 0; i < units; ++i) {
-    found_driver.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-    UnitInput& unit = inputs.units[i];
-    const UnitShader& shader = context.texture_shaders.units[i];
-    unit.source = context.texture_shaders.enabled ? source_of(shader.operation) : enabled_target(context.features);
-    unit.kind = texel_kind(unit.source);
-    if (unit.source == UnitSource::cull_fragment) unit.cull_if_less = shader.cull_if_less;
+  if (context.combiners.texture_shader().enabled) {
+    inputs.stages = stages_of(context, inputs.units);
+  } else {
+    visit_units(context, [&](std::size_t i) {
+      inputs.units[i].target = enabled_target(context.features);
+      inputs.units[i].kind = texel_kind(inputs.units[i].target);
+    });
   }
-  found_driver.ActiveTexture(active);
+  if (!context.combiners.register_combiners_enabled()) {
+    inputs.environments.emplace();
+    visit_units(context, [&](std::size_t i) {
+      const ProgramTextureStage& stage = inputs.stages->stage[i];
+      const TextureOperation operation = stage.state.operation;
+      const bool has_texel =
+          info_of(operation).target != StageTarget::none || operation == TextureOperation::pass_through;
+      if (has_texel) (*inputs.environments)[i] = read_environment(inputs.units[i].target);
+    });
+  }
   inputs.fog = fog_factor();
   // Lighting with a single colour has no secondary colour; without lighting it is the current one.
   const bool lit =
       driver_enables(GL_LIGHTING) && !(context.features.vertex_program && driver_enables(GL_VERTEX_PROGRAM_ARB));
   inputs.secondary = !lit || driver_integer(GL_LIGHT_MODEL_COLOR_CONTROL) != GL_SINGLE_COLOR;
-  inputs.write_inputs = context.writes_inputs;
+  if (inputs.environments) inputs.color_sum = lit ? inputs.secondary : driver_enables(GL_COLOR_SUM);
+  inputs.write_inputs = context.writes_inputs && !inputs.environments;
   return inputs;
 }
 
@@ -117,21 +165,29 @@ bool reads(const Program& program, Register reg) {
   return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
 }
 
-// Textures that the program does not read make no other shader. Unit 0 also gives spare0 its alpha.
+// Textures that the program does not read make no other shader. Unit 0 also gives spare0 its alpha. Stages read each
+// other, cull fragments and replace depths.
 ShaderInputs inputs_of(const Program& program, ShaderInputs inputs) {
+  if (inputs.stages) return inputs;
   for (std::size_t i = 1; i < kLayerUnits; ++i) {
     UnitInput& unit = inputs.units[i];
     const bool read = reads(program, static_cast<Register>(static_cast<std::size_t>(Register::texture0) + i));
-    if (!read && !inputs.write_inputs && unit.source != UnitSource::cull_fragment) unit = UnitInput{};
+    if (!read && !inputs.write_inputs) unit = UnitInput{};
   }
   return inputs;
 }
 
-// Whether combiners compute the colour; finds the inputs again if they may have changed.
+// Whether the layer has something to compute.
+bool is_needed(const Context& context) {
+  return context.combiners.register_combiners_enabled() || context.combiners.texture_shader().enabled;
+}
+
+// Whether a shader of the layer computes the colour; finds the inputs again if they may have changed.
 bool combiners_apply(Context& context) {
-  if (!context.combiners.register_combiners_enabled()) return false;
+  if (!is_needed(context)) return false;
   if (context.app_program != 0) {
-    log_once("combiners are enabled while shaders of the program itself are current: its shaders draw");
+    log_once(
+        "combiners or texture shaders are enabled while shaders of the program itself are current: its shaders draw");
     return false;
   }
   if (context.inputs_stale) {
@@ -162,11 +218,29 @@ void upload_constants(CachedProgram& cached, const ConstantCodes& codes) {
   cached.uploaded = codes;
 }
 
+void upload_stage_numbers(CachedProgram& cached, const TextureShaderState& state) {
+  if (!cached.inputs.stages) return;
+  std::array<GLfloat, 4 * kLayerUnits> matrices{};
+  std::array<GLfloat, 2 * kLayerUnits> scales{};
+  std::array<GLfloat, 3 * kLayerUnits> eyes{};
+  for (std::size_t i = 0; i < kLayerUnits; ++i) {
+    const TextureStage& stage = state.stage[i];
+    std::copy(stage.matrix.begin(), stage.matrix.end(), &matrices[4 * i]);
+    scales[2 * i] = stage.scale;
+    scales[2 * i + 1] = stage.bias;
+    std::copy(stage.eye.begin(), stage.eye.end(), &eyes[3 * i]);
+  }
+  constexpr auto kUnits = static_cast<GLsizei>(kLayerUnits);
+  found_driver.Uniform4fv(cached.stage_numbers[0], kUnits, matrices.data());  // a location of -1 is ignored
+  found_driver.Uniform2fv(cached.stage_numbers[1], kUnits, scales.data());
+  found_driver.Uniform3fv(cached.stage_numbers[2], kUnits, eyes.data());
+}
+
 }  // namespace
 
 bool needs_preparation(const Context& context) {
   if (!context.touched) return false;
-  if (!context.combiners.register_combiners_enabled()) return context.bound;
+  if (!is_needed(context)) return context.bound;
   return !context.bound || context.inputs_stale || context.program_stale || context.constants_stale;
 }
 
@@ -175,7 +249,9 @@ void prepare_draw(Context& context) {
   if (!combiners_apply(context)) return draw_without_combiners(context);
   if (context.program == nullptr || context.program_stale || context.constants_stale) {
     const HardwareProfile& profile = context.combiners.profile();
-    const Program program = normalize(context.combiners.state(), profile);
+    // Environments need no combiners; one program stands for all.
+    const Program program =
+        normalize(context.inputs.environments ? CombinerState{} : context.combiners.state(), profile);
     CachedProgram* cached = context.program;
     if (cached == nullptr || context.program_stale) {
       const std::size_t known = context.programs->size();
@@ -191,9 +267,15 @@ void prepare_draw(Context& context) {
     }
     use(context, *cached);
     upload_constants(*cached, constant_codes(program));
+    upload_stage_numbers(*cached, context.combiners.texture_shader());
   } else if (context.program->driver_program != 0) {
     use(context, *context.program);
   }
+}
+
+bool is_consistent(const Context& context, int unit) {
+  std::array<UnitInput, kLayerUnits> units{};
+  return stages_of(context, units).stage[static_cast<std::size_t>(unit)].inconsistent.empty();
 }
 
 void count_draw(const Context& context) {

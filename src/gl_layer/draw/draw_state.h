@@ -12,6 +12,9 @@ namespace ninebit::gl_layer {
 // something takes precedence over them. Not between glBegin and glEnd, nor while a list of the driver is open.
 void prepare_draw(Context& context);
 
+// GL_SHADER_CONSISTENT_NV of a unit, with the textures that are bound.
+[[nodiscard]] bool is_consistent(const Context& context, int unit);
+
 // A draw call with the shader of the last preparation follows.
 void count_draw(const Context& context);
 

@@ -20,7 +20,7 @@ namespace ninebit::gl_layer {
   X(IsEnabled) X(IsList) X(LightModelf) X(LightModelfv) X(LightModeli) X(LightModeliv) X(NewList) X(PixelStorei) \
   X(PopAttrib) X(PopClientAttrib) X(PushAttrib) X(PushClientAttrib) X(ReadBuffer) X(ReadPixels) X(Rectd) X(Rectdv) X(Rectf) X(Rectfv) X(Recti) \
   X(Rectiv) X(Rects) X(Rectsv) X(TexEnvf) X(TexEnvfv) X(TexEnvi) X(TexEnviv) X(TexImage1D) X(TexImage2D) \
-  X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv)
+  X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv) X(TexSubImage1D) X(TexSubImage2D)
 // nullptr where the driver does not have them.
 #define NINEBIT_LATER_FUNCTIONS(X) \
   X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
@@ -33,7 +33,8 @@ namespace ninebit::gl_layer {
   X(FramebufferTexture2D) X(GenFramebuffers) X(GenRenderbuffers) X(GetBooleani_v) X(GetHandleARB) \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
   X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
-  X(TexStorage3D) X(Uniform1i) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB)
+  X(TexStorage3D) X(TexSubImage3D) X(Uniform1i) X(Uniform2fv) X(Uniform3fv) \
+  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB)
 // clang-format on
 
 struct Driver {

@@ -70,6 +70,9 @@ bool is_enough(const char* version_text) {
   NINEBIT_CHECK(LinkProgram)
   NINEBIT_CHECK(ShaderSource)
   NINEBIT_CHECK(Uniform1i)
+  NINEBIT_CHECK(Uniform2fv)
+  NINEBIT_CHECK(Uniform3fv)
+  NINEBIT_CHECK(Uniform4fv)
   NINEBIT_CHECK(Uniform4iv)
   NINEBIT_CHECK(UseProgram)
 #undef NINEBIT_CHECK

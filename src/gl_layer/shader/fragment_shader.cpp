@@ -1,6 +1,9 @@
 #include "src/gl_layer/shader/fragment_shader.h"
 
+#include <algorithm>
+
 #include "ninebit/language/glsl.h"
+#include "src/gl_layer/shader/environment.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -9,69 +12,95 @@ bool is_depth(TexelKind kind) {
   return kind == TexelKind::depth || kind == TexelKind::depth_in_alpha;
 }
 
+bool is_signed(TexelKind kind) {
+  return kind == TexelKind::signed_color || kind == TexelKind::signed_rgb_unsigned_alpha;
+}
+
 bool is_comparison(TexelKind kind) {
   return kind == TexelKind::comparison || kind == TexelKind::comparison_in_alpha;
 }
 
 // "2D", "Cube", …; empty for a unit that samples no texture.
-std::string dimension_of(UnitSource source) {
-  switch (source) {
-    case UnitSource::texture_1d:
-      return "1D";
-    case UnitSource::texture_2d:
-      return "2D";
-    case UnitSource::texture_rectangle:
-      return "2DRect";
-    case UnitSource::texture_3d:
-      return "3D";
-    case UnitSource::texture_cube_map:
-      return "Cube";
-    default:
-      return {};
-  }
+std::string dimension_of(StageTarget target) {
+  constexpr std::array kNames{"", "1D", "2D", "2DRect", "3D", "Cube"};
+  return kNames[static_cast<std::size_t>(target)];
 }
 
-bool can_compare(UnitSource source) {
-  return source != UnitSource::texture_3d && source != UnitSource::texture_cube_map;
+bool can_compare(StageTarget target) {
+  return target != StageTarget::three_dimensional && target != StageTarget::cube_map;
+}
+
+bool compares(const UnitInput& unit) {
+  return is_comparison(unit.kind) && can_compare(unit.target);
+}
+
+std::string sampler_of(std::size_t i) {
+  return "ninebit_texture" + std::to_string(i);
 }
 
 // The texel of a unit: fixed functions divide by q, except for cube maps.
-std::string sample(const UnitInput& unit, const std::string& index) {
-  const std::string dimension = dimension_of(unit.source), coordinates = "gl_TexCoord[" + index + ']';
-  const std::string sampler = "ninebit_texture" + index;
-  if (is_comparison(unit.kind) && can_compare(unit.source)) {
-    return "shadow" + dimension + "Proj(" + sampler + ", " + coordinates + ')';
-  }
-  if (unit.source == UnitSource::texture_cube_map) return "textureCube(" + sampler + ", " + coordinates + ".xyz)";
+std::string sample(const UnitInput& unit, std::size_t i) {
+  const std::string dimension = dimension_of(unit.target), coordinates = "gl_TexCoord[" + std::to_string(i) + ']';
+  const std::string sampler = sampler_of(i);
+  if (compares(unit)) return "shadow" + dimension + "Proj(" + sampler + ", " + coordinates + ')';
+  if (unit.target == StageTarget::cube_map) return "textureCube(" + sampler + ", " + coordinates + ".xyz)";
   return "texture" + dimension + "Proj(" + sampler + ", " + coordinates + ')';
 }
 
+// The same at the coordinates `at`, which a stage has computed.
+std::string sample_at(const UnitInput& unit, std::size_t i) {
+  const std::string dimension = dimension_of(unit.target);
+  if (compares(unit)) return "shadow" + dimension + '(' + sampler_of(i) + ", at)";
+  constexpr std::array kComponents{"", ".x", ".xy", ".xy", ".xyz", ".xyz"};
+  return "texture" + dimension + '(' + sampler_of(i) + ", at" + kComponents[static_cast<std::size_t>(unit.target)] +
+         ')';
+}
+
 std::string sampler_type(const UnitInput& unit) {
-  const bool compares = is_comparison(unit.kind) && can_compare(unit.source);
-  return "sampler" + dimension_of(unit.source) + (compares ? "Shadow" : "");
+  return "sampler" + dimension_of(unit.target) + (compares(unit) ? "Shadow" : "");
+}
+
+// Moves the depth of a texel to where the combiners have it.
+std::string depth_line(const UnitInput& unit, const std::string& name) {
+  const bool in_alpha = unit.kind == TexelKind::depth_in_alpha || unit.kind == TexelKind::comparison_in_alpha;
+  const std::string depth = name + (in_alpha ? ".a" : ".r");
+  if (is_depth(unit.kind)) return "  " + name + " = vec4(0.0, 0.0, 0.0, " + depth + ");\n";
+  return is_comparison(unit.kind) ? "  " + name + " = vec4(" + depth + ");\n" : "";
 }
 
 // The lines that set texelI.
 std::string texel_lines(const UnitInput& unit, std::size_t i) {
-  const std::string index = std::to_string(i), name = "texel" + index;
-  const std::string coordinates = "gl_TexCoord[" + index + ']';
-  if (dimension_of(unit.source).empty()) {
-    if (unit.source == UnitSource::pass_through) return "  vec4 " + name + " = " + coordinates + ";\n";
-    std::string lines;
-    if (unit.source == UnitSource::cull_fragment) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        lines +=
-            "  if (" + coordinates + '.' + "xyzw"[c] + (unit.cull_if_less[c] ? " >= 0.0" : " < 0.0") + ") discard;\n";
-      }
-    }
-    return lines + "  vec4 " + name + " = vec4(0.0);\n";
+  const std::string name = "texel" + std::to_string(i);
+  return "  vec4 " + name + " = " + sample(unit, i) + ";\n" + depth_line(unit, name);
+}
+
+// The bytes of a texel in the places where stages read them (texture.h).
+std::string bytes_of(TexelKind kind) {
+  constexpr const char* kSigned = "ivec4(floor(clamp(v, -1.0, 1.0) * 127.0 + 0.5)) & 255";
+  switch (kind) {
+    case TexelKind::signed_color:
+      return kSigned;
+    case TexelKind::signed_rgb_unsigned_alpha:
+      return "ivec4(ivec3(floor(clamp(v.rgb, -1.0, 1.0) * 127.0 + 0.5)) & 255, "
+             "int(floor(clamp(v.a, 0.0, 1.0) * 255.0 + 0.5)))";
+    case TexelKind::hilo:
+      return "ninebit_words(ivec2(floor(clamp(v.rg, 0.0, 1.0) * 65535.0 + 0.5)))";
+    case TexelKind::signed_hilo:
+      return "ninebit_words(ivec2(floor(clamp(v.rg, -1.0, 1.0) * 32767.0 + 0.5)) & 65535)";
+    case TexelKind::dsdt:
+      return "(ivec4(floor(clamp(vec4(0.0, v.gr, 0.0), -1.0, 1.0) * 127.0 + 0.5))) & 255";
+    case TexelKind::dsdt_mag:
+      return "ivec4(int(floor(clamp(v.b, 0.0, 1.0) * 127.0 + 0.5)) * 255 / 127, "
+             "ivec2(floor(clamp(v.gr, -1.0, 1.0) * 127.0 + 0.5)) & 255, 0)";
+    default:
+      return "ivec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5))";
   }
-  std::string lines = "  vec4 " + name + " = " + sample(unit, index) + ";\n";
-  const bool in_alpha = unit.kind == TexelKind::depth_in_alpha || unit.kind == TexelKind::comparison_in_alpha;
-  const std::string depth = name + (in_alpha ? ".a" : ".r");
-  if (is_depth(unit.kind)) lines += "  " + name + " = vec4(0.0, 0.0, 0.0, " + depth + ");\n";
-  if (is_comparison(unit.kind)) lines += "  " + name + " = vec4(" + depth + ");\n";
-  return lines;
+}
+
+// The function that the stages call for a unit's texel.
+std::string texel_function(const UnitInput& unit, std::size_t i) {
+  return "\nivec4 ninebit_stages_texel" + std::to_string(i) + "(vec3 at) {\n  vec4 v = " + sample_at(unit, i) + ";\n" +
+         depth_line(unit, "v") + "  return " + bytes_of(unit.kind) + ";\n}\n";
 }
 
 std::string fog_factor(FogFactor fog) {
@@ -92,12 +121,18 @@ std::string code_of_byte(const HardwareProfile& profile, int byte) {
   return std::to_string(static_cast<int>(from_byte(profile, static_cast<std::uint8_t>(byte))));
 }
 
-// The conversions between floats in [0, 1] and codes (fixed9.h).
+// Two words of 16 bits as a texel: H = 256 A + R, L = 256 G + B.
+constexpr const char* kWords =
+    "\nivec4 ninebit_words(ivec2 v) { return ivec4(v.x & 255, v.y >> 8, v.y & 255, v.x >> 8); }\n";
+
+// The conversions between floats in [0, 1], or [-1, 1], and codes (fixed9.h, initial_registers.h).
 std::string conversions(const HardwareProfile& profile) {
   const int shift = profile.byte_shift;
   const std::string down = shift == 0 ? "" : " >> " + std::to_string(shift);
   std::string text =
       "\nivec4 ninebit_codes(vec4 v) {\n  return ivec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5))" + down + ";\n}\n";
+  text += "\nivec4 ninebit_signed_codes(vec4 v) {\n  return max((2 * ivec4(floor(clamp(v, -1.0, 1.0) * 127.0 + 0.5)))" +
+          down + ", " + std::to_string(profile.lowest.value) + ");\n}\n";
   text += "\nint ninebit_fog_code(float factor) {\n  return int(floor(clamp(factor, 0.0, 1.0) * 255.0";
   if (profile.fog_narrowing.value == Narrowing::nearest_halves_up) text += " + 0.5";
   text += "))" + down + ";\n}\n\nvec4 ninebit_color(ivec4 codes) {\n";
@@ -109,44 +144,91 @@ std::string conversions(const HardwareProfile& profile) {
   return text + "  return vec4(codes) / 255.0;\n}\n";
 }
 
-std::string main_function(const HardwareProfile& profile, const ShaderInputs& inputs) {
-  std::string text = "\nvoid main() {\n";
+// The lines that set textureI, the codes of the units, by texture shaders.
+std::string stage_lines(const TextureShaderProgram& stages) {
+  std::string text = "  ivec4 texture0, texture1, texture2, texture3;\n  float stage_depth;\n";
+  text +=
+      "  if (ninebit_stages(gl_TexCoord[0], gl_TexCoord[1], gl_TexCoord[2], gl_TexCoord[3],\n"
+      "                     texture0, texture1, texture2, texture3, stage_depth)) discard;\n";
+  const bool replaces = std::any_of(stages.stage.begin(), stages.stage.end(), [](const ProgramTextureStage& stage) {
+    return stage.state.operation == TextureOperation::dot_product_depth_replace && stage.inconsistent.empty();
+  });
+  return replaces ? text + "  gl_FragDepth = clamp(stage_depth, 0.0, 1.0);\n" : text;
+}
+
+// The same by fixed functions.
+std::string unit_lines(const HardwareProfile& profile, const ShaderInputs& inputs) {
+  std::string texels, codes;
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
-    if (inputs.units[i].source != UnitSource::disabled) text += texel_lines(inputs.units[i], i);
+    const UnitInput& unit = inputs.units[i];
+    const std::string index = std::to_string(i);
+    codes += "  ivec4 texture" + index + " = ";
+    if (unit.target == StageTarget::none) {
+      codes += "ivec4(0, 0, 0, " + code_of_byte(profile, profile.disabled_texture_alpha) + ");\n";
+      continue;
+    }
+    texels += texel_lines(unit, i);
+    codes += (is_signed(unit.kind) ? "ninebit_signed_codes(texel" : "ninebit_codes(texel") + index + ");\n";
+    if (unit.kind == TexelKind::signed_rgb_unsigned_alpha) {
+      codes += "  texture" + index + ".a = ninebit_codes(texel" + index + ").a;\n";
+    }
   }
-  text += "  float fog_factor = clamp(" + fog_factor(inputs.fog) + ", 0.0, 1.0);\n";
-  text += std::string("  vec4 secondary_color = ") + (inputs.secondary ? "gl_SecondaryColor" : "vec4(0.0)") + ";\n";
-  text += "  ivec4 secondary = ninebit_codes(secondary_color);\n";
+  return texels + codes;
+}
+
+// The inputs, into the colour buffers after the first.
+std::string input_lines(const HardwareProfile& profile, const ShaderInputs& inputs) {
+  std::string text =
+      "  gl_FragData[0] = color;\n  gl_FragData[1] = gl_Color;\n  gl_FragData[2] = secondary_color;\n"
+      "  gl_FragData[3] = vec4(gl_Fog.color.rgb, fog_factor);\n";
+  for (std::size_t i = 0; i < kLayerUnits; ++i) {
+    const std::string index = std::to_string(i);
+    std::string texel = "texel" + index;
+    if (inputs.stages) {
+      texel = "vec4(texture" + index + ") / " + std::to_string(profile.one.value) + ".0";
+    } else if (inputs.units[i].target == StageTarget::none) {
+      texel = "vec4(0.0)";
+    }
+    text += "  gl_FragData[" + std::to_string(4 + i) + "] = " + texel + ";\n";
+  }
+  return text;
+}
+
+// The lines that set `color` by the combiners.
+std::string combiner_lines(const HardwareProfile& profile, const ShaderInputs& inputs) {
+  std::string text = "  ivec4 secondary = ninebit_codes(secondary_color);\n";
   if (profile.secondary_alpha.value == SecondaryAlpha::one) {
     text += "  secondary.a = " + std::to_string(profile.one.value) + ";\n";
   }
   text += "  ivec4 fog = ninebit_codes(gl_Fog.color);\n  fog.a = ";
   text += inputs.fog == FogFactor::off ? code_of_byte(profile, profile.fog_alpha_without_fog)
                                        : "ninebit_fog_code(fog_factor)";
-  text += ";\n";
-  for (std::size_t i = 0; i < kLayerUnits; ++i) {
-    const std::string index = std::to_string(i);
-    text += "  ivec4 texture" + index + " = ";
-    text += inputs.units[i].source == UnitSource::disabled
-                ? "ivec4(0, 0, 0, " + code_of_byte(profile, profile.disabled_texture_alpha) + ");\n"
-                : "ninebit_codes(texel" + index + ");\n";
-  }
-  text += "  int spare0_alpha = ";
-  text += inputs.units[0].source == UnitSource::disabled ? code_of_byte(profile, profile.spare0_alpha_without_texture0)
-                                                         : "texture0.a";
+  const bool has_texture0 = inputs.stages || inputs.units[0].target != StageTarget::none;
+  text += ";\n  int spare0_alpha = ";
+  text += has_texture0 ? "texture0.a" : code_of_byte(profile, profile.spare0_alpha_without_texture0);
   text +=
       ";\n  vec4 color = ninebit_color(ninebit_combine(ninebit_codes(gl_Color), secondary, fog,\n"
       "      texture0, texture1, texture2, texture3, spare0_alpha));\n";
-  if (!inputs.write_inputs) return text + "  gl_FragColor = color;\n}\n";
-  text +=
-      "  gl_FragData[0] = color;\n  gl_FragData[1] = gl_Color;\n  gl_FragData[2] = secondary_color;\n"
-      "  gl_FragData[3] = vec4(gl_Fog.color.rgb, fog_factor);\n";
+  return text;
+}
+
+// The same by texture environments.
+std::string unit_colors(const HardwareProfile& profile) {
+  std::string text;
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
-    const std::string texel =
-        inputs.units[i].source == UnitSource::disabled ? "vec4(0.0)" : "texel" + std::to_string(i);
-    text += "  gl_FragData[" + std::to_string(4 + i) + "] = " + texel + ";\n";
+    const std::string index = std::to_string(i);
+    text += "  vec4 unit" + index + " = vec4(texture" + index + ") / " + std::to_string(profile.one.value) + ".0;\n";
   }
-  return text + "}\n";
+  return text;
+}
+
+std::string main_function(const HardwareProfile& profile, const ShaderInputs& inputs) {
+  std::string text = "\nvoid main() {\n";
+  text += inputs.stages ? stage_lines(*inputs.stages) : unit_lines(profile, inputs);
+  text += "  float fog_factor = clamp(" + fog_factor(inputs.fog) + ", 0.0, 1.0);\n";
+  text += std::string("  vec4 secondary_color = ") + (inputs.secondary ? "gl_SecondaryColor" : "vec4(0.0)") + ";\n";
+  text += inputs.environments ? unit_colors(profile) + environment_lines(inputs) : combiner_lines(profile, inputs);
+  return text + (inputs.write_inputs ? input_lines(profile, inputs) : "  gl_FragColor = color;\n") + "}\n";
 }
 
 }  // namespace
@@ -156,16 +238,22 @@ Result<std::string> fragment_shader(const Program& program, const HardwareProfil
   const auto combine = emit_glsl_with_uniform_constants(program, GlslVersion::glsl_130);
   if (!combine) return combine.error();
   const std::size_t head = combine->find('\n') + 1;
-  std::string text = combine->substr(0, head), samplers;
+  std::string text = combine->substr(0, head), units, functions;
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
     const UnitInput& unit = inputs.units[i];
-    if (dimension_of(unit.source).empty()) continue;
-    if (unit.source == UnitSource::texture_rectangle && text.size() == head) {
+    if (unit.target == StageTarget::none) continue;
+    if (unit.target == StageTarget::rectangle && text.size() == head) {
       text += "#extension GL_ARB_texture_rectangle : enable\n";
     }
-    samplers += "uniform " + sampler_type(unit) + " ninebit_texture" + std::to_string(i) + ";\n";
+    units += "uniform " + sampler_type(unit) + ' ' + sampler_of(i) + ";\n";
+    if (inputs.stages) functions += texel_function(unit, i);
   }
-  return text + combine->substr(head) + '\n' + samplers + conversions(profile) + main_function(profile, inputs);
+  if (inputs.stages) {
+    const auto stages = emit_glsl_texture_shader(*inputs.stages, profile, StageNumbers::uniform, "ninebit_stages");
+    if (!stages) return stages.error();
+    units += *stages + kWords + functions;
+  }
+  return text + combine->substr(head) + '\n' + units + conversions(profile) + main_function(profile, inputs);
 }
 
 }  // namespace ninebit::gl_layer

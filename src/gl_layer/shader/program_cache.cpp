@@ -103,7 +103,13 @@ ConstantCodes constant_codes(const Program& program) {
 std::uint64_t hash_of(const Program& program, const ShaderInputs& inputs) {
   Hash hash;
   hash.add(program.num_general_combiners, program.color_sum_clamp, inputs.fog, inputs.secondary, inputs.write_inputs);
-  for (const UnitInput& unit : inputs.units) hash.add(unit.source, unit.kind);
+  for (const UnitInput& unit : inputs.units) hash.add(unit.target, unit.kind);
+  if (inputs.stages) {
+    for (const ProgramTextureStage& stage : inputs.stages->stage) hash.add(stage.state.operation, stage.state.previous);
+  }
+  if (inputs.environments) {
+    for (const Environment& one : *inputs.environments) hash.add(one.mode, one.format, one.rgb.function);
+  }
   for (std::size_t i = 0; i < static_cast<std::size_t>(program.num_general_combiners); ++i) {
     hash.add_portion(program.general[i].rgb);
     hash.add_portion(program.general[i].alpha);
@@ -126,7 +132,12 @@ CachedProgram& ProgramCache::find(const Program& program, const HardwareProfile&
   } else if ((added->driver_program = link(*text)) != 0) {
     added->shader = *text;
     set_samplers(added->driver_program);
-    added->constants = found_driver.GetUniformLocation(added->driver_program, "ninebit_combine_constants");
+    const auto location = [&](const char* name) {
+      return found_driver.GetUniformLocation(added->driver_program, name);
+    };
+    added->constants = location("ninebit_combine_constants");
+    added->stage_numbers = {location("ninebit_stages_matrix"), location("ninebit_stages_scale"),
+                            location("ninebit_stages_eye")};
   }
   ++size_;
   candidates.push_back(std::move(added));

@@ -21,10 +21,11 @@ using ConstantCodes = std::array<std::array<int, 4>, kGlslConstants>;
 struct CachedProgram {
   Program program{};  // its constants are 0
   ShaderInputs inputs{};
-  unsigned driver_program = 0;  // 0: the driver refused the shader
-  int constants = -1;           // the uniform array's location; -1: the shader reads none
-  std::size_t number = 0;       // in the order of first use in the process, from 1
-  std::string shader{};         // its text
+  unsigned driver_program = 0;                   // 0: the driver refused the shader
+  int constants = -1;                            // the uniform array's location; -1: the shader reads none
+  std::array<int, 3> stage_numbers{-1, -1, -1};  // locations of the stages' matrices, scales with biases, eyes
+  std::size_t number = 0;                        // in the order of first use in the process, from 1
+  std::string shader{};                          // its text
   std::shared_ptr<std::atomic<std::uint64_t>> draws = std::make_shared<std::atomic<std::uint64_t>>(0);  // calls with it
   ConstantCodes uploaded{};  // what the uniform array holds
   bool dumped = false;       // whether --dump has written it

@@ -4,45 +4,54 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+
+#include "ninebit/texture_shader/stage_program.h"
 
 namespace ninebit::gl_layer {
 
 // The texture units that combiners can read.
-inline constexpr std::size_t kLayerUnits = 4;
-
-// GL_SHADER_OPERATION_NV: those of NV_texture_shader that depend on no other unit.
-enum class ShaderOperation : std::uint8_t {
-  none,
-  texture_1d,
-  texture_2d,
-  texture_rectangle,
-  texture_3d,
-  texture_cube_map,
-  pass_through,
-  cull_fragment
-};
-
-// Where a unit's register comes from.
-enum class UnitSource : std::uint8_t {
-  disabled,  // no texture is enabled: the profile's value
-  zero,      // NV_texture_shader's GL_NONE
-  texture_1d,
-  texture_2d,
-  texture_rectangle,
-  texture_3d,
-  texture_cube_map,
-  pass_through,  // the texture coordinates
-  cull_fragment  // zero, or no fragment
-};
+inline constexpr std::size_t kLayerUnits = kTextureStages;
 
 // The kind of a texture's values. Depth textures enter the combiners by a rule of their own; GL_DEPTH_TEXTURE_MODE,
-// which is ignored, decides where GLSL finds the depth.
-enum class TexelKind : std::uint8_t { color, depth, depth_in_alpha, comparison, comparison_in_alpha };
+// which is ignored, decides where GLSL finds the depth. Formats of NV_texture_shader are stored in the driver's signed
+// ones (texture_formats.h).
+enum class TexelKind : std::uint8_t {
+  color,
+  depth,
+  depth_in_alpha,
+  comparison,
+  comparison_in_alpha,
+  signed_color,               // red, green, blue, alpha in two's complement
+  signed_rgb_unsigned_alpha,  // in 16 bits
+  hilo,                       // 16 bits in red and green
+  signed_hilo,
+  dsdt,     // in red and green
+  dsdt_mag  // in red, green, blue
+};
+
+// OpenGL's base formats, by which a texture environment reads a texel.
+enum class BaseFormat : std::uint8_t { alpha, luminance, luminance_alpha, intensity, rgb, rgba };
+
+// One half of GL_COMBINE, as OpenGL's enumerants.
+struct EnvironmentCombine {
+  unsigned function = 0;
+  std::array<unsigned, 3> sources{}, operands{};
+  float scale = 1.0F;
+  friend bool operator==(const EnvironmentCombine&, const EnvironmentCombine&) = default;
+};
+
+// A unit's texture environment.
+struct Environment {
+  unsigned mode = 0;  // GL_TEXTURE_ENV_MODE; 0: the unit leaves the colour as it is
+  BaseFormat format = BaseFormat::rgba;
+  EnvironmentCombine rgb{}, alpha{};  // of GL_COMBINE
+  friend bool operator==(const Environment&, const Environment&) = default;
+};
 
 struct UnitInput {
-  UnitSource source = UnitSource::disabled;
+  StageTarget target = StageTarget::none;  // of the texture that is read; none: no texture is enabled
   TexelKind kind = TexelKind::color;
-  std::array<bool, 4> cull_if_less{};  // of cull_fragment
   friend bool operator==(const UnitInput&, const UnitInput&) = default;
 };
 
@@ -50,6 +59,11 @@ enum class FogFactor : std::uint8_t { off, linear, exp, exp2 };
 
 struct ShaderInputs {
   std::array<UnitInput, kLayerUnits> units{};
+  // Texture shaders, if they are enabled; without the numbers that are uniforms.
+  std::optional<TextureShaderProgram> stages{};
+  // The texture environments, which take the place of the combiners where these are disabled.
+  std::optional<std::array<Environment, kLayerUnits>> environments{};
+  bool color_sum = false;  // with environments: the secondary colour is added
   FogFactor fog = FogFactor::off;
   bool secondary = true;      // false: lighting with a single colour, which leaves the secondary colour 0
   bool write_inputs = false;  // the inputs go to the colour buffers after the first

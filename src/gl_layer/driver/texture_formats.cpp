@@ -1,0 +1,91 @@
+#include "src/gl_layer/driver/texture_formats.h"
+
+namespace ninebit::gl_layer {
+namespace {
+
+struct Format {
+  GLenum name, stored;
+};
+constexpr Format kFormats[]{{GL_HILO_NV, GL_RG16},
+                            {GL_HILO16_NV, GL_RG16},
+                            {GL_SIGNED_HILO_NV, GL_RG16_SNORM},
+                            {GL_SIGNED_HILO16_NV, GL_RG16_SNORM},
+                            {GL_DSDT_NV, GL_RG8_SNORM},
+                            {GL_DSDT8_NV, GL_RG8_SNORM},
+                            {GL_DSDT_MAG_NV, GL_RGB8_SNORM},
+                            {GL_DSDT8_MAG8_NV, GL_RGB8_SNORM},
+                            {GL_SIGNED_RGBA_NV, GL_RGBA8_SNORM},
+                            {GL_SIGNED_RGBA8_NV, GL_RGBA8_SNORM},
+                            {GL_SIGNED_RGB_NV, GL_RGBA8_SNORM},  // RGB8_SNORM is DSDT8_MAG8; alpha is 1
+                            {GL_SIGNED_RGB8_NV, GL_RGBA8_SNORM},
+                            {GL_SIGNED_RGB_UNSIGNED_ALPHA_NV, GL_RGBA16_SNORM},
+                            {GL_SIGNED_RGB8_UNSIGNED_ALPHA8_NV, GL_RGBA16_SNORM},
+                            {GL_SIGNED_LUMINANCE_NV, GL_LUMINANCE8_SNORM},
+                            {GL_SIGNED_LUMINANCE8_NV, GL_LUMINANCE8_SNORM},
+                            {GL_SIGNED_LUMINANCE_ALPHA_NV, GL_LUMINANCE8_ALPHA8_SNORM},
+                            {GL_SIGNED_LUMINANCE8_ALPHA8_NV, GL_LUMINANCE8_ALPHA8_SNORM},
+                            {GL_SIGNED_ALPHA_NV, GL_ALPHA8_SNORM},
+                            {GL_SIGNED_ALPHA8_NV, GL_ALPHA8_SNORM},
+                            {GL_SIGNED_INTENSITY_NV, GL_INTENSITY8_SNORM},
+                            {GL_SIGNED_INTENSITY8_NV, GL_INTENSITY8_SNORM}};
+
+}  // namespace
+
+GLenum gl_target(StageTarget target) {
+  constexpr GLenum kTargets[]{GL_NONE,       GL_TEXTURE_1D,      GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE,
+                              GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
+  return kTargets[static_cast<std::size_t>(target)];
+}
+
+GLint base_level_value(GLenum target, GLenum pname) {
+  GLint base = 0, value = 0;
+  found_driver.GetTexParameteriv(target, GL_TEXTURE_BASE_LEVEL, &base);
+  if (base < 0 || base > 16) return 0;
+  const GLenum image = target == GL_TEXTURE_CUBE_MAP ? GLenum{GL_TEXTURE_CUBE_MAP_POSITIVE_X} : target;
+  found_driver.GetTexLevelParameteriv(image, base, pname, &value);
+  return value;
+}
+
+GLint stored_format(GLint internal) {
+  for (const Format& format : kFormats) {
+    if (static_cast<GLenum>(internal) == format.name) return static_cast<GLint>(format.stored);
+  }
+  return internal;
+}
+
+GLenum stored_pixel_format(GLenum format) {
+  switch (format) {
+    case GL_HILO_NV:
+    case GL_DSDT_NV:
+      return GL_RG;
+    case GL_DSDT_MAG_NV:
+      return GL_RGB;
+    default:
+      return format;
+  }
+}
+
+TexelKind kind_of_stored_format(GLenum internal) {
+  switch (internal) {
+    case GL_RG16:
+      return TexelKind::hilo;
+    case GL_RG16_SNORM:
+      return TexelKind::signed_hilo;
+    case GL_RG8_SNORM:
+      return TexelKind::dsdt;
+    case GL_RGB8_SNORM:
+      return TexelKind::dsdt_mag;
+    case GL_RGBA16_SNORM:
+      return TexelKind::signed_rgb_unsigned_alpha;
+    case GL_RGBA8_SNORM:
+    case GL_LUMINANCE8_SNORM:
+    case GL_LUMINANCE8_ALPHA8_SNORM:
+    case GL_ALPHA8_SNORM:
+    case GL_INTENSITY8_SNORM:
+      return TexelKind::signed_color;
+    default:
+      return TexelKind::color;
+  }
+}
+
+}  // namespace ninebit::gl_layer

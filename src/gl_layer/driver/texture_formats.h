@@ -1,0 +1,25 @@
+// The texture formats of NV_texture_shader and the formats of today's drivers that store them.
+#pragma once
+
+#include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/shader/shader_inputs.h"
+
+namespace ninebit::gl_layer {
+
+// OpenGL's target; GL_NONE for none.
+[[nodiscard]] GLenum gl_target(StageTarget target);
+
+// A parameter of the base level of the texture that the active unit has bound.
+[[nodiscard]] GLint base_level_value(GLenum target, GLenum pname);
+
+// The internal format that stores one of NV_texture_shader; others are returned as they are. The driver's formats end
+// at -1: -128 of a signed byte reads as -127, -32768 as -32767. DSDT8_MAG8_INTENSITY8 stays, and the driver refuses it.
+[[nodiscard]] GLint stored_format(GLint internal);
+
+// The format of pixels in memory that corresponds to one of NV_texture_shader; others are returned as they are.
+[[nodiscard]] GLenum stored_pixel_format(GLenum format);
+
+// The kind of a texture's values by its internal format, as the driver reports it.
+[[nodiscard]] TexelKind kind_of_stored_format(GLenum internal);
+
+}  // namespace ninebit::gl_layer
