@@ -162,5 +162,34 @@ TEST(LayerEnvironments, CombinersComeFirst) {
   EXPECT_EQ(center_pixel(), (Pixel{255, 0, 255, 255}));
 }
 
+// NV_texture_shader's mode GL_NONE: the unit leaves the colour as it is.
+TEST(LayerEnvironments, NoneLeavesTheColour) {
+  NINEBIT_GL_CONTEXT(context);
+  const std::uint8_t texel[]{50, 60, 70, 80};
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
+  glEnable(GL_TEXTURE_SHADER_NV);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_NONE);
+  GLint mode = -1;
+  glGetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, &mode);
+  EXPECT_EQ(mode, GL_NONE);
+  glColor4ub(1, 2, 3, 4);
+  clear_picture();
+  draw_square();
+  EXPECT_EQ(center_pixel(), (Pixel{1, 2, 3, 4}));
+  glNewList(1, GL_COMPILE);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glEndList();
+  draw_square();
+  EXPECT_EQ(center_pixel(), (Pixel{1, 2, 3, 4}));
+  glCallList(1);
+  draw_square();
+  EXPECT_EQ(center_pixel(), (Pixel{50, 60, 70, 80}));
+  glGetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, &mode);
+  EXPECT_EQ(mode, GL_REPLACE);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 }  // namespace
 }  // namespace ninebit::test

@@ -177,7 +177,7 @@ class Stages {
         return over(real(complement(t[0], 256)), real(complement(t[1], 256)), real(complement(t[2], 256)),
                     odd ? 127.0F : 128.0F);
       case DotMapping::hilo_1:
-        return over(real(high), real(low), 65535.0F, 65535.0F);
+        return over(real(high) / 65535.0F, real(low) / 65535.0F, 1.0F, 1.0F);
       case DotMapping::hilo_hemisphere: {
         const long h = complement(high, 65536), l = complement(low, 65536);
         const long left = 1073741824L - h * h - l * l;

@@ -49,7 +49,8 @@ NINEBIT_STAGE_RULE float stage_dot(const StageVector& a, const StageVector& b) {
 }
 
 // Rule 36: the other factor of a dot product is `number` / `over`. The sum is divided, not its parts: that agrees with
-// more of the measured depths.
+// more of the measured depths. The third number of HILO texels is exactly 1: programs of the time compare a depth that
+// passes through it with one that does not.
 struct StageFactor {
   StageVector number;
   float over;
@@ -68,7 +69,8 @@ NINEBIT_STAGE_RULE StageFactor stage_factor(DotDivisors divisors, std::int32_t r
   } else if constexpr (kMapping == DotMapping::minus1_to_1) {
     return {vector(s8(red), s8(green), s8(blue)), is_odd ? 127.0F : 128.0F};
   } else if constexpr (kMapping == DotMapping::hilo_1) {
-    return {vector(256 * alpha + red, 256 * green + blue, 65535), 65535.0F};
+    const StageVector words = vector(256 * alpha + red, 256 * green + blue, 1);
+    return {{words.x / 65535.0F, words.y / 65535.0F, words.z}, 1.0F};
   } else if constexpr (kMapping == DotMapping::hilo_hemisphere) {
     const std::int32_t high = s16(256 * alpha + red), low = s16(256 * green + blue);
     const double left = 0x1p30 - static_cast<double>(high) * high - static_cast<double>(low) * low;

@@ -20,7 +20,7 @@ enum class DotMapping : std::uint8_t {
   minus1_to_1_d3d,      // ((R, G, B) - 128) / 127; GL_EXPAND_NORMAL_NV by this mapping is assumed
   minus1_to_1_gl,       // (2 s8(R, G, B) + 1) / 255
   minus1_to_1,          // s8(R, G, B) / 127; signed textures of OpenGL
-  hilo_1,               // (H, L, 65535) / 65535; GL_HILO_NV
+  hilo_1,               // (H / 65535, L / 65535, 1); GL_HILO_NV
   hilo_hemisphere_d3d,  // the chip refuses it
   hilo_hemisphere_gl,   // the chip refuses it
   hilo_hemisphere       // s16(H, L) / 32767, and what is left of a unit vector; GL_SIGNED_HILO_NV

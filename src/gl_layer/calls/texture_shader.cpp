@@ -87,42 +87,91 @@ void get(GLenum pname, T* params) {
   }
 }
 
-// An environment of the driver's has changed, which texture shaders without combiners read.
-void mark_environment() {
+// The environment mode GL_NONE, which NV_texture_shader adds; other modes end it.
+void set_no_environment(bool is_none) {
   Context* const context = current();
-  if (context == nullptr) return;
+  if (context->open_list != nullptr) {
+    if (context->list_in_begin()) return record_begin_error(*context);
+    return record(*context, [is_none] { set_no_environment(is_none); });
+  }
+  if (!context->outside_begin()) return;
+  const auto unit = static_cast<std::size_t>(driver_integer(GL_ACTIVE_TEXTURE) - GL_TEXTURE0);
+  if (unit < kLayerUnits) context->no_environment[unit] = is_none;
+  context->inputs_stale = true;
+}
+
+// A command for the driver's environments, which texture shaders without combiners read. Returns whether the layer
+// executes it instead of the driver.
+bool takes_environment(GLenum target, GLenum pname, GLfloat first) {
+  Context* const context = current();
+  if (context == nullptr || !context->combiners.profile().texture_shaders) return false;
   context->inputs_stale = true;
   if (context->open_list != nullptr) context->open_list->stale = true;
+  if (target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE) return false;
+  const bool is_none = first == 0.0F;
+  if (is_none || context->touched) set_no_environment(is_none);
+  return is_none;
+}
+
+// The query of a mode that is GL_NONE.
+template <class T>
+bool answers_environment(GLenum target, GLenum pname, T* params) {
+  Context* const context = current();
+  if (context == nullptr || target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE || params == nullptr) return false;
+  const auto unit = static_cast<std::size_t>(driver_integer(GL_ACTIVE_TEXTURE) - GL_TEXTURE0);
+  if (context->in_begin || unit >= kLayerUnits || !context->no_environment[unit]) return false;
+  *params = T{0};
+  return true;
 }
 
 }  // namespace
 
 GLAPI void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
-  if (!is_ours(target)) return mark_environment(), find_driver().TexEnvf(target, pname, param);
+  if (!is_ours(target)) {
+    if (!takes_environment(target, pname, param)) find_driver().TexEnvf(target, pname, param);
+    return;
+  }
   set({pname, true, std::array{param, 0.0F, 0.0F, 0.0F}});
 }
 
 GLAPI void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
-  if (!is_ours(target)) return mark_environment(), find_driver().TexEnvi(target, pname, param);
+  if (!is_ours(target)) {
+    if (!takes_environment(target, pname, static_cast<GLfloat>(param))) find_driver().TexEnvi(target, pname, param);
+    return;
+  }
   set({pname, true, std::array{static_cast<GLfloat>(param), 0.0F, 0.0F, 0.0F}});
 }
 
 GLAPI void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
-  if (!is_ours(target)) return mark_environment(), find_driver().TexEnvfv(target, pname, params);
+  if (!is_ours(target)) {
+    if (!takes_environment(target, pname, params != nullptr ? params[0] : 1.0F))
+      find_driver().TexEnvfv(target, pname, params);
+    return;
+  }
   set_vector(pname, params);
 }
 
 GLAPI void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
-  if (!is_ours(target)) return mark_environment(), find_driver().TexEnviv(target, pname, params);
+  if (!is_ours(target)) {
+    if (!takes_environment(target, pname, params != nullptr ? static_cast<GLfloat>(params[0]) : 1.0F))
+      find_driver().TexEnviv(target, pname, params);
+    return;
+  }
   set_vector(pname, params);
 }
 
 GLAPI void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
-  if (!is_ours(target)) return find_driver().GetTexEnvfv(target, pname, params);
+  if (!is_ours(target)) {
+    if (!answers_environment(target, pname, params)) find_driver().GetTexEnvfv(target, pname, params);
+    return;
+  }
   get(pname, params);
 }
 
 GLAPI void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
-  if (!is_ours(target)) return find_driver().GetTexEnviv(target, pname, params);
+  if (!is_ours(target)) {
+    if (!answers_environment(target, pname, params)) find_driver().GetTexEnviv(target, pname, params);
+    return;
+  }
   get(pname, params);
 }

@@ -70,6 +70,9 @@ class Context {
   const std::shared_ptr<ShareGroup> group;
   gl::Context combiners;  // and the texture shaders' state
 
+  // GL_TEXTURE_ENV_MODE is GL_NONE (NV_texture_shader), by unit; the driver has the mode before it.
+  std::array<bool, kLayerUnits> no_environment{};
+
   // Whether shaders write their inputs to the colour buffers after the first: NINEBIT_GL_WRITE_INPUTS is set.
   const bool writes_inputs;
   DriverFeatures features{};  // found when the context is first made current

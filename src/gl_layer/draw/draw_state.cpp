@@ -29,12 +29,16 @@ TexelKind depth_kind(GLenum target) {
   return compare == GL_NONE ? TexelKind::depth : TexelKind::comparison;
 }
 
-// Of the texture that the active unit has bound.
-TexelKind texel_kind(StageTarget of) {
+// The texture that the active unit has bound to a target.
+UnitInput unit_input(StageTarget of) {
+  UnitInput unit{.target = of};
   const GLenum target = gl_target(of);
-  if (target == GL_NONE) return TexelKind::color;
-  if (base_level_value(target, GL_TEXTURE_DEPTH_SIZE) != 0) return depth_kind(target);
-  return kind_of_stored_format(static_cast<GLenum>(base_level_value(target, GL_TEXTURE_INTERNAL_FORMAT)));
+  if (target == GL_NONE) return unit;
+  unit.depth_bits = base_level_value(target, GL_TEXTURE_DEPTH_SIZE);
+  unit.kind = unit.depth_bits != 0
+                  ? depth_kind(target)
+                  : kind_of_stored_format(static_cast<GLenum>(base_level_value(target, GL_TEXTURE_INTERNAL_FORMAT)));
+  return unit;
 }
 
 // A texture as the rules of consistency see it. Of completeness only the base level is looked at.
@@ -92,8 +96,7 @@ TextureShaderProgram stages_of(const Context& context, std::array<UnitInput, kLa
   StageTextures textures;
   TextureShaderState state = context.combiners.texture_shader();
   visit_units(context, [&](std::size_t i) {
-    units[i].target = info_of(state.stage[i].operation).target;
-    units[i].kind = texel_kind(units[i].target);
+    units[i] = unit_input(info_of(state.stage[i].operation).target);
     textures[i] = stage_texture(units[i]);
   });
   for (TextureStage& stage : state.stage) {
@@ -126,24 +129,27 @@ FogFactor fog_factor() {
   }
 }
 
+// Whether a stage gives a colour that a texture environment uses. That HILO and DSDT texels leave the colour as it is
+// is inferred from programs that use them so.
+bool has_color(const TextureShaderProgram& stages, std::size_t i) {
+  const ProgramTextureStage& stage = stages.stage[i];
+  const TextureOperation operation = stage.state.operation;
+  const bool has_texel = info_of(operation).target != StageTarget::none || operation == TextureOperation::pass_through;
+  return has_texel && stage.is_visible[kRed];
+}
+
 ShaderInputs find_inputs(const Context& context) {
   ShaderInputs inputs;
   if (context.combiners.texture_shader().enabled) {
     inputs.stages = stages_of(context, inputs.units);
   } else {
-    visit_units(context, [&](std::size_t i) {
-      inputs.units[i].target = enabled_target(context.features);
-      inputs.units[i].kind = texel_kind(inputs.units[i].target);
-    });
+    visit_units(context, [&](std::size_t i) { inputs.units[i] = unit_input(enabled_target(context.features)); });
   }
   if (!context.combiners.register_combiners_enabled()) {
     inputs.environments.emplace();
     visit_units(context, [&](std::size_t i) {
-      const ProgramTextureStage& stage = inputs.stages->stage[i];
-      const TextureOperation operation = stage.state.operation;
-      const bool has_texel =
-          info_of(operation).target != StageTarget::none || operation == TextureOperation::pass_through;
-      if (has_texel) (*inputs.environments)[i] = read_environment(inputs.units[i].target);
+      if (context.no_environment[i]) return;
+      if (has_color(*inputs.stages, i)) (*inputs.environments)[i] = read_environment(inputs.units[i].target);
     });
   }
   inputs.fog = fog_factor();

@@ -50,7 +50,15 @@ std::string sample(const UnitInput& unit, std::size_t i) {
 // The same at the coordinates `at`, which a stage has computed.
 std::string sample_at(const UnitInput& unit, std::size_t i) {
   const std::string dimension = dimension_of(unit.target);
-  if (compares(unit)) return "shadow" + dimension + '(' + sampler_of(i) + ", at)";
+  if (compares(unit)) {
+    // The chip compares codes of the texture's format; a driver may compare floats.
+    std::string at = "at";
+    if (unit.depth_bits > 0 && unit.depth_bits <= 24) {
+      const std::string largest = std::to_string((1 << unit.depth_bits) - 1) + ".0";
+      at = "vec3(at.xy, round(clamp(at.z, 0.0, 1.0) * " + largest + ") / " + largest + ')';
+    }
+    return "shadow" + dimension + '(' + sampler_of(i) + ", " + at + ')';
+  }
   constexpr std::array kComponents{"", ".x", ".xy", ".xy", ".xyz", ".xyz"};
   return "texture" + dimension + '(' + sampler_of(i) + ", at" + kComponents[static_cast<std::size_t>(unit.target)] +
          ')';

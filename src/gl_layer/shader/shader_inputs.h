@@ -52,6 +52,7 @@ struct Environment {
 struct UnitInput {
   StageTarget target = StageTarget::none;  // of the texture that is read; none: no texture is enabled
   TexelKind kind = TexelKind::color;
+  int depth_bits = 0;  // of depth textures
   friend bool operator==(const UnitInput&, const UnitInput&) = default;
 };
 

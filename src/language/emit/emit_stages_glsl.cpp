@@ -218,7 +218,9 @@ class GlslStages {
       case DotMapping::minus1_to_1:
         return {each(s8, ")"), is_odd ? 127 : 128};
       case DotMapping::hilo_1:
-        return {"vec3(256 * " + texel + ".a + " + texel + ".r, 256 * " + texel + ".g + " + texel + ".b, 65535)", 65535};
+        return {"vec3(float(256 * " + texel + ".a + " + texel + ".r) / 65535.0, float(256 * " + texel + ".g + " +
+                    texel + ".b) / 65535.0, 1.0)",
+                1};
       case DotMapping::hilo_hemisphere:
         return {call("_hemisphere(" + texel + ')'), 1};
       case DotMapping::zero_to_one:
