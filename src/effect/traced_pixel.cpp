@@ -72,6 +72,8 @@ std::string_view text_of_fate(FragmentFate fate) {
       return "stencil test failed";
     case FragmentFate::depth_failed:
       return "depth test failed";
+    case FragmentFate::culled:
+      return "culled by the texture shader";
     case FragmentFate::written:
       return "written";
   }
