@@ -20,6 +20,7 @@
 #include "ninebit/language/gl_enums.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 namespace gl {
@@ -39,6 +40,10 @@ class Context {
   [[nodiscard]] const CombinerState& state() const { return state_; }
   [[nodiscard]] CombinerState& state() { return state_; }
 
+  // The texture-shader stages; enabled: GL_TEXTURE_SHADER_NV. Writes are not checked.
+  [[nodiscard]] const TextureShaderState& texture_shader() const { return texture_shader_; }
+  [[nodiscard]] TextureShaderState& texture_shader() { return texture_shader_; }
+
   // The constants that calls have set, by place; last are those of glCombinerParameter.
   [[nodiscard]] const ByConstant<bool>& constants_set() const { return constants_set_; }
   [[nodiscard]] ByConstant<bool>& constants_set() { return constants_set_; }
@@ -55,6 +60,7 @@ class Context {
  private:
   HardwareProfile profile_;
   CombinerState state_{};
+  TextureShaderState texture_shader_{};
   ByConstant<bool> constants_set_{};
   bool register_combiners_enabled_ = false;
   GlError error_ = GlError::no_error;

@@ -29,7 +29,7 @@ Result<CombinerState> program_in(const std::filesystem::path& file, const Hardwa
     const TextFault& first = parsed.faults()[0];
     return Diagnostic{.message = first.message, .file = name, .line = first.line};
   }
-  const auto refused = validate(parsed->state, profile);
+  const auto refused = validate(*parsed, profile);
   if (!refused.empty()) return fault_of(file, refused[0].message);
   return parsed->state;
 }

@@ -46,7 +46,7 @@ Result<CombinerState> read_program(const std::filesystem::path& path, const Hard
     for (std::size_t i = 1; i < file->parsed.faults().size(); ++i) (void)report_fault(file->parsed.faults()[i]);
     return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
   }
-  const std::vector<StateDiagnostic> refused = validate(file->parsed->state, profile);
+  const std::vector<StateDiagnostic> refused = validate(*file->parsed, profile);
   if (refused.empty()) return file->parsed->state;
   return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                     .file = file->name};
