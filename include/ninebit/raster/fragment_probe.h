@@ -29,7 +29,8 @@ struct ProbedFragment {
   std::uint8_t stored_stencil = 0;      // the stencil plane's value before the fragment; 0 without a plane
   RegisterFile registers;               // before the first general combiner; `zero` and constants are 0 here
   std::array<std::uint8_t, 4> color{};  // input of the fragment operations, before masks
-  bool depth_passes = false;            // whether the depth test passes, regardless of the alpha and stencil tests
+  bool depth_passes = false;            // whether the depth test passes, regardless of the alpha and stencil tests;
+                                        // false for a culled fragment, which is not tested
   FragmentFate fate = FragmentFate::written;    // what rejected it, or `written`
   std::optional<TextureShaderResult> stages{};  // of its texture-shader stages; empty: they are not enabled
   friend bool operator==(const ProbedFragment&, const ProbedFragment&) = default;

@@ -274,7 +274,7 @@ ProbedFragment FragmentBatch::run_alone() {
   }
   run_program();
   probed.color = color_[0];
-  probed.depth_passes = context_.operations.depth_passes(fragment);
+  probed.depth_passes = !is_culled(0) && context_.operations.depth_passes(fragment);
   probed.fate = is_culled(0) ? FragmentFate::culled : context_.operations.fate_of(fragment, color_[0]);
   if (!is_culled(0)) context_.operations.apply(fragment, color_[0]);
   count_ = 0;

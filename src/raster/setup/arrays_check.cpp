@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -66,8 +65,7 @@ Status check_state(const PipelineState& state, const RenderTarget& target) {
     return fault("the program was not compiled for profile " + std::string(state.profile.name));
   }
   if (const auto faults = validate(state.texture_shader, state.profile); !faults.empty()) {
-    const std::optional<int> stage = faults[0].stage;
-    return fault((stage ? "texture stage " + std::to_string(*stage) + ": " : std::string()) + faults[0].message);
+    return fault(faults[0].message);
   }
   if (state.profile.subpixel_bits < 0 || state.profile.subpixel_bits > 4) {
     return fault("the rasterizer's integers hold 0 to 4 subpixel bits, not " +
