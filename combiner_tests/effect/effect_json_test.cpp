@@ -171,5 +171,35 @@ TEST(EffectJson, ReportsFilesThatCannotBeRead) {
   EXPECT_FALSE(read_effect(NINEBIT_SOURCE_DIR "/scenes/effects/no_such_file.json"));
 }
 
+TEST(EffectJson, ReadsTextureShaders) {
+  const auto parsed = parse(R"(
+    "profile": "nv2a",
+    "textures": {"d": {"source": "offsets:h.png", "steepness": 2}, "n": {"source": "signed-normals:h.png"},
+                 "h": {"source": "hilo-heights:h.png"}, "v": {"source": "3d:v.png"}},
+    "passes": [{"texture_shader": {"stages": [{"operation": "texture_2d"},
+                                              {"operation": "offset_2d", "matrix": [0.5, 0, 0, 2]},
+                                              {"operation": "cull_fragment"}]},
+                "units": [{"texture": "d"}, {"texture": "n"}, {"texture": null, "coordinates": "position"}]}])");
+  ASSERT_TRUE(parsed) << parsed.faults()[0].text();
+  const TextureShaderState& stages = parsed->passes[0].state.texture_shader;
+  EXPECT_TRUE(stages.enabled);
+  EXPECT_EQ(stages.stage[1].operation, TextureOperation::offset_2d);
+  EXPECT_EQ(stages.stage[1].matrix, (std::array<float, 4>{0.5F, 0.0F, 0.0F, 2.0F}));
+  EXPECT_EQ(parsed->passes[0].units[2].coordinates.source, VertexSource::position);
+  EXPECT_EQ(parsed->textures[0].origin, TextureOrigin::offsets);
+  EXPECT_EQ(parsed->textures[0].sampler.min_filter, MinFilter::linear_mipmap_linear);
+  EXPECT_TRUE(parsed->textures[1].sampler.is_signed[2]);
+  EXPECT_EQ(parsed->textures[2].sampler.min_filter, MinFilter::linear) << "without mip-maps";
+
+  const auto refused = parse(R"(
+    "profile": "nv2a",
+    "passes": [{"texture_shader": {"stages": [{"operation": "offset_2d"}]}}])");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.faults()[0].text().find("e.json:3:"), std::string::npos) << refused.faults()[0].text();
+  EXPECT_NE(refused.faults()[0].text().find("texture stage 0"), std::string::npos) << refused.faults()[0].text();
+  EXPECT_FALSE(parse(R"("profile": "geforce2",
+    "passes": [{"texture_shader": {"stages": [{"operation": "texture_2d"}]}}])"));
+}
+
 }  // namespace
 }  // namespace ninebit::test

@@ -18,10 +18,10 @@ namespace {
 
 EffectReaders reader_of(const std::string& program) {
   EffectReaders readers;
-  readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<CombinerState> {
+  readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<TextProgram> {
     auto parsed = parse_rc10({program, "test"}, profile);
     if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
-    return *parsed;
+    return TextProgram{.state = *parsed};
   };
   return readers;
 }
@@ -64,12 +64,12 @@ TEST(EffectParts, ConstantsOfOneCombiner) {
   std::vector<std::string> warnings;
   const auto program = effect_program({}, pass, profiles::nv2a, readers, warnings);
   ASSERT_TRUE(program) << program.error().text();
-  EXPECT_EQ(program->general[0].constant0[0], 255);
-  EXPECT_EQ(program->general[0].constant1[1], 255);
-  EXPECT_EQ(program->general[0].constant0[2], 0);
-  EXPECT_EQ(program->general[1].constant0[2], 255);
-  EXPECT_EQ(program->general[1].constant1[1], 255);
-  EXPECT_EQ(program->general[1].constant1[0], 0);
+  EXPECT_EQ(program->combiners.general[0].constant0[0], 255);
+  EXPECT_EQ(program->combiners.general[0].constant1[1], 255);
+  EXPECT_EQ(program->combiners.general[0].constant0[2], 0);
+  EXPECT_EQ(program->combiners.general[1].constant0[2], 255);
+  EXPECT_EQ(program->combiners.general[1].constant1[1], 255);
+  EXPECT_EQ(program->combiners.general[1].constant1[0], 0);
 }
 
 // A texture register that a stage writes before another reads it needs no texture.
@@ -101,7 +101,7 @@ TEST(EffectParts, ARecordHasTheFragmentsOfTheDraw) {
                              "out.rgb = col0; out.a = spare0.a;\n")
                              .program({}, profiles::geforce2);
   ASSERT_TRUE(combiners) << combiners.error().text();
-  state.program = compile(*combiners, profiles::geforce2).value();
+  state.program = compile(combiners->state, profiles::geforce2).value();
   std::vector<glm::vec3> positions;
   for (const float z : {-0.5F, 0.5F}) {
     for (const glm::vec2 p : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {

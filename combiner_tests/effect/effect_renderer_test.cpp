@@ -25,10 +25,10 @@ constexpr int kSize = 32;
 // Readers that know programs by their text and textures by a number.
 EffectReaders readers_of(const std::string& program, const Texture& texture) {
   EffectReaders readers;
-  readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<CombinerState> {
+  readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<TextProgram> {
     auto parsed = parse_rc10({program, "test"}, profile);
     if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
-    return *parsed;
+    return TextProgram{.state = *parsed};
   };
   readers.texture = [texture](std::span<const std::filesystem::path>, const HardwareProfile&) -> Result<Texture> {
     return texture;
@@ -82,7 +82,7 @@ TEST(EffectRenderer, TheRectangleIsEvaluation) {
     ASSERT_TRUE(renderer) << renderer.error().text();
     ASSERT_TRUE(renderer->draw());
     EXPECT_TRUE(renderer->warnings().empty());
-    CombinerState state = readers.program({}, profile).value();
+    CombinerState state = readers.program({}, profile).value().state;
     state.constant0 = *effect.passes[0].constants.global[0];
     state.constant1 = *effect.passes[0].constants.global[1];
     const Program program = compile(state, profile).value();
@@ -205,6 +205,39 @@ TEST(Tangents, PointWhereSGrows) {
   }
   const std::vector<glm::vec4> plane = tangents_of(generated_mesh("plane:1").value());
   EXPECT_EQ(plane[0], glm::vec4(1.0F, 0.0F, 0.0F, 1.0F));
+}
+
+// A file's stages are those of the pass, unless the pass has its own; inconsistent ones are warned about.
+TEST(EffectRenderer, StagesOfTheProgramAndOfThePass) {
+  std::vector<std::uint8_t> bytes;
+  const Texture texture = random_texture(bytes);
+  EffectReaders readers = readers_of("!!RC1.0\nout.rgb = tex1;\nout.a = unsigned_invert(zero);\n", texture);
+  readers.program = [inner = readers.program](const std::filesystem::path& file, const HardwareProfile& profile) {
+    auto program = inner(file, profile);
+    program->texture_shader.enabled = true;
+    program->texture_shader.stage[1].operation = TextureOperation::pass_through;
+    return program;
+  };
+  Effect effect = rectangle_effect();
+  effect.passes[0].constants = {};
+  effect.passes[0].units[1].coordinates = {.source = VertexSource::constant, .constant = {0.25F, 0.5F, 1.0F, 1.0F}};
+  auto renderer = EffectRenderer::make(effect, profiles::nv2a, readers);
+  ASSERT_TRUE(renderer) << renderer.error().text();
+  EXPECT_TRUE(renderer->warnings().empty());
+  ASSERT_TRUE(renderer->draw());
+  EXPECT_NEAR(renderer->picture().color(0)[100], 63, 1);
+  EXPECT_NEAR(renderer->picture().color(1)[100], 127, 1);
+
+  TextureShaderState& own = effect.passes[0].state.texture_shader;
+  own.enabled = true;
+  own.stage[1].operation = TextureOperation::texture_2d;
+  auto other = EffectRenderer::make(effect, profiles::nv2a, readers);
+  ASSERT_TRUE(other) << other.error().text();
+  ASSERT_EQ(other->warnings().size(), 1U);
+  EXPECT_EQ(other->warnings()[0].rfind("pass 'draw': texture stage 1: ", 0), 0U) << other->warnings()[0];
+  ASSERT_TRUE(other->draw());
+  EXPECT_EQ(other->picture().color(1)[100], 0);
+  EXPECT_FALSE(EffectRenderer::make(effect, profiles::geforce2, readers));
 }
 
 }  // namespace

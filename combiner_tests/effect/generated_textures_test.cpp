@@ -96,4 +96,58 @@ TEST(GeneratedTextures, BadSizesAndHeights) {
   EXPECT_FALSE(normal_map(Texture{}, 1.0).ok());
 }
 
+// A height map of 4 x 2 texels whose slopes are known: 51 higher to the right of a texel than to the left of it.
+Texture ramp_heights() {
+  TextureSamples samples{.width = 4, .height = 2};
+  samples.samples = std::vector<std::uint8_t>{0, 51, 102, 153, 0, 51, 102, 153};
+  return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {{samples}}).value();
+}
+
+TEST(GeneratedTextures, SignedNormalsAndOffsetsAreSlopes) {
+  const Texture heights = ramp_heights();
+  // At the second texel the slope is (102 - 0) / 255 / 2 = 0.2, times the steepness.
+  const auto offsets = offset_map(heights, 2.0);
+  ASSERT_TRUE(offsets.ok());
+  EXPECT_EQ(offsets->format, InternalFormat::dsdt8);
+  EXPECT_EQ(texel(*offsets, 0, 2, 1, 0), 51);  // ds: 0.4 × 127 is 50.8
+  EXPECT_EQ(texel(*offsets, 0, 1, 1, 0), 0);   // dt
+  EXPECT_EQ(texel(*offset_map(heights, 100.0), 0, 2, 0, 0), 129) << "-127: clamped";
+  const double length = std::sqrt(1.0 + 0.4 * 0.4);
+  const auto normals = signed_normal_map(heights, 2.0);
+  ASSERT_TRUE(normals.ok());
+  EXPECT_EQ(static_cast<std::int8_t>(texel(*normals, 0, 0, 1, 0)), std::floor(-0.4 / length * 127.0 + 0.5));
+  EXPECT_EQ(texel(*normals, 0, 2, 1, 0), std::floor(127.0 / length + 0.5));
+  const auto hilo = hilo_normal_map(heights, 2.0);
+  ASSERT_TRUE(hilo.ok());
+  const int high = 256 * texel(*hilo, 0, 3, 1, 0) + texel(*hilo, 0, 0, 1, 0);
+  EXPECT_EQ(static_cast<std::int16_t>(high), std::floor(-0.4 / length * 32767.0 + 0.5));
+  const auto words = hilo_height_map(heights);
+  ASSERT_TRUE(words.ok());
+  EXPECT_EQ(256 * texel(*words, 0, 3, 2, 0) + texel(*words, 0, 0, 2, 0), 102 * 257);
+  EXPECT_EQ(texel(*words, 0, 1, 2, 0) + texel(*words, 0, 2, 2, 0), 0);
+  for (const double steepness : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    EXPECT_FALSE(offset_map(heights, steepness).ok());
+    EXPECT_FALSE(signed_normal_map(heights, steepness).ok());
+    EXPECT_FALSE(hilo_normal_map(heights, steepness).ok());
+  }
+  EXPECT_FALSE(hilo_height_map(*normalization_cube_map(4)).ok());
+}
+
+TEST(GeneratedTextures, TexturesOfOtherKinds) {
+  TextureSamples samples{.width = 2, .height = 4};
+  samples.samples = std::vector<std::uint8_t>{10, 11, 20, 21, 30, 31, 40, 41};
+  const Texture flat = make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {{samples}}).value();
+  const auto line = retargeted(flat, TextureTarget::texture_1d);
+  ASSERT_TRUE(line.ok()) << line.error().message;
+  EXPECT_EQ(line->faces[0][0].height, 1);
+  EXPECT_EQ(texel(*line, 0, 0, 1, 0), 11);
+  const auto volume = retargeted(flat, TextureTarget::texture_3d);
+  ASSERT_TRUE(volume.ok()) << volume.error().message;
+  EXPECT_EQ(volume->faces[0][0].depth, 2);
+  EXPECT_EQ(volume->faces[0][0].height, 2);
+  EXPECT_EQ(texel(*volume, 0, 0, 1, 2), 31) << "row 0 of layer 1";
+  EXPECT_EQ(retargeted(flat, TextureTarget::rectangle)->faces[0][0].height, 4);
+  EXPECT_FALSE(retargeted(ramp_heights(), TextureTarget::texture_3d).ok()) << "wider than high";
+}
+
 }  // namespace

@@ -126,5 +126,23 @@ TEST(VertexSources, FogByDistanceAlongTheAxis) {
   EXPECT_FLOAT_EQ(exp2[0], std::exp(-1.5625F));
 }
 
+// A row has the axis of tangent, bitangent and normal, and the eye's in q: the products of a tangent-space vector with
+// the three rows are that vector in world space.
+TEST(VertexSources, RowsTurnTangentSpaceIntoWorldSpace) {
+  Scene scene = one_triangle();
+  scene.normals.assign(3, glm::normalize(glm::vec3(0.2F, -0.1F, 0.9F)));
+  const std::vector<glm::vec4> tangents = tangents_of(scene);
+  const VertexInputs inputs{.scene = &scene, .tangents = &tangents};
+  const glm::vec3 tangent(tangents[1]), bitangent = tangents[1].w * glm::cross(scene.normals[1], tangent);
+  const glm::vec3 vector(0.3F, -0.5F, 0.8F);
+  const glm::vec3 world = vector.x * tangent + vector.y * bitangent + vector.z * scene.normals[1];
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto source = static_cast<VertexSource>(static_cast<int>(VertexSource::tangent_to_world_x) + axis);
+    const UnitCoordinates row = unit_coordinates({.source = source}, inputs);
+    EXPECT_NEAR(glm::dot(row.str[1], vector), world[axis], 1e-6F) << axis;
+    EXPECT_EQ(row.q[1], scene.cameras[0].position[axis] - scene.positions[1][axis]) << axis;
+  }
+}
+
 }  // namespace
 }  // namespace ninebit::test

@@ -18,13 +18,14 @@ constexpr std::size_t kMostPasses = 8;
 // Files that are always there: a program that reads everything, a small texture or cube map, a cube.
 EffectReaders small_readers() {
   EffectReaders readers;
-  readers.program = [](const std::filesystem::path&, const HardwareProfile&) -> Result<CombinerState> {
-    CombinerState state;
+  readers.program = [](const std::filesystem::path&, const HardwareProfile&) -> Result<TextProgram> {
+    TextProgram program;
+    CombinerState& state = program.state;
     state.general[0].rgb.a = {Register::texture0, InputMapping::expand_normal, ComponentUsage::rgb};
     state.general[0].rgb.b = {Register::primary, InputMapping::signed_identity, ComponentUsage::rgb};
     state.general[0].rgb.c = {Register::texture1, InputMapping::unsigned_identity, ComponentUsage::rgb};
     state.general[0].rgb.d = {Register::secondary, InputMapping::unsigned_identity, ComponentUsage::rgb};
-    return state;
+    return program;
   };
   readers.texture = [](std::span<const std::filesystem::path> files, const HardwareProfile&) {
     return files.size() == 6 ? normalization_cube_map(2) : checkerboard(4);

@@ -247,7 +247,8 @@ TEST(ProgramForms, OtherWordsGoThroughWordsAndJson) {
     Random random(122, static_cast<std::uint64_t>(i));
     const auto first = parse_program({as_bytes(random_words(random)), ""}, ProgramForm::xbox, kFormsProfile);
     ASSERT_TRUE(first) << all_faults(first);
-    const auto& [state, words] = *first;
+    const CombinerState& state = first->state;
+    const std::vector<RegisterWord>& words = first->other_words;
     const std::pair<ProgramForm, std::string> texts[] = {
         {ProgramForm::words, *print_register_words(state, ChipClass::nv20, kFormsProfile, words)},
         {ProgramForm::words_json, *print_json_register_words(state, ChipClass::nv20, kFormsProfile, words)},

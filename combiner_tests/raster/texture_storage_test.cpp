@@ -226,5 +226,27 @@ TEST(TextureMipmaps, AreMeansRoundedToNearest) {
   EXPECT_FALSE(with_mipmaps(Texture{}).ok());
 }
 
+// Means of bytes in two's complement, halves up: -128 and 127 have -0.5, which becomes 0, not 127.
+TEST(TextureStorage, MipMapsOfSignedBytes) {
+  const auto make = [](InternalFormat format, std::vector<std::uint8_t> bytes) {
+    TextureSamples samples{.width = 2, .height = 1};
+    samples.samples = std::move(bytes);
+    return make_texture(TextureTarget::texture_2d, format, {{samples}}).value();
+  };
+  const auto mean = [](const Texture& texture, std::size_t component) {
+    const auto& planes = std::get<std::array<Plane<const std::uint8_t>, 4>>(texture.faces[0].at(1).planes);
+    return int{static_cast<std::int8_t>(planes[component].at(0, 0))};
+  };
+  const Texture offsets = with_mipmaps(make(InternalFormat::dsdt8, {0x80, 0x7F, 0xFE, 0x02})).value();
+  EXPECT_EQ(mean(offsets, 1), 0) << "of -128 and 127";
+  EXPECT_EQ(mean(offsets, 2), 0) << "of -2 and 2";
+  const Texture normals = make(InternalFormat::rgb8, {0xFF, 0xFF, 0x80, 0x7F, 0x80, 0x80});
+  const Texture by_sign = with_mipmaps(normals, {true, true, false, false}).value();
+  EXPECT_EQ(mean(by_sign, 0), -1);
+  EXPECT_EQ(mean(by_sign, 1), 0);
+  EXPECT_EQ(mean(by_sign, 2), -128) << "128 without a sign";
+  EXPECT_FALSE(with_mipmaps(make(InternalFormat::hilo16, std::vector<std::uint8_t>(8))).ok());
+}
+
 }  // namespace
 }  // namespace ninebit::test

@@ -177,7 +177,7 @@ TEST(Bench, Effects) {
   const Json out = bench({"effect"});
   EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "size", "threads", "rows"}));
   EXPECT_EQ(out["command"], "bench effect");
-  ASSERT_EQ(out["rows"].size(), 3U);
+  ASSERT_EQ(out["rows"].size(), 5U);
   for (const Json& row : out["rows"]) {
     EXPECT_EQ(keys_of(row), (Keys{"effect", "ms", "mpixels_per_s"}));
     EXPECT_GT(row["mpixels_per_s"], 0.0);

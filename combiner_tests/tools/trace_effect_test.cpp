@@ -38,5 +38,24 @@ TEST(TraceEffect, APixel) {
                {"index_room.gltf: this is a glTF scene; `ninebit render` draws it"});
 }
 
+// The stages before the combiners, and what they did to the fragment.
+TEST(TraceEffect, TextureShaders) {
+  const auto pixel_of = [](const std::string& effect, const std::string& at) {
+    return json_of(ninebit({"trace", "--effect", kFolder + effect, "--pixel", at, "--json", "--quiet"}))["effect"];
+  };
+  const Json balls = pixel_of("depth_balls.json", "130,130");
+  const Json& replaced = balls["passes"][balls["pass"] == "green" ? 2 : 0]["fragments"][0];
+  EXPECT_EQ(replaced["depth_replaced"], true);
+  ASSERT_EQ(replaced["stages"].size(), 4U);
+  EXPECT_TRUE(replaced["stages"][1].contains("dot"));
+  EXPECT_TRUE(replaced["stages"][3].contains("at"));
+  EXPECT_EQ(replaced["stages"][2]["texel"], (Json{0, 0, 0, 0}));
+  const Json shell = pixel_of("clip_planes.json", "60,90");
+  EXPECT_EQ(shell["passes"][0]["fragments"][0]["fate"], "culled by the texture shader");
+  const Outcome text = ninebit({"trace", "--effect", kFolder + "depth_balls.json", "--pixel", "130,130", "--quiet"});
+  EXPECT_NE(text.out.find("(replaced)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("  stage 1: dot product "), std::string::npos) << text.out;
+}
+
 }  // namespace
 }  // namespace tools_test

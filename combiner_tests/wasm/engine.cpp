@@ -131,11 +131,11 @@ void random_programs(int count) {
 
 EffectReaders readers() {
   EffectReaders out;
-  out.program = [](const std::filesystem::path& file, const HardwareProfile& profile) -> Result<CombinerState> {
+  out.program = [](const std::filesystem::path& file, const HardwareProfile& profile) -> Result<TextProgram> {
     const std::string text = text_of(file);
     const auto program = parse_program({text, file.string()}, form_of(text), profile);
     if (!program) return Diagnostic{.message = program.faults()[0].message};
-    return program->state;
+    return *program;
   };
   out.texture = [](std::span<const std::filesystem::path> files, const HardwareProfile&) -> Result<Texture> {
     return files.size() == 6 ? normalization_cube_map(64) : checkerboard(256);

@@ -138,6 +138,68 @@ def packed(x, y):
     return (16 * high + low) / 255
 
 
+def waves(x, y):
+    """Waves of six directions that repeat after 128 texels."""
+    u, v = 2 * math.pi * x / 128, 2 * math.pi * y / 128
+    sums = ((1, 2, 0.0, 3), (2, 1, 1.7, 3), (-3, 2, 0.4, 2), (4, 3, 2.9, 1.5), (-5, 5, 4.1, 1), (7, -2, 5.2, 0.8))
+    return 0.5 + sum(a * math.sin(i * u + j * v + phase) for i, j, phase, a in sums) / 24
+
+
+def plasma(x, y):
+    """Two smooth fields: alpha, which repeats the palette, and red, which picks the palette's row."""
+    u, v = 2 * math.pi * x / 256, 2 * math.pi * y / 256
+    first = math.sin(u + 1.5 * math.sin(v)) + math.sin(2 * v - math.cos(u)) + math.sin(u + v + math.sin(2 * u - v))
+    second = math.sin(v - u + 0.8 * math.sin(2 * v))
+    return (0.5 + 0.45 * second, 0.0, 0.0, 0.5 + first / 6.4)
+
+
+def palette(x, y):
+    """Embers in the first row, sea in the last, and what lies between; bands of sixteen along each row."""
+    s, t = x / 255, y / 31
+    ember = (min(1.0, 2.2 * s), max(0.0, 1.7 * s - 0.5), max(0.0, 3 * s - 2.2))
+    sea = (max(0.0, 2 * s - 1.1), 0.15 + 0.8 * s * s, 0.3 + 0.65 * math.sqrt(s))
+    band = 1.0 if x % 16 > 1 else 0.55
+    return tuple(band * ((1 - t) * a + t * b) for a, b in zip(ember, sea))
+
+
+def material(x, y):
+    """A lacquer: its colour by N . L along the row, turning from red to violet, and a gloss by N . H up the column."""
+    light, half = x / 63, y / 63
+    base = (0.1 + 0.62 * light, 0.02 + 0.12 * light * light, 0.16 + 0.2 * light * (1 - light))
+    ring = math.exp(-((half - 0.82) / 0.05) ** 2)
+    gloss = half ** 24 * min(1.0, 3 * light)
+    return tuple(min(1.0, b + 0.25 * ring * light * c + gloss) for b, c in zip(base, (1.0, 0.6, 0.3)))
+
+
+def ball_place(x, y):
+    u, v = (x - 63.5) / 60.0, (y - 63.5) / 60.0
+    return u, v, math.sqrt(max(0.0, 1.0 - u * u - v * v))
+
+
+def ball_height(x, y):
+    return ball_place(x, y)[2]
+
+
+def ball(x, y):
+    """A lit ball, white, with its outline in alpha."""
+    u, v, w = ball_place(x, y)
+    light = max(0.0, -0.45 * u - 0.55 * v + 0.7 * w)
+    shine = 0.35 * max(0.0, -0.24 * u - 0.3 * v + 0.92 * w) ** 40
+    tone = min(1.0, 0.22 + 0.62 * light + shine)
+    return (tone, tone, tone, 1.0 if w > 0.0 else 0.0)
+
+
+def light_from(face, x, y):
+    """The light that a surface receives whose normal points to a texel of 16 x 16: sky, earth and sun, spread out."""
+    s, t, out = FACES[face]
+    u, v = (x + 0.5) / 8 - 1, (y + 0.5) / 8 - 1
+    direction = [out[i] + u * s[i] + v * t[i] for i in range(3)]
+    length = math.sqrt(sum(d * d for d in direction))
+    dx, dy, dz = (d / length for d in direction)
+    sun, up = max(0.0, -0.5 * dx + 0.6 * dy + 0.62 * dz), 0.5 + 0.5 * dy
+    return (0.2 + 0.25 * up + 0.55 * sun, 0.18 + 0.32 * up + 0.5 * sun, 0.15 + 0.5 * up + 0.35 * sun)
+
+
 TEXTURES = {
     "bricks_height.png": lambda: png(128, 128, 1, bricks),
     "bricks.png": lambda: png(128, 128, 3, brick_color),
@@ -149,6 +211,13 @@ TEXTURES = {
     "photograph.png": lambda: png(256, 256, 3, photograph),
     "packed.png": lambda: png(128, 128, 1, packed),
     "cookie.png": lambda: png(128, 128, 3, cookie),
+    "waves_height.png": lambda: png(128, 128, 1, waves),
+    "plasma.png": lambda: png(256, 256, 4, plasma),
+    "palette.png": lambda: png(256, 32, 3, palette),
+    "material.png": lambda: png(64, 64, 3, material),
+    "ball_height.png": lambda: png(128, 128, 1, ball_height),
+    "ball.png": lambda: png(128, 128, 4, ball),
+    **{f"light_{face}.png": (lambda face=face: png(16, 16, 3, lambda x, y: light_from(face, x, y))) for face in FACES},
     **{f"sky_{face}.png": (lambda face=face: png(64, 64, 3, lambda x, y: sky(face, x, y))) for face in FACES},
 }
 

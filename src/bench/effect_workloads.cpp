@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ninebit/language/rc10.h"
+#include "src/effect/effect_inputs.h"
 
 namespace ninebit::bench {
 namespace {
@@ -30,6 +31,18 @@ constexpr const char* kLightMapDetailFragment =
     "void main() { vec3 light = texture(tex0, uv).rgb * texture(tex1, 6.0 * uv).rgb * 2.0;\n"
     "  color = vec4(clamp(light, 0.0, 1.0) * vec3(0.95, 0.85, 0.7), 1.0); }\n";
 
+constexpr const char* kWater = "!!RC1.0\nout.rgb = tex1;\nout.a = unsigned_invert(zero);\n";
+constexpr const char* kReflect = "!!RC1.0\nout.rgb = tex3;\nout.a = unsigned_invert(zero);\n";
+
+// ds and dt are 128ths, GLSL's signed bytes 127ths.
+constexpr const char* kWaterFragment =
+    "void main() { vec2 moved = texture(tex0, 3.0 * uv).rg * (127.0 / 128.0);\n"
+    "  color = vec4(texture(tex1, uv + 0.05 * moved).rgb, 1.0); }\n";
+// The rectangle lies in z = 0, with the eye at (0, 0, 3).
+constexpr const char* kReflectFragment =
+    "void main() { vec3 n = texture(tex0, 3.0 * uv).rgb, eye = vec3(1.0 - 2.0 * uv.x, 2.0 * uv.y - 1.0, 3.0);\n"
+    "  color = vec4(texture(cube1, 2.0 * n * dot(n, eye) - eye * dot(n, n)).rgb, 1.0); }\n";
+
 // Coordinates uv times `scale`, plus `shift`.
 CoordinateSource scaled(float scale, float shift) {
   CoordinateSource source;
@@ -53,28 +66,50 @@ void add_texture(EffectWorkload& to, const Sampler& sampler, const CoordinateSou
   to.effect.passes[0].units[unit] = {.texture = name, .coordinates = coordinates};
 }
 
-}  // namespace
-
-std::vector<EffectWorkload> effect_workloads(int width, int height) {
-  const Sampler nearest{.min_filter = MinFilter::nearest, .mag_filter = MagFilter::nearest};
-  const Sampler linear{.min_filter = MinFilter::linear, .mag_filter = MagFilter::linear};
-  const Sampler trilinear{.min_filter = MinFilter::linear_mipmap_linear, .mag_filter = MagFilter::linear};
-  std::vector<EffectWorkload> all{workload("sepia", kSepia, kSepiaFragment),
-                                  workload("emboss", kEmboss, kEmbossFragment),
-                                  workload("light_map_detail", kLightMapDetail, kLightMapDetailFragment)};
-  add_texture(all[0], nearest, {});
-  add_texture(all[1], linear, scaled(2.0F, 0.0F));
-  add_texture(all[1], linear, scaled(2.0F, -0.01171875F));
-  add_texture(all[2], trilinear, {});
-  add_texture(all[2], trilinear, scaled(6.0F, 0.0F));
-  all[2].effect.passes[0].primary.constant = {0.95F, 0.85F, 0.7F, 1.0F};
-  for (EffectWorkload& one : all) {
-    one.effect.width = width;
-    one.effect.height = height;
-  }
-  return all;
+// Textures that are made of the first picture, or of nothing.
+EffectTexture made_texture(std::string name, TextureOrigin origin, const Sampler& sampler) {
+  EffectTexture texture{.name = std::move(name), .origin = origin, .files = {"0"}, .size = kEffectTexels};
+  texture.sampler = sampler;
+  texture.steepness = 8.0F;
+  return texture;
 }
 
+EffectWorkload water(const Sampler& linear) {
+  EffectWorkload out = workload("water", kWater, kWaterFragment);
+  out.effect.textures = {made_texture("0", TextureOrigin::offsets, linear),
+                         {.name = "1", .files = {"1"}, .sampler = linear}};
+  EffectPass& pass = out.effect.passes[0];
+  pass.units[0] = {.texture = "0", .coordinates = scaled(3.0F, 0.0F)};
+  pass.units[1] = {.texture = "1", .coordinates = {}};
+  TextureShaderState& stages = pass.state.texture_shader;
+  stages.enabled = true;
+  stages.stage[0].operation = TextureOperation::texture_2d;
+  stages.stage[1].operation = TextureOperation::offset_2d;
+  stages.stage[1].matrix = {0.05F, 0.0F, 0.0F, 0.05F};
+  return out;
+}
+
+EffectWorkload reflect(const Sampler& linear) {
+  EffectWorkload out = workload("reflect", kReflect, kReflectFragment);
+  Sampler normals = linear, cube = linear;
+  cube.wrap_s = cube.wrap_t = Wrap::clamp_to_edge;
+  normals.is_signed = {true, true, true, false};
+  out.effect.textures = {made_texture("0", TextureOrigin::signed_normals, normals),
+                         made_texture("1", TextureOrigin::normalize_cube, cube)};
+  EffectPass& pass = out.effect.passes[0];
+  pass.units[0] = {.texture = "0", .coordinates = scaled(3.0F, 0.0F)};
+  pass.units[1].coordinates.source = VertexSource::tangent_to_world_x;
+  pass.units[2].coordinates.source = VertexSource::tangent_to_world_y;
+  pass.units[3] = {.texture = "1", .coordinates = {.source = VertexSource::tangent_to_world_z}};
+  TextureShaderState& stages = pass.state.texture_shader;
+  stages.enabled = true;
+  stages.stage[0].operation = TextureOperation::texture_2d;
+  stages.stage[1].operation = stages.stage[2].operation = TextureOperation::dot_product;
+  stages.stage[3].operation = TextureOperation::dot_product_reflect_cube_map;
+  return out;
+}
+
+// The texels of a picture: red, green, blue, alpha, the first row at t = 0.
 std::vector<std::uint8_t> effect_texels(std::size_t number) {
   std::vector<std::uint8_t> out;
   for (int y = 0; y < kEffectTexels; ++y) {
@@ -89,12 +124,34 @@ std::vector<std::uint8_t> effect_texels(std::size_t number) {
   return out;
 }
 
+}  // namespace
+
+std::vector<EffectWorkload> effect_workloads(int width, int height) {
+  const Sampler nearest{.min_filter = MinFilter::nearest, .mag_filter = MagFilter::nearest};
+  const Sampler linear{.min_filter = MinFilter::linear, .mag_filter = MagFilter::linear};
+  const Sampler trilinear{.min_filter = MinFilter::linear_mipmap_linear, .mag_filter = MagFilter::linear};
+  std::vector<EffectWorkload> all{
+      workload("sepia", kSepia, kSepiaFragment), workload("emboss", kEmboss, kEmbossFragment),
+      workload("light_map_detail", kLightMapDetail, kLightMapDetailFragment), water(linear), reflect(linear)};
+  add_texture(all[0], nearest, {});
+  add_texture(all[1], linear, scaled(2.0F, 0.0F));
+  add_texture(all[1], linear, scaled(2.0F, -0.01171875F));
+  add_texture(all[2], trilinear, {});
+  add_texture(all[2], trilinear, scaled(6.0F, 0.0F));
+  all[2].effect.passes[0].primary.constant = {0.95F, 0.85F, 0.7F, 1.0F};
+  for (EffectWorkload& one : all) {
+    one.effect.width = width;
+    one.effect.height = height;
+  }
+  return all;
+}
+
 EffectReaders workload_readers() {
   EffectReaders readers;
-  readers.program = [](const std::filesystem::path& text, const HardwareProfile& profile) -> Result<CombinerState> {
+  readers.program = [](const std::filesystem::path& text, const HardwareProfile& profile) -> Result<TextProgram> {
     auto parsed = parse_rc10({text.string(), "benchmark"}, profile);
     if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
-    return *parsed;
+    return TextProgram{.state = *parsed};
   };
   readers.texture = [](std::span<const std::filesystem::path> files, const HardwareProfile&) -> Result<Texture> {
     TextureSamples samples{.width = kEffectTexels, .height = kEffectTexels};
@@ -107,6 +164,10 @@ EffectReaders workload_readers() {
     return make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{samples}});
   };
   return readers;
+}
+
+Result<Texture> workload_texture(const EffectWorkload& workload, std::size_t number) {
+  return effect_texture(workload.effect, workload.effect.textures[number], profiles::nv2a, workload_readers());
 }
 
 }  // namespace ninebit::bench

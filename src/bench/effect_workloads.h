@@ -9,19 +9,21 @@
 
 namespace ninebit::bench {
 
-// An effect of one pass. Every texture is a picture of kEffectTexels texels a side.
+// An effect of one pass. Textures have kEffectTexels texels a side.
 struct EffectWorkload {
   std::string name;      // of the gallery's effect
-  Effect effect{};       // units 0 and 1 have the textures of the same number
-  std::string fragment;  // of GLSL 3.30: reads `uv`, tex0 and tex1, writes `color`
+  Effect effect{};       // its textures are numbered
+  std::string fragment;  // of GLSL 3.30: reads `uv`, the textures tex0 and tex1 or cube1, writes `color`
 };
 inline constexpr int kEffectTexels = 256;
 
 // The measured effects: sepia reads one nearest texel, emboss twice four, light_map_detail twice eight (trilinear).
+// Texture-shader stages: water moves four texels by four others, reflect reads a cube map where a normal of four texels
+// reflects the eye.
 [[nodiscard]] std::vector<EffectWorkload> effect_workloads(int width, int height);
 
-// The texels of a texture of an effect: red, green, blue, alpha, the first row at t = 0.
-[[nodiscard]] std::vector<std::uint8_t> effect_texels(std::size_t number);
+// A texture of a workload, as ninebit draws it.
+[[nodiscard]] Result<Texture> workload_texture(const EffectWorkload& workload, std::size_t number);
 
 // Readers of the workloads' programs and textures, which are not files.
 [[nodiscard]] EffectReaders workload_readers();

@@ -6,6 +6,7 @@
 #include "ninebit/combiner/trace.h"
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/trace_json.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/capi/handles.h"
 
 static_assert(NINEBIT_REGISTERS == ninebit::kRegisterCount);
@@ -98,6 +99,9 @@ ninebit_result ninebit_compile(const ninebit_state* state, ninebit_program** pro
     *program = nullptr;
     if (state == nullptr) return wrong_argument("state is NULL", error);
     const auto* const profile = ninebit::find_profile(state->context.profile().name);
+    if (const auto wrong = ninebit::validate(state->context.texture_shader(), *profile); !wrong.empty()) {
+      return invalid_input(wrong.front().message, error);
+    }
     const auto compiled = ninebit::compile(state->context.state(), *profile);
     if (!compiled) return invalid_input(compiled.error().text(), error);
     *program = new ninebit_program{profile, *compiled, ninebit::BatchProgram(*compiled)};

@@ -3,9 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "ninebit/language/gl_calls.h"
-#include "ninebit/language/json.h"
-#include "ninebit/language/rc10.h"
+#include "ninebit/language/program_text.h"
 #include "ninebit/language/register_words.h"
 #include "src/capi/handles.h"
 
@@ -24,54 +22,42 @@ const HardwareProfile* profile_of(const char* name, char** error) {
   return found;
 }
 
-ChipClass chip_of(int form) {
-  return form == NINEBIT_FORM_NV10_WORDS || form == NINEBIT_FORM_NV10_WORDS_JSON ? ChipClass::nv10 : ChipClass::nv20;
-}
-
 bool is_form(int form) {
   return form >= NINEBIT_FORM_GL_CALLS && form <= NINEBIT_FORM_JSON;
 }
 
-Parsed<CombinerState> parse(int form, const SourceText& source, const HardwareProfile& profile) {
+ChipClass chip_of(int form) {
+  return form == NINEBIT_FORM_NV10_WORDS || form == NINEBIT_FORM_NV10_WORDS_JSON ? ChipClass::nv10 : ChipClass::nv20;
+}
+
+ProgramForm form_of(int form) {
   switch (form) {
     case NINEBIT_FORM_GL_CALLS:
-      return parse_gl_calls(source, profile);
+      return ProgramForm::gl;
     case NINEBIT_FORM_RC10:
-      return parse_rc10(source, profile);
+      return ProgramForm::rc10;
     case NINEBIT_FORM_NV10_WORDS:
     case NINEBIT_FORM_NV20_WORDS:
-      return parse_register_words(source, chip_of(form), profile);
+      return ProgramForm::words;
     case NINEBIT_FORM_JSON:
-      return parse_json_program(source, profile);
+      return ProgramForm::json;
     default:
-      return parse_json_register_words(source, chip_of(form), profile);
+      return ProgramForm::words_json;
   }
 }
 
-Result<std::string> print(int form, const CombinerState& state, const HardwareProfile& profile) {
-  switch (form) {
-    case NINEBIT_FORM_GL_CALLS:
-      return print_gl_calls(state, profile);
-    case NINEBIT_FORM_RC10:
-      return print_rc10(state, profile);
-    case NINEBIT_FORM_NV10_WORDS:
-    case NINEBIT_FORM_NV20_WORDS:
-      return print_register_words(state, chip_of(form), profile);
-    case NINEBIT_FORM_JSON:
-      return print_json_program(state);
-    default:
-      return print_json_register_words(state, chip_of(form), profile);
-  }
+// Both halves of a state.
+TextProgram program_of(const ninebit_state& state) {
+  return {state.context.state(), {}, state.context.texture_shader()};
 }
 
-ninebit_result take(const HardwareProfile& profile, const Parsed<CombinerState>& parsed, ninebit_state** state,
+ninebit_result take(const HardwareProfile& profile, const Parsed<TextProgram>& parsed, ninebit_state** state,
                     char** error) {
-  if (parsed) {
-    *state = new ninebit_state{gl::Context(profile)};
-    (*state)->context.state() = *parsed;
-    return NINEBIT_OK;
-  }
-  return invalid_input(parsed.error().text(), error);
+  if (!parsed) return invalid_input(parsed.error().text(), error);
+  *state = new ninebit_state{gl::Context(profile)};
+  (*state)->context.state() = parsed->state;
+  (*state)->context.texture_shader() = parsed->texture_shader;
+  return NINEBIT_OK;
 }
 
 }  // namespace
@@ -113,7 +99,8 @@ ninebit_result ninebit_state_parse(const char* profile, int form, const char* te
     const auto* const found = profile_of(profile, error);
     if (found == nullptr) return NINEBIT_WRONG_ARGUMENT;
     const std::string_view source = text == nullptr ? std::string_view() : std::string_view(text, length);
-    return take(*found, parse(form, {source, {}}, *found), state, error);
+    const auto parsed = ninebit::parse_program({source, {}}, form_of(form), *found, {.chip = chip_of(form)});
+    return take(*found, parsed, state, error);
   });
 }
 
@@ -134,7 +121,9 @@ ninebit_result ninebit_state_from_words(const char* profile, int chip, const nin
       named.push_back({words[i].name, words[i].value, {static_cast<int>(i) + 1, 1}});
     }
     const auto kind = chip == NINEBIT_CHIP_NV10 ? ninebit::ChipClass::nv10 : ninebit::ChipClass::nv20;
-    return take(*found, ninebit::decode_register_words(named, "words", kind, *found), state, error);
+    const auto decoded = ninebit::decode_register_words(named, "words", kind, *found);
+    if (!decoded) return invalid_input(decoded.error().text(), error);
+    return take(*found, ninebit::TextProgram{*decoded}, state, error);
   });
 }
 
@@ -158,7 +147,8 @@ ninebit_result ninebit_state_print(const ninebit_state* state, int form, char** 
     *text = nullptr;
     if (state == nullptr) return wrong_argument("state is NULL", error);
     if (!is_form(form)) return wrong_argument("form is not a value of ninebit_form", error);
-    const auto printed = print(form, state->context.state(), state->context.profile());
+    const ninebit::Form& row = ninebit::form_row(form_of(form));
+    const auto printed = row.print(program_of(*state), chip_of(form), state->context.profile());
     if (!printed) return invalid_input(printed.error().text(), error);
     return give(*printed, text, error);
   });
@@ -169,7 +159,7 @@ ninebit_result ninebit_validate(const ninebit_state* state, ninebit_report** rep
     if (report == nullptr) return wrong_argument("report is NULL", error);
     *report = nullptr;
     if (state == nullptr) return wrong_argument("state is NULL", error);
-    *report = new ninebit_report{ninebit::validate(state->context.state(), state->context.profile())};
+    *report = new ninebit_report{ninebit::validate(program_of(*state), state->context.profile())};
     return NINEBIT_OK;
   });
 }

@@ -141,7 +141,7 @@ class Checker {
     if (cube && !mesh) complain("draws a rectangle into a cube map; expected a mesh");
     check_colors(pass, mesh, complain);
     for (std::size_t i = 0; i < kEffectUnits; ++i) {
-      if (pass.units[i].texture.empty()) continue;
+      if (pass.units[i].texture.empty() && !pass.state.texture_shader.enabled) continue;
       check_unit(pass, pass.units[i], cube,
                  [&](const std::string& message) { complain("unit " + std::to_string(i) + ": " + message); });
     }
@@ -169,6 +169,7 @@ class Checker {
     if (cube && unit.coordinates.source == VertexSource::screen) {
       complain("screen coordinates are not available in the faces of a cube map");
     }
+    if (unit.texture.empty()) return;
     const EffectTexture* const texture = texture_of(unit.texture);
     if (texture == nullptr) return complain("unknown texture " + in_quotes(unit.texture) + known_textures());
     if (!reads_target(*texture) || !is_target(texture->target)) return;

@@ -16,15 +16,40 @@ std::filesystem::path path_in(const Effect& effect, const std::string& file) {
   return path.is_absolute() || effect.folder.empty() ? path : std::filesystem::path(effect.folder) / path;
 }
 
+// What an origin makes of the file's texture.
+Result<Texture> made_from(const Texture& file, const EffectTexture& texture) {
+  const auto steepness = static_cast<double>(texture.steepness);
+  switch (texture.origin) {
+    case TextureOrigin::normals:
+      return normal_map(file, steepness);
+    case TextureOrigin::signed_normals:
+      return signed_normal_map(file, steepness);
+    case TextureOrigin::hilo_normals:
+      return hilo_normal_map(file, steepness);
+    case TextureOrigin::hilo_heights:
+      return hilo_height_map(file);
+    case TextureOrigin::offsets:
+      return offset_map(file, steepness);
+    case TextureOrigin::one_dimensional:
+      return retargeted(file, TextureTarget::texture_1d);
+    case TextureOrigin::volume:
+      return retargeted(file, TextureTarget::texture_3d);
+    case TextureOrigin::rectangle:
+      return retargeted(file, TextureTarget::rectangle);
+    default:
+      return file;
+  }
+}
+
 Result<Texture> texture_of_files(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
                                  const EffectReaders& readers) {
   std::vector<std::filesystem::path> files;
   for (const std::string& file : texture.files) files.push_back(path_in(effect, file));
   auto read = readers.texture(files, profile);
-  if (!read || texture.origin != TextureOrigin::normals) return read;
-  auto normals = normal_map(*read, static_cast<double>(texture.steepness));
-  if (normals) return normals;
-  Diagnostic fault = normals.error();
+  if (!read) return read;
+  auto made = made_from(*read, texture);
+  if (made) return made;
+  Diagnostic fault = made.error();
   fault.file = files[0].string();
   return fault;
 }
@@ -123,7 +148,8 @@ Result<Texture> effect_texture(const Effect& effect, const EffectTexture& textur
                                const EffectReaders& readers) {
   const std::string part = "texture " + effect_detail::in_quotes(texture.name);
   auto made = made_texture(effect, texture, profile, readers);
-  if (made && needs_mipmaps(texture.sampler) && made->faces[0].size() == 1) made = with_mipmaps(*made);
+  if (made && needs_mipmaps(texture.sampler) && made->faces[0].size() == 1)
+    made = with_mipmaps(*made, texture.sampler.is_signed);
   if (!made) return fault_in(part, made.error());
   return made;
 }
@@ -163,14 +189,14 @@ Status set_constants(const EffectConstants& constants, CombinerState& state) {
 
 }  // namespace
 
-Result<Program> effect_program(const Effect& effect, const EffectPass& pass, const HardwareProfile& profile,
-                               const EffectReaders& readers, std::vector<std::string>& warnings) {
+Result<EffectProgram> effect_program(const Effect& effect, const EffectPass& pass, const HardwareProfile& profile,
+                                     const EffectReaders& readers, std::vector<std::string>& warnings) {
   const std::string part = "pass " + effect_detail::in_quotes(pass.name);
   const std::filesystem::path file = path_in(effect, pass.program);
-  auto state = readers.program(file, profile);
-  if (!state) return fault_in(part, state.error());
-  if (Status set = set_constants(pass.constants, *state); !set) return fault_in(part, set.error());
-  auto program = compile(*state, profile);
+  auto read = readers.program(file, profile);
+  if (!read) return fault_in(part, read.error());
+  if (Status set = set_constants(pass.constants, read->state); !set) return fault_in(part, set.error());
+  auto program = compile(read->state, profile);
   if (!program) {
     Diagnostic fault = program.error();
     fault.file = file.string();
@@ -179,12 +205,13 @@ Result<Program> effect_program(const Effect& effect, const EffectPass& pass, con
   for (const ConstantName name : unset_constants(*program)) {
     warnings.push_back(part + ": " + name_of_constant(name) + " is not set; 0 is assumed");
   }
-  for (std::size_t unit = 0; unit < kEffectUnits; ++unit) {
+  const bool has_stages = pass.state.texture_shader.enabled || read->texture_shader.enabled;
+  for (std::size_t unit = 0; unit < kEffectUnits && !has_stages; ++unit) {
     if (!pass.units[unit].texture.empty() || !reads_initial(*program, kTextureRegisters[unit])) continue;
     warnings.push_back(part + ": the program reads texture unit " + std::to_string(unit) +
                        ", which has no texture; the extension's default applies");
   }
-  return program;
+  return EffectProgram{.combiners = std::move(*program), .texture_shader = read->texture_shader};
 }
 
 }  // namespace ninebit

@@ -23,11 +23,17 @@ namespace ninebit {
 [[nodiscard]] Result<Texture> effect_texture(const Effect& effect, const EffectTexture& texture,
                                              const HardwareProfile& profile, const EffectReaders& readers);
 
-// The program of a pass with its constants. Adds a warning for each unit without a texture that the program reads,
-// and for each constant that it reads and nobody set.
-[[nodiscard]] Result<Program> effect_program(const Effect& effect, const EffectPass& pass,
-                                             const HardwareProfile& profile, const EffectReaders& readers,
-                                             std::vector<std::string>& warnings);
+// A program of a pass: its combiners, and the texture-shader stages of its file.
+struct EffectProgram {
+  Program combiners;
+  TextureShaderState texture_shader{};
+};
+
+// The program of a pass with its constants. Adds a warning for each unit without a texture that the program reads
+// without stages, and for each constant that it reads and nobody set.
+[[nodiscard]] Result<EffectProgram> effect_program(const Effect& effect, const EffectPass& pass,
+                                                   const HardwareProfile& profile, const EffectReaders& readers,
+                                                   std::vector<std::string>& warnings);
 
 // Whether a sampler reads mip-maps.
 [[nodiscard]] constexpr bool needs_mipmaps(const Sampler& sampler) {

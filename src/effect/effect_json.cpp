@@ -75,8 +75,10 @@ EffectTexture read_effect_texture(EffectReader& read, const Value& value) {
     for (const std::string& file : texture.files) read.check_file(v, file);
   });
   read.with(value, "steepness", [&](const Value& v) {
-    if (texture.origin != TextureOrigin::normals) {
-      read.reader().fault(v.key_offset, "steepness is only for normals:FILE");
+    if (!effect_detail::has_slopes(texture.origin)) {
+      read.reader().fault(v.key_offset,
+                          "steepness is only for normals:FILE, signed-normals:FILE, hilo-normals:FILE and "
+                          "offsets:FILE");
     }
     read.real(v, 1e-3, 1e3, texture.steepness);
   });
@@ -158,7 +160,7 @@ Effect read_root(EffectReader& read, const Value& root, PartPlaces& places) {
   read.with(root, "passes", [&](const Value& v) {
     if (v.type != Type::array) return read.reader().wrong_type(v, "an array");
     for (const Value& child : v.children) {
-      effect.passes.push_back(effect_detail::read_pass(read, child, !effect.scene.mesh.empty()));
+      effect.passes.push_back(effect_detail::read_pass(read, child, effect));
       if (effect.passes.back().name.empty()) effect.passes.back().name = "pass " + std::to_string(effect.passes.size());
       places.passes.push_back(child.offset);
     }

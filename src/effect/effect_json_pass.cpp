@@ -1,5 +1,6 @@
 // Reads the passes of an effect.
 #include "src/effect/effect_reader.h"
+#include "src/language/json/json_texture_shader.h"
 
 namespace ninebit::effect_detail {
 namespace {
@@ -174,16 +175,25 @@ void read_fragment_state(EffectReader& read, const Value& value, PipelineState& 
   read.with(value, "polygon_offset", [&](const Value& v) { read_polygon_offset(read, v, state.polygon_offset); });
 }
 
+// Checked for the effect's profile, or for the NV2A, which has all operations; rasterize() checks another one.
+void read_stages(EffectReader& read, const Value& value, const Effect& effect, TextureShaderState& into) {
+  const HardwareProfile* const own = find_profile(effect.profile);
+  const json::PlacedTextureShader stages = json::read_texture_shader(value, read.reader());
+  json::check_texture_shader(stages, own != nullptr ? *own : profiles::nv2a, read.reader());
+  into = stages.state;
+}
+
 }  // namespace
 
-EffectPass read_pass(EffectReader& read, const Value& value, bool has_scene) {
+EffectPass read_pass(EffectReader& read, const Value& value, const Effect& effect) {
   EffectPass pass;
-  if (!read.reader().object(value, {"name", "draw", "view", "target", "program", "constants", "units", "primary",
-                                    "secondary", "fog", "clear", "shade", "cull", "color_mask", "depth", "alpha_test",
-                                    "stencil", "blend", "polygon_offset"})) {
+  if (!read.reader().object(value,
+                            {"name",           "draw",    "view",       "target",  "program", "constants",     "units",
+                             "texture_shader", "primary", "secondary",  "fog",     "clear",   "shade",         "cull",
+                             "color_mask",     "depth",   "alpha_test", "stencil", "blend",   "polygon_offset"})) {
     return pass;
   }
-  pass.geometry = has_scene ? EffectGeometry::mesh : EffectGeometry::rectangle;
+  pass.geometry = !effect.scene.mesh.empty() ? EffectGeometry::mesh : EffectGeometry::rectangle;
   read.with(value, "draw", [&](const Value& v) { read.word(v, kGeometries, "geometry", pass.geometry); });
   pass.state.depth_test.enabled = pass.geometry == EffectGeometry::mesh;
   read.with(value, "name", [&](const Value& v) { read.text(v, pass.name); });
@@ -195,6 +205,7 @@ EffectPass read_pass(EffectReader& read, const Value& value, bool has_scene) {
   });
   read.with(value, "constants", [&](const Value& v) { read_constants(read, v, pass.constants); });
   read.with(value, "units", [&](const Value& v) { read_units(read, v, pass.units); });
+  read.with(value, "texture_shader", [&](const Value& v) { read_stages(read, v, effect, pass.state.texture_shader); });
   read.with(value, "primary", [&](const Value& v) { read.parsed(v, &parse_color_source, pass.primary); });
   read.with(value, "secondary", [&](const Value& v) { read.parsed(v, &parse_color_source, pass.secondary); });
   read.with(value, "fog", [&](const Value& v) { read_fog(read, v, pass.fog); });

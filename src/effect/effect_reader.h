@@ -75,8 +75,8 @@ class EffectReader {
   NameCheck check_;
 };
 
-// Reads one element of "passes".
-[[nodiscard]] EffectPass read_pass(EffectReader& read, const json::Value& value, bool has_scene);
+// Reads one element of "passes" of an effect whose scene and profile have been read.
+[[nodiscard]] EffectPass read_pass(EffectReader& read, const json::Value& value, const Effect& effect);
 
 // parse_effect() that also checks the names of programs, textures and meshes.
 [[nodiscard]] Parsed<Effect> parse_effect(const SourceText& source, const NameCheck& check);

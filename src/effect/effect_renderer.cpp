@@ -28,6 +28,7 @@ struct PreparedPass {
   const Scene* scene = nullptr;          // the mesh or the rectangle
   std::span<const glm::vec3> positions{};
   std::array<UnitCoordinates, kEffectUnits> coordinates{};
+  std::array<bool, kEffectUnits> has_coordinates{};
   std::array<int, kEffectUnits> textures{-1, -1, -1, -1};  // among the textures
   std::vector<ColorBytes> primary{}, secondary{};
   std::vector<float> fog{};
@@ -56,12 +57,22 @@ struct EffectRenderer::Prepared {
   Status prepare_pass(const EffectPass& pass, const EffectReaders& readers);
   Status set_view(const EffectPass& pass, PreparedPass& prepared);
   Status set_vertices(const EffectPass& pass, PreparedPass& prepared);
+  Status add_stage_warnings(const EffectPass& pass, const PreparedPass& prepared);
+  [[nodiscard]] std::vector<TextureUnit> units_of(const PreparedPass& pass) const;
   Status set_primary(const EffectPass& pass, const VertexInputs& inputs, PreparedPass& prepared) const;
   Status draw_pass(std::size_t number);
   Status draw_face(std::size_t number, RenderTarget& target, const glm::mat4& projection, bool is_first);
 };
 
 namespace {
+
+// Whether a stage reads its unit's coordinates even without a texture.
+bool reads_coordinates(const PipelineState& state, std::size_t unit) {
+  if (!state.texture_shader.enabled) return false;
+  const TextureOperation operation = state.texture_shader.stage[unit].operation;
+  return operation == TextureOperation::pass_through || operation == TextureOperation::cull_fragment ||
+         has_dot_product(operation);
+}
 
 Status named(const EffectPass& pass, Status status) {
   if (status) return status;
@@ -100,10 +111,12 @@ Status EffectRenderer::Prepared::prepare_pass(const EffectPass& pass, const Effe
   if (!pass.program.empty()) {
     auto program = effect_program(effect, pass, profile, readers, warnings);
     if (!program) return program.error();
-    prepared.state.program = std::move(*program);
+    prepared.state.program = std::move(program->combiners);
+    if (!pass.state.texture_shader.enabled) prepared.state.texture_shader = program->texture_shader;
   }
   if (Status set = set_view(pass, prepared); !set) return named(pass, set);
   if (Status set = set_vertices(pass, prepared); !set) return named(pass, set);
+  if (Status warned = add_stage_warnings(pass, prepared); !warned) return named(pass, warned);
   passes.push_back(std::move(prepared));
   return {};
 }
@@ -138,8 +151,9 @@ Status EffectRenderer::Prepared::set_view(const EffectPass& pass, PreparedPass& 
 Status EffectRenderer::Prepared::set_vertices(const EffectPass& pass, PreparedPass& prepared) {
   const bool mesh = pass.geometry == EffectGeometry::mesh;
   std::vector<VertexSource> sources{pass.primary.source, pass.secondary.source};
-  for (const EffectUnit& unit : pass.units) {
-    if (!unit.texture.empty()) sources.push_back(unit.coordinates.source);
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    prepared.has_coordinates[i] = !pass.units[i].texture.empty() || reads_coordinates(prepared.state, i);
+    if (prepared.has_coordinates[i]) sources.push_back(pass.units[i].coordinates.source);
   }
   for (const VertexSource source : sources) {
     if (needs_uv(source) && prepared.scene->texture_coordinates.empty()) {
@@ -155,11 +169,11 @@ Status EffectRenderer::Prepared::set_vertices(const EffectPass& pass, PreparedPa
   inputs.clip_from_world = prepared.projections[0];
   if (scene.lights[0].kind != LightKind::point) inputs.light_clip_from_world = light_projection(scene, scene.lights[0]);
   for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    if (prepared.has_coordinates[i]) prepared.coordinates[i] = unit_coordinates(pass.units[i].coordinates, inputs);
     if (pass.units[i].texture.empty()) continue;
     const auto found = std::find_if(effect.textures.begin(), effect.textures.end(),
                                     [&](const EffectTexture& t) { return t.name == pass.units[i].texture; });
     prepared.textures[i] = static_cast<int>(found - effect.textures.begin());
-    prepared.coordinates[i] = unit_coordinates(pass.units[i].coordinates, inputs);
   }
   prepared.secondary = vertex_colors(pass.secondary, inputs, profile);
   prepared.fog = fog_factors(pass.fog, inputs);
@@ -179,6 +193,27 @@ Status EffectRenderer::Prepared::set_primary(const EffectPass& pass, const Verte
   if (!enough) return enough;
   const IndexCodes codes(source.index_step, source.index_format);
   for (std::size_t i = 0; i < count; ++i) prepared.primary.push_back(codes.color(static_cast<std::uint32_t>(i + 1)));
+  return {};
+}
+
+// Up to the last unit that has a texture: a profile may have fewer units than an effect can name.
+std::vector<TextureUnit> EffectRenderer::Prepared::units_of(const PreparedPass& pass) const {
+  std::vector<TextureUnit> units;
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    if (pass.textures[i] < 0) continue;
+    const auto texture = static_cast<std::size_t>(pass.textures[i]);
+    units.resize(i + 1);
+    units[i] = {&textures[texture], effect.textures[texture].sampler};
+  }
+  return units;
+}
+
+Status EffectRenderer::Prepared::add_stage_warnings(const EffectPass& pass, const PreparedPass& prepared) {
+  const auto found = texture_shader_warnings(prepared.state, units_of(prepared));
+  if (!found) return found.error();
+  for (const std::string& warning : *found) {
+    warnings.push_back("pass " + effect_detail::in_quotes(pass.name) + ": " + warning);
+  }
   return {};
 }
 
@@ -242,17 +277,12 @@ Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& tar
   }
   arrays.secondary_colors = pass.secondary;
   arrays.fog_factors = pass.fog;
-  std::array<TextureUnit, kEffectUnits> all{};
-  std::size_t used = 0;  // a profile may have fewer units than an effect can name
   for (std::size_t i = 0; i < kEffectUnits; ++i) {
-    if (pass.textures[i] < 0) continue;
-    const auto texture = static_cast<std::size_t>(pass.textures[i]);
-    used = i + 1;
-    all[i] = {&textures[texture], effect.textures[texture].sampler};
+    if (!pass.has_coordinates[i]) continue;
     arrays.texture_coordinates[i] = pass.coordinates[i].str;
     arrays.texture_q[i] = pass.coordinates[i].q;
   }
-  const std::span<const TextureUnit> units(all.data(), used);
+  const std::vector<TextureUnit> units = units_of(pass);
   if (options.recorded_pass == number && pass.state.program) {
     auto made = record_combiners({pass.state, projection, arrays, units, *cleared}, target);
     if (!made) return made.error();

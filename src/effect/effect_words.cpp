@@ -73,16 +73,26 @@ Result<ColorSource> parse_index(const Split& said) {
 }
 
 bool repeats(TextureOrigin origin) {
-  return origin == TextureOrigin::file || origin == TextureOrigin::normals || origin == TextureOrigin::checker;
+  return origin == TextureOrigin::file || origin == TextureOrigin::checker ||
+         (origin >= TextureOrigin::normals && origin < TextureOrigin::rectangle);
+}
+
+// with_mipmaps() makes none of the other formats and kinds.
+bool has_levels(TextureOrigin origin) {
+  return repeats(origin) && origin != TextureOrigin::hilo_normals && origin != TextureOrigin::hilo_heights &&
+         origin != TextureOrigin::volume;
 }
 
 EffectTexture texture_from(TextureOrigin origin) {
   EffectTexture texture{.origin = origin};
   const bool from_target = origin == TextureOrigin::target_color || origin == TextureOrigin::target_depth;
-  const Filters filters = *value_of(kFilters, repeats(origin) ? "trilinear" : from_target ? "nearest" : "linear");
-  texture.sampler.min_filter = filters.min;
-  texture.sampler.mag_filter = filters.mag;
-  texture.sampler.wrap_s = texture.sampler.wrap_t = repeats(origin) ? Wrap::repeat : Wrap::clamp_to_edge;
+  const Filters filters = *value_of(kFilters, has_levels(origin) ? "trilinear" : from_target ? "nearest" : "linear");
+  Sampler& sampler = texture.sampler;
+  sampler.min_filter = filters.min;
+  sampler.mag_filter = filters.mag;
+  sampler.wrap_s = sampler.wrap_t = sampler.wrap_r = repeats(origin) ? Wrap::repeat : Wrap::clamp_to_edge;
+  if (origin == TextureOrigin::signed_normals) sampler.is_signed = {true, true, true, false};
+  if (origin == TextureOrigin::hilo_normals) sampler.is_signed = {false, true, false, true};
   return texture;
 }
 
@@ -219,8 +229,8 @@ Result<EffectTexture> parse_texture_source(std::string_view text) {
   if (said.has_rest && said.rest.empty()) return wrong(in_quotes(text) + " names nothing after the colon");
   if (said.word == "target" && said.has_rest) return texture_of_target(TextureOrigin::target_color, said.rest);
   if (said.word == "depth" && said.has_rest) return texture_of_target(TextureOrigin::target_depth, said.rest);
-  if (said.word == "normals" && said.has_rest) {
-    EffectTexture texture = texture_from(TextureOrigin::normals);
+  if (const auto origin = value_of(kFileOrigins, said.word); origin && said.has_rest) {
+    EffectTexture texture = texture_from(*origin);
     texture.files.emplace_back(said.rest);
     return texture;
   }
@@ -238,7 +248,7 @@ Status parse_filter(std::string_view text, Sampler& sampler) {
 Status parse_wrap(std::string_view text, Sampler& sampler) {
   const auto wrap = value_of(kWraps, text);
   if (!wrap) return wrong(in_quotes(text) + " is not a wrap mode; expected " + list_of(kWraps));
-  sampler.wrap_s = sampler.wrap_t = *wrap;
+  sampler.wrap_s = sampler.wrap_t = sampler.wrap_r = *wrap;
   return {};
 }
 

@@ -37,7 +37,7 @@ template <class T, std::size_t N>
   return list;
 }
 
-inline constexpr Words<VertexSource, 15> kVertexSources{{{"uv", VertexSource::uv},
+inline constexpr Words<VertexSource, 18> kVertexSources{{{"uv", VertexSource::uv},
                                                          {"screen", VertexSource::screen},
                                                          {"projected", VertexSource::projected},
                                                          {"position", VertexSource::position},
@@ -49,6 +49,9 @@ inline constexpr Words<VertexSource, 15> kVertexSources{{{"uv", VertexSource::uv
                                                          {"reflection", VertexSource::reflection},
                                                          {"tangent-light-vector", VertexSource::tangent_light_vector},
                                                          {"tangent-half-vector", VertexSource::tangent_half_vector},
+                                                         {"tangent-to-world-x", VertexSource::tangent_to_world_x},
+                                                         {"tangent-to-world-y", VertexSource::tangent_to_world_y},
+                                                         {"tangent-to-world-z", VertexSource::tangent_to_world_z},
                                                          {"color", VertexSource::color},
                                                          {"lambert", VertexSource::lambert},
                                                          {"index", VertexSource::index}}};
@@ -58,6 +61,22 @@ inline constexpr Words<Wrap, 4> kWraps{{{"repeat", Wrap::repeat},
                                         {"clamp", Wrap::clamp},
                                         {"clamp-to-edge", Wrap::clamp_to_edge},
                                         {"mirrored-repeat", Wrap::mirrored_repeat}}};
+
+// The words before the colon of textures that are made from a file, by origin.
+inline constexpr Words<TextureOrigin, 8> kFileOrigins{{{"normals", TextureOrigin::normals},
+                                                       {"signed-normals", TextureOrigin::signed_normals},
+                                                       {"hilo-normals", TextureOrigin::hilo_normals},
+                                                       {"hilo-heights", TextureOrigin::hilo_heights},
+                                                       {"offsets", TextureOrigin::offsets},
+                                                       {"1d", TextureOrigin::one_dimensional},
+                                                       {"3d", TextureOrigin::volume},
+                                                       {"rectangle", TextureOrigin::rectangle}}};
+
+// Whether a texture's steepness is read.
+[[nodiscard]] constexpr bool has_slopes(TextureOrigin origin) {
+  return origin == TextureOrigin::normals || origin == TextureOrigin::signed_normals ||
+         origin == TextureOrigin::hilo_normals || origin == TextureOrigin::offsets;
+}
 
 struct Filters {
   MinFilter min;
@@ -157,7 +176,9 @@ inline constexpr Words<UpAxis, 2> kUpAxes{{{"y", UpAxis::y}, {"z", UpAxis::z}}};
   return source < VertexSource::color;
 }
 [[nodiscard]] constexpr bool is_color_source(VertexSource source) {
-  return source == VertexSource::constant || source > VertexSource::projected;
+  return source == VertexSource::constant ||
+         (source > VertexSource::projected && source < VertexSource::tangent_to_world_x) ||
+         source >= VertexSource::color;
 }
 
 // The words of the sources that `fits`.

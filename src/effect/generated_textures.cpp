@@ -119,25 +119,132 @@ Result<Texture> attenuation() {
                       })}});
 }
 
-Result<Texture> normal_map(const Texture& heights, double steepness) {
+namespace {
+
+Status check_heights(const Texture& heights, const char* what) {
+  if (heights.target == TextureTarget::cube_map) {
+    return Diagnostic{.message = std::string(what) + " is made from a 2D texture, not from a cube map"};
+  }
+  if (heights.faces[0].empty() || !std::holds_alternative<BytePlanes>(heights.faces[0][0].planes)) {
+    return Diagnostic{.message = std::string(what) + " is made from a texture of bytes with a level 0"};
+  }
+  return {};
+}
+
+Status check_slopes(const Texture& heights, double steepness, const char* what) {
   if (!(steepness > 0.0) || !std::isfinite(steepness)) {
     return Diagnostic{.message = "steepness " + std::to_string(steepness) + " is out of range; expected more than 0"};
   }
-  if (heights.target == TextureTarget::cube_map) {
-    return Diagnostic{.message = "a normal map is made from a 2D texture, not from a cube map"};
-  }
-  if (heights.faces[0].empty() || !std::holds_alternative<BytePlanes>(heights.faces[0][0].planes)) {
-    return Diagnostic{.message = "a normal map is made from a texture of bytes with a level 0"};
-  }
+  return check_heights(heights, what);
+}
+
+struct Slope {
+  double ds, dt;
+};
+
+Slope slope_at(const Heights& height, int x, int y, double steepness) {
+  return {(height.at(x + 1, y) - height.at(x - 1, y)) * steepness / 2.0,
+          (height.at(x, y + 1) - height.at(x, y - 1)) * steepness / 2.0};
+}
+
+std::array<double, 3> normal_at(const Heights& height, int x, int y, double steepness) {
+  const Slope slope = slope_at(height, x, y, steepness);
+  const double length = std::sqrt(slope.ds * slope.ds + slope.dt * slope.dt + 1.0);
+  return {-slope.ds / length, slope.dt / length, 1.0 / length};
+}
+
+// A number times a scale, to the nearest whole number, as two's complement.
+std::uint32_t nearest_word(double x, double scale) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(x * scale + 0.5)));
+}
+
+// hilo16 of the words HI and LO that words(x, y) gives.
+template <class Words>
+Result<Texture> hilo_texture(const TextureImage& image, const Words& words) {
+  const auto byte = [&](int x, int y, std::size_t c) {
+    const std::array<std::uint32_t, 2> hi_lo = words(x, y);
+    const std::uint32_t word = c == kRed || c == kAlpha ? hi_lo[0] : hi_lo[1];
+    return static_cast<std::uint8_t>(c == kRed || c == kBlue ? word & 255U : word >> 8U & 255U);
+  };
+  return make_texture(TextureTarget::texture_2d, InternalFormat::hilo16,
+                      {{filled(image.width, image.height, 4, byte)}});
+}
+
+}  // namespace
+
+Result<Texture> normal_map(const Texture& heights, double steepness) {
+  if (Status checked = check_slopes(heights, steepness, "a normal map"); !checked) return checked.error();
   const TextureImage& image = heights.faces[0][0];
   const Heights height(image, stored_components(heights.format));
   return make_texture(TextureTarget::texture_2d, InternalFormat::rgb8,
                       {{filled(image.width, image.height, 3, [&](int x, int y, std::size_t c) {
-                        const double ds = (height.at(x + 1, y) - height.at(x - 1, y)) * steepness / 2.0;
-                        const double dt = (height.at(x, y + 1) - height.at(x, y - 1)) * steepness / 2.0;
-                        const std::array<double, 3> normal{-ds, dt, 1.0};
-                        return range_compressed(normal[c] / std::sqrt(ds * ds + dt * dt + 1.0));
+                        return range_compressed(normal_at(height, x, y, steepness)[c]);
                       })}});
+}
+
+Result<Texture> signed_normal_map(const Texture& heights, double steepness) {
+  if (Status checked = check_slopes(heights, steepness, "a normal map"); !checked) return checked.error();
+  const TextureImage& image = heights.faces[0][0];
+  const Heights height(image, stored_components(heights.format));
+  return make_texture(TextureTarget::texture_2d, InternalFormat::rgb8,
+                      {{filled(image.width, image.height, 3, [&](int x, int y, std::size_t c) {
+                        return static_cast<std::uint8_t>(nearest_word(normal_at(height, x, y, steepness)[c], 127.0));
+                      })}});
+}
+
+Result<Texture> hilo_normal_map(const Texture& heights, double steepness) {
+  if (Status checked = check_slopes(heights, steepness, "a normal map"); !checked) return checked.error();
+  const TextureImage& image = heights.faces[0][0];
+  const Heights height(image, stored_components(heights.format));
+  return hilo_texture(image, [&](int x, int y) {
+    const std::array<double, 3> normal = normal_at(height, x, y, steepness);
+    return std::array{nearest_word(normal[0], 32767.0), nearest_word(normal[1], 32767.0)};
+  });
+}
+
+Result<Texture> hilo_height_map(const Texture& heights) {
+  if (Status checked = check_heights(heights, "a height map"); !checked) return checked.error();
+  const TextureImage& image = heights.faces[0][0];
+  const Heights height(image, stored_components(heights.format));
+  return hilo_texture(image, [&](int x, int y) {
+    return std::array{nearest_word(height.at(x, y), 65535.0), std::uint32_t{0}};
+  });
+}
+
+Result<Texture> offset_map(const Texture& heights, double steepness) {
+  if (Status checked = check_slopes(heights, steepness, "an offset map"); !checked) return checked.error();
+  const TextureImage& image = heights.faces[0][0];
+  const Heights height(image, stored_components(heights.format));
+  // Green, dt, is stored before blue, ds.
+  return make_texture(TextureTarget::texture_2d, InternalFormat::dsdt8,
+                      {{filled(image.width, image.height, 2, [&](int x, int y, std::size_t c) {
+                        const Slope slope = slope_at(height, x, y, steepness);
+                        const double number = std::clamp(c == 0 ? slope.dt : slope.ds, -1.0, 1.0);
+                        return static_cast<std::uint8_t>(nearest_word(number, 127.0));
+                      })}});
+}
+
+Result<Texture> retargeted(const Texture& texture, TextureTarget target) {
+  if (Status checked = check_heights(texture, "a texture of another kind"); !checked) return checked.error();
+  const TextureImage& image = texture.faces[0][0];
+  const auto& planes = std::get<BytePlanes>(image.planes);
+  std::vector<std::size_t> components;
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (stored_components(texture.format)[c]) components.push_back(c);
+  }
+  const bool is_volume = target == TextureTarget::texture_3d;
+  if (is_volume && image.height % image.width != 0) {
+    return Diagnostic{.message = "a 3D texture is made from squares, one below the other; the picture is " +
+                                 std::to_string(image.width) + " x " + std::to_string(image.height)};
+  }
+  const int rows = target == TextureTarget::texture_1d ? 1 : image.height;
+  TextureSamples samples = filled(image.width, rows, components.size(),
+                                  [&](int x, int y, std::size_t c) { return planes[components[c]].at(x, y); });
+  if (is_volume) {
+    samples.depth = image.height / image.width;
+    samples.height = image.width;
+  }
+  return make_texture(target, texture.format, {{std::move(samples)}});
 }
 
 }  // namespace ninebit

@@ -35,6 +35,24 @@ bool has_written_fragment(const TracedPixel& pixel) {
   });
 }
 
+// The texture-shader stages of a fragment, in the order of the units; keys without a value are left out.
+AnswerJson stages_answer(const TextureShaderResult& result) {
+  AnswerJson stages = AnswerJson::array();
+  for (const StageValues& stage : result.stage) {
+    AnswerJson one = AnswerJson::object();
+    if (stage.normal) one["normal"] = *stage.normal;
+    if (stage.dot) one["dot"] = *stage.dot;
+    if (stage.at) {
+      one["at"] = *stage.at;
+      one["fetched"] = stage.fetched;
+    }
+    one["texel"] = stage.texel;
+    one["codes"] = stage.codes;
+    stages.push_back(std::move(one));
+  }
+  return stages;
+}
+
 AnswerJson pixel_answer(const TracedPixel& pixel) {
   AnswerJson passes = AnswerJson::array();
   for (const ProbedPass& pass : pixel.passes) {
@@ -50,6 +68,9 @@ AnswerJson pixel_answer(const TracedPixel& pixel) {
                            {"depth_passes", f.depth_passes},
                            {"fate", text_of_fate(f.fate)},
                            {"color", f.color}});
+      if (!f.stages) continue;
+      fragments.back()["depth_replaced"] = f.stages->depth.has_value();
+      fragments.back()["stages"] = stages_answer(*f.stages);
     }
     passes.push_back({{"name", pass.name}, {"has_program", pass.program.has_value()}, {"fragments", fragments}});
   }
@@ -72,6 +93,8 @@ std::string_view text_of_fate(FragmentFate fate) {
       return "stencil test failed";
     case FragmentFate::depth_failed:
       return "depth test failed";
+    case FragmentFate::culled:
+      return "culled by the texture shader";
     case FragmentFate::written:
       return "written";
   }

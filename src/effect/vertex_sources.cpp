@@ -70,17 +70,31 @@ class VertexVectors {
         return window_of(inputs_.clip_from_world * glm::vec4(scene_.positions[v], 1.0F));
       case VertexSource::projected:
         return window_of(inputs_.light_clip_from_world * glm::vec4(scene_.positions[v], 1.0F));
+      case VertexSource::tangent_to_world_x:
+        return row_of_tangents(0, v);
+      case VertexSource::tangent_to_world_y:
+        return row_of_tangents(1, v);
+      case VertexSource::tangent_to_world_z:
+        return row_of_tangents(2, v);
       default:
         return {at(source.source, v), 1.0F};
     }
   }
 
  private:
-  [[nodiscard]] glm::vec3 in_tangent_space(const glm::vec3& vector, std::size_t v) const {
+  // Tangent, bitangent and normal.
+  [[nodiscard]] glm::mat3 tangent_frame(std::size_t v) const {
     const glm::vec3& normal = scene_.normals[v];
     const glm::vec3 tangent((*inputs_.tangents)[v]);
-    const glm::vec3 bitangent = (*inputs_.tangents)[v].w * glm::cross(normal, tangent);
-    return {glm::dot(tangent, vector), glm::dot(bitangent, vector), glm::dot(normal, vector)};
+    return {tangent, (*inputs_.tangents)[v].w * glm::cross(normal, tangent), normal};
+  }
+  [[nodiscard]] glm::vec3 in_tangent_space(const glm::vec3& vector, std::size_t v) const {
+    const glm::mat3 frame = tangent_frame(v);
+    return {glm::dot(frame[0], vector), glm::dot(frame[1], vector), glm::dot(frame[2], vector)};
+  }
+  [[nodiscard]] glm::vec4 row_of_tangents(int axis, std::size_t v) const {
+    const glm::mat3 frame = tangent_frame(v);
+    return {frame[0][axis], frame[1][axis], frame[2][axis], camera_.position[axis] - scene_.positions[v][axis]};
   }
 
   const VertexInputs& inputs_;

@@ -37,7 +37,7 @@ struct UnitCoordinates {
 
 // Whether a source reads tangents, or texture coordinates.
 [[nodiscard]] constexpr bool needs_tangents(VertexSource source) {
-  return source == VertexSource::tangent_light_vector || source == VertexSource::tangent_half_vector;
+  return source >= VertexSource::tangent_light_vector && source <= VertexSource::tangent_to_world_z;
 }
 [[nodiscard]] constexpr bool needs_uv(VertexSource source) {
   return source == VertexSource::uv || needs_tangents(source);

@@ -44,7 +44,7 @@ class ShelfReaders {
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  Result<CombinerState> read_program(const std::string& name, const HardwareProfile& profile);
+  Result<TextProgram> read_program(const std::string& name, const HardwareProfile& profile);
   Result<Texture> read_texture(const std::vector<std::string>& names);
   Result<TextureSamples> samples_of(const std::string& name, bool opaque);
 

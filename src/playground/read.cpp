@@ -64,7 +64,7 @@ Parsed<TextProgram> valid_program(std::string_view text, std::string_view name, 
   auto parsed = parse_program({text, name}, form_of(text), profile);
   if (!parsed) return parsed;
   std::vector<TextFault> faults;
-  for (const StateDiagnostic& found : validate(parsed->state, profile)) {
+  for (const StateDiagnostic& found : validate(*parsed, profile)) {
     TextFault fault;
     fault.file = std::string(name);
     fault.message = found.message;

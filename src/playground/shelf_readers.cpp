@@ -104,12 +104,12 @@ EffectReaders ShelfReaders::readers() {
   return readers;
 }
 
-Result<CombinerState> ShelfReaders::read_program(const std::string& name, const HardwareProfile& profile) {
+Result<TextProgram> ShelfReaders::read_program(const std::string& name, const HardwareProfile& profile) {
   program_faults_.clear();
   const auto found = texts_.find(name);
   if (found == texts_.end()) return Diagnostic{.message = "is not among the files of the request", .file = name};
   const auto parsed = valid_program(found->second, name, profile);
-  if (parsed) return parsed->state;
+  if (parsed) return *parsed;
   program_faults_ = refusals(parsed.faults(), found->second).faults();
   return Diagnostic{.message = parsed.faults()[0].message, .file = name, .line = parsed.faults()[0].line};
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ninebit/combiner/batch_program.h"
+#include "ninebit/language/program_text.h"
 #include "src/python/module.h"
 
 namespace ninebit::python {
@@ -14,7 +15,8 @@ namespace ninebit::python {
 struct State {
   CombinerState state;
   ProfileChoice profile;
-  std::vector<std::string> notes{};  // what parsing skipped or assumed
+  std::vector<std::string> notes{};     // what parsing skipped or assumed
+  TextureShaderState texture_shader{};  // the stages before the combiners
 };
 
 struct RunnableProgram {

@@ -62,7 +62,7 @@ State parse(const std::string& text, const Words& form, const std::string& profi
   const auto parsed = parse_program({text, {}}, form ? form_named(*form) : form_of(text), *profile.profile,
                                     options_of(chip, functions, definitions, setup));
   if (!parsed) throw Error{parsed.error().text()};
-  State state{parsed->state, profile};
+  State state{parsed->state, profile, {}, parsed->texture_shader};
   for (const TextFault& note : parsed.notes) state.notes.push_back(note.text());
   return state;
 }
@@ -74,14 +74,16 @@ std::string print(const State& state, const std::string& form, const Words& chip
   if (form == "c" || form.starts_with("glsl")) {
     if (const auto program = compile(state.state, profile); !program) throw Error{program.error().text()};
   }
-  const auto text = named->print({state.state, {}}, chip ? chip_named(*chip) : chip_of(profile), profile);
+  const auto text =
+      named->print({state.state, {}, state.texture_shader}, chip ? chip_named(*chip) : chip_of(profile), profile);
   if (!text) throw Error{"cannot be written as " + form + ": " + text.error().text()};
   return *text;
 }
 
 std::vector<py::dict> diagnostics(const State& state) {
   std::vector<py::dict> rows;
-  for (const StateDiagnostic& found : validate(state.state, *state.profile.profile)) {
+  for (const StateDiagnostic& found :
+       validate(TextProgram{state.state, {}, state.texture_shader}, *state.profile.profile)) {
     py::dict row;
     row["gl_error"] = std::string(name_of(found.gl_error));
     row["stage"] = found.stage;
@@ -134,7 +136,8 @@ void add_state(py::module_& module) {
       .def(
           "__eq__",
           [](const State& a, const State& b) {
-            return a.state == b.state && a.profile.profile->name == b.profile.profile->name;
+            return a.state == b.state && a.texture_shader == b.texture_shader &&
+                   a.profile.profile->name == b.profile.profile->name;
           },
           py::is_operator());
   module.def(

@@ -140,7 +140,7 @@ int run(const ValidateFlags& flags) {
   // A text that cannot be parsed has no state to validate.
   if (findings.size() < file->parsed.faults().size()) return report(file->parsed.faults(), file->text);
   if (file->parsed) {
-    for (const StateDiagnostic& d : validate(file->parsed->state, profile)) findings.push_back({d});
+    for (const StateDiagnostic& d : validate(*file->parsed, profile)) findings.push_back({d});
   }
 
   int code = kDone;

@@ -46,6 +46,10 @@ enum class VertexSource : std::uint8_t {
   reflection,            // the view vector reflected at the normal, normalized: it leaves the surface
   tangent_light_vector,  // light_vector in tangent space, not normalized
   tangent_half_vector,   // half_vector in tangent space
+  tangent_to_world_x,    // the x of tangent, bitangent and N, and of the view vector as q: a row of the matrix that
+                         // turns a normal of tangent space into world space, with the eye, for reflections by stages
+  tangent_to_world_y,    // likewise
+  tangent_to_world_z,    // likewise
   color,                 // the mesh's vertex colour times its material's base colour
   lambert,               // the base colour times the light's colour times max(0, N · L); alpha of `color`
   index                  // the colour of the polygon's index: flat, as in index cube shadow mapping
@@ -53,14 +57,14 @@ enum class VertexSource : std::uint8_t {
 
 // The texture coordinates of a unit: `source`, then `matrix`, as GL's texture matrix multiplies (s, t, r, q).
 struct CoordinateSource {
-  VertexSource source = VertexSource::uv;      // uv to tangent_half_vector, or constant
+  VertexSource source = VertexSource::uv;      // uv to tangent_to_world_z, or constant
   glm::vec4 constant{0.0F, 0.0F, 0.0F, 1.0F};  // of VertexSource::constant: s, t, r, q
   glm::mat4 matrix{1.0F};                      // glm's columns
 };
 
 // A vertex colour. Vectors are normalized and range-compressed: a component v becomes (v + 1) / 2, alpha is 1.
 struct ColorSource {
-  VertexSource source = VertexSource::constant;  // position to index, or constant
+  VertexSource source = VertexSource::constant;  // position to tangent_half_vector, color to index, or constant
   glm::vec4 constant{1.0F};                      // red, green, blue, alpha in [0, 1]
   IndexFormat index_format = IndexFormat::rgb;   // of `index`
   int index_step = 2;                            // of `index`: 1 to kMaxIndexStep
@@ -85,15 +89,22 @@ struct EffectFog {
 
 // Where a texture comes from.
 enum class TextureOrigin : std::uint8_t {
-  file,            // one 2D picture or DDS file
-  cube_files,      // six pictures, in the order of CubeFace
-  normalize_cube,  // normalization_cube_map(size)
-  checker,         // checkerboard(size)
-  gradient,        // gradient()
-  falloff,         // attenuation()
-  normals,         // normal_map() of a file
-  target_color,    // the colour planes of a target
-  target_depth     // the depth plane of a target
+  file,             // one 2D picture or DDS file
+  cube_files,       // six pictures, in the order of CubeFace
+  normalize_cube,   // normalization_cube_map(size)
+  checker,          // checkerboard(size)
+  gradient,         // gradient()
+  falloff,          // attenuation()
+  normals,          // normal_map() of a file
+  signed_normals,   // signed_normal_map() of a file
+  hilo_normals,     // hilo_normal_map() of a file
+  hilo_heights,     // hilo_height_map() of a file
+  offsets,          // offset_map() of a file
+  one_dimensional,  // the first row of a file as a 1D texture
+  volume,           // a file's squares, one below the other, as the layers of a 3D texture
+  rectangle,        // a file as a rectangle texture
+  target_color,     // the colour planes of a target
+  target_depth      // the depth plane of a target
 };
 
 // A texture of an effect.
@@ -103,7 +114,7 @@ struct EffectTexture {
   std::vector<std::string> files{};            // relative to the effect's folder
   std::string target{};                        // the name of a target
   int size = 0;                                // texels a side
-  float steepness = 4.0F;                      // of normals: see normal_map()
+  float steepness = 4.0F;                      // of normals and offsets: see normal_map()
   Sampler sampler{};                           // how units read it
 };
 
@@ -119,8 +130,8 @@ struct EffectTarget {
 
 // The texture that a pass reads through one unit, and how.
 struct EffectUnit {
-  std::string texture{};           // the name of a texture of the effect; empty: the unit is off
-  CoordinateSource coordinates{};  // where it is read
+  std::string texture{};           // the name of a texture of the effect; empty: the unit has none
+  CoordinateSource coordinates{};  // where it is read, or what a texture-shader stage without a texture reads
 };
 
 // Which planes a pass clears before it draws, and to what.
@@ -162,7 +173,8 @@ struct EffectPass {
   ColorSource secondary{.constant = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)};  // the secondary colour
   EffectFog fog{};                                                       // the fog registers
   EffectClear clear{};                                                   // before the draw
-  // Fragment state; its profile, program, viewport and fog are set when the effect is drawn.
+  // Fragment state; its profile, program, viewport and fog are set when the effect is drawn, and so are texture-shader
+  // stages of the program's file unless it has its own.
   PipelineState state{};
 };
 
@@ -217,9 +229,11 @@ struct EffectFault {
 // Reads "none", "linear:START,END", "exp:DENSITY" and "exp2:DENSITY"; the colour stays black.
 [[nodiscard]] Result<EffectFog> parse_fog(std::string_view text);
 // Reads a file name, six file names with commas between them, "normalize-cube:N", "checker:N", "gradient", "falloff",
-// "normals:FILE", "target:NAME" and "depth:NAME" into a texture without a name. Its sampler suits the origin: trilinear
-// and repeat for files, normals and checker; linear and clamp-to-edge for other generated ones; nearest and
-// clamp-to-edge for targets.
+// "normals:FILE", "signed-normals:FILE", "hilo-normals:FILE", "hilo-heights:FILE", "offsets:FILE", "1d:FILE",
+// "3d:FILE", "rectangle:FILE", "target:NAME" and "depth:NAME" into a texture without a name. Its sampler suits the
+// origin: trilinear and repeat for files, normals, offsets, 1D textures and checker; linear and repeat for HILO and 3D
+// textures; linear and clamp-to-edge for rectangles and other generated ones; nearest and clamp-to-edge
+// for targets. Components of signed normals and HILO normals are signed.
 [[nodiscard]] Result<EffectTexture> parse_texture_source(std::string_view text);
 // Reads "nearest", "linear", "bilinear-mipmap" (GL_LINEAR_MIPMAP_NEAREST) and "trilinear" into the sampler's filters.
 [[nodiscard]] Status parse_filter(std::string_view text, Sampler& sampler);

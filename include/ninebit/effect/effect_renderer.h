@@ -18,6 +18,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/effect/effect.h"
 #include "ninebit/frame/rendering.h"
+#include "ninebit/language/program_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
@@ -29,8 +30,8 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // How an effect's files are read. The paths are those of the effect, with its folder in front of relative ones.
 struct EffectReaders {
-  // A program in any form, valid under the profile.
-  std::function<Result<CombinerState>(const std::filesystem::path& file, const HardwareProfile& profile)> program{};
+  // A program in any form, valid under the profile; its texture-shader stages are those of the pass, if enabled.
+  std::function<Result<TextProgram>(const std::filesystem::path& file, const HardwareProfile& profile)> program{};
   // One 2D texture, or six faces of a cube map in the order of CubeFace, with mip-maps.
   std::function<Result<Texture>(std::span<const std::filesystem::path> files, const HardwareProfile& profile)>
       texture{};

@@ -35,4 +35,22 @@ namespace NINEBIT_PUBLIC ninebit {
 // and a steepness out of range.
 [[nodiscard]] Result<Texture> normal_map(const Texture& heights, double steepness);
 
+// The same normals in two's complement, 127 times a component, rounded to nearest, halves up: rgb8, whose red, green
+// and blue a sampler has to read as signed.
+[[nodiscard]] Result<Texture> signed_normal_map(const Texture& heights, double steepness);
+
+// Their x and y as HI and LO of hilo16 in two's complement, 32767 times a component, rounded likewise.
+[[nodiscard]] Result<Texture> hilo_normal_map(const Texture& heights, double steepness);
+
+// The heights as HI of hilo16, 65535 times, rounded likewise; LO is 0. Reports what normal_map() reports of a texture.
+[[nodiscard]] Result<Texture> hilo_height_map(const Texture& heights);
+
+// The slopes along s and t, clamped to [-1, 1], as ds and dt of dsdt8: 127 times, rounded likewise.
+[[nodiscard]] Result<Texture> offset_map(const Texture& heights, double steepness);
+
+// Level 0 of a 2D texture of bytes as a texture of another kind: as a 1D texture its first row, as a 3D one the squares
+// that lie one below the other as layers, as a rectangle all of it. Reports other kinds and formats, and a height that
+// is not a multiple of the width.
+[[nodiscard]] Result<Texture> retargeted(const Texture& texture, TextureTarget target);
+
 }  // namespace ninebit

@@ -143,7 +143,7 @@ struct DrawnPass {
 };
 
 // The fragment that decided the pixel's result in a pass: the last one that was written or, if none was, the last one
-// that passed the depth test; nullptr if there is neither.
+// that passed the depth test; else the first one that a texture shader culled; nullptr if there is none of them.
 [[nodiscard]] const ProbedFragment* deciding_fragment(const ProbedPass& pass);
 
 // The result of a technique.

@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
+#include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -43,11 +45,16 @@ struct ReadOptions {
   SourceSelection source{};         // of a source; its definitions also of a pixel shader
 };
 
-// A program, and the words beside it that combiners do not read, such as the Xbox's texture modes.
+// A program: both halves of a pixel, and the words that are read into neither.
 struct TextProgram {
-  CombinerState state{};                    // the program, not yet validated
-  std::vector<RegisterWord> other_words{};  // in the order of the text
+  CombinerState state{};                    // the combiners, not yet validated
+  std::vector<RegisterWord> other_words{};  // of kOtherWordNames, in the order of the text
+  TextureShaderState texture_shader{};      // the stages before them; enabled: the text has some
 };
+
+// What is wrong with both halves: the diagnostics of the texture-shader stages, which have no place but that in their
+// message, and then those of the combiners.
+[[nodiscard]] std::vector<StateDiagnostic> validate(const TextProgram& program, const HardwareProfile& profile);
 
 // A form of a program's text.
 struct Form {
@@ -56,9 +63,9 @@ struct Form {
   std::string_view kind{};   // in a sentence, with its article: "an !!RC1.0 program"
   // Whether a text seems to have the form; `content` is the text behind blanks and comments. Null: no text does.
   bool (*detect)(std::string_view text, std::string_view content) = nullptr;
-  // Reads a program; adds to `other_words` those of kOtherWordNames. Null: the form is only written.
-  Parsed<CombinerState> (*parse)(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
-                                 std::vector<RegisterWord>& other_words) = nullptr;
+  // Reads a program. Null: the form is only written.
+  Parsed<TextProgram> (*parse)(const SourceText& source, const HardwareProfile& profile,
+                               const ReadOptions& options) = nullptr;
   // Writes a valid program, or reports what the form cannot express. Null: the form is only read.
   Result<std::string> (*print)(const TextProgram& program, ChipClass chip, const HardwareProfile& profile) = nullptr;
   bool takes_definitions = false;  // reading uses ReadOptions::source.definitions

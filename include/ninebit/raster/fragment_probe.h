@@ -3,27 +3,37 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/evaluate_stages.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The first test that a fragment failed, in GL's order; `written`: it passed all tests.
-enum class FragmentFate : std::uint8_t { alpha_failed, stencil_failed, depth_failed, written };
+// What rejected a fragment first, in GL's order; `written`: it passed all tests.
+enum class FragmentFate : std::uint8_t {
+  alpha_failed,
+  stencil_failed,
+  depth_failed,
+  written,
+  culled  // by a texture-shader stage, before all tests
+};
 
 // One fragment that a draw made at the watched pixel.
 struct ProbedFragment {
   std::uint32_t primitive = 0;          // its number in the draw
-  std::uint32_t depth = 0;              // its code
+  std::uint32_t depth = 0;              // its code; a replaced depth if the stages replace it
   std::uint32_t stored_depth = 0;       // the depth plane's code before the fragment; 0 without a plane
   std::uint8_t stored_stencil = 0;      // the stencil plane's value before the fragment; 0 without a plane
   RegisterFile registers;               // before the first general combiner; `zero` and constants are 0 here
   std::array<std::uint8_t, 4> color{};  // input of the fragment operations, before masks
-  bool depth_passes = false;            // whether the depth test passes, regardless of the alpha and stencil tests
-  FragmentFate fate = FragmentFate::written;  // the test that rejected it, or `written`
-  friend constexpr bool operator==(const ProbedFragment&, const ProbedFragment&) = default;
+  bool depth_passes = false;            // whether the depth test passes, regardless of the alpha and stencil tests;
+                                        // false for a culled fragment, which is not tested
+  FragmentFate fate = FragmentFate::written;    // what rejected it, or `written`
+  std::optional<TextureShaderResult> stages{};  // of its texture-shader stages; empty: they are not enabled
+  friend bool operator==(const ProbedFragment&, const ProbedFragment&) = default;
 };
 
 // A draw into a target with a probe (RenderTarget::probe) appends every fragment at this pixel, in drawing order, for

@@ -8,6 +8,7 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -147,6 +148,9 @@ struct PipelineState {
   // to whole pixels, halves up, and a size that becomes 0 counts as 1.
   float point_size = 1.0F;  // 0 to 64; 0 draws one pixel
   float line_width = 1.0F;  // 1/8 to 64
+
+  // If enabled, the stages give the texture registers, may cull fragments and may replace their depth.
+  TextureShaderState texture_shader;
 
   Fog fog;  // read by programs
   // The register combiners; empty: they are disabled and the fragment's colour is its primary colour.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/fragment_probe.h"
@@ -20,6 +22,8 @@ using ColorBytes = std::array<std::uint8_t, 4>;  // red, green, blue, alpha
 // The most texture units and attributes that a draw may have.
 inline constexpr int kMaxTextureUnits = 4;
 inline constexpr int kMaxAttributes = 4;
+
+static_assert(kMaxTextureUnits == kTextureStages);
 
 // glBegin's modes.
 enum class PrimitiveType : std::uint8_t {
@@ -51,8 +55,9 @@ struct VertexArrays {
   std::span<const ColorBytes> secondary_colors{};  // one per vertex; empty: black
   std::span<const float> fog_factors{};            // one per vertex, clamped to [0, 1]; empty: 1
 
-  // Texture coordinates (s, t, r) per vertex, for each unit with a texture, and q (empty: 1). All four are interpolated
-  // in perspective. 2D textures are read at (s/q, t/q), a depth comparison uses r/q; cube maps ignore q.
+  // Texture coordinates (s, t, r) per vertex, for each unit with a texture or of which a texture-shader stage reads
+  // them, and q (empty: 1). All four are interpolated in perspective. 2D textures are read at (s/q, t/q), a depth
+  // comparison uses r/q; cube maps ignore q.
   std::array<std::span<const glm::vec3>, kMaxTextureUnits> texture_coordinates{};
   std::array<std::span<const float>, kMaxTextureUnits> texture_q{};
   // Four floats per vertex, interpolated in perspective, for output planes.
@@ -108,14 +113,24 @@ struct TextureUnit {
 //   Pixels side by side of a wide line of diamonds share them.
 // - Texture coordinates, attributes, fog factors and smooth colours are interpolated in floats, in a fixed order per
 //   fragment: in perspective, but colours as profile.color_interpolation says.
-// - Each fragment then passes through scissor, program, alpha test, stencil test, depth test, blending and masks, in
-//   GL's order. Overlapping primitives are drawn in their order, for any number of threads.
+// - Each fragment then passes through scissor, texture-shader stages, program, alpha test, stencil test, depth test,
+//   blending and masks, in GL's order. Overlapping primitives are drawn in their order, for any number of threads.
+// - A fragment that a stage culls is dropped before the alpha test. A replaced depth takes the place of steps 1 to 4
+//   (rule 39: cut to a code, clamped to the buffer's codes). Levels of detail of stages are found with the earlier
+//   texel held fixed over the pixel and its neighbours; at points a stage that reads its texture at s, t, r over q has
+//   rho 1, as a plain unit, and the others 0.
 //
 // Reports positions of both kinds, arrays of unequal lengths, indices out of range, a target that misses planes which
-// the state needs, and values out of the ranges of pipeline_state.h. A unit with an incomplete texture is off, as in
-// GL.
+// the state needs, values out of the ranges of pipeline_state.h, faults of texture-shader stages (validate_stages.h)
+// and coordinates that they read and the vertices do not have. A unit with an incomplete texture is off, as in GL; an
+// inconsistent stage gives (0, 0, 0, 0), see texture_shader_warnings.
 [[nodiscard]] Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object,
                                const VertexArrays& arrays, std::span<const TextureUnit> units, RenderTarget& target);
+
+// One sentence for each inconsistent texture-shader stage of such a draw, in their order (TextureShaderProgram).
+// Reports what rasterize() reports of the stages and the textures. Stages that are not enabled have no warnings.
+[[nodiscard]] Result<std::vector<std::string>> texture_shader_warnings(const PipelineState& state,
+                                                                       std::span<const TextureUnit> units);
 
 // Which planes clear() fills.
 struct ClearBuffers {

@@ -147,7 +147,8 @@ struct TextureSamples {
 // A copy of the texture's level 0, and mip-maps down to 1 × 1. Each texel is the mean of two by two texels of
 // the previous level, or of two if that level is one texel wide or high. Integers are rounded to nearest, halves up, as
 // (a + b + c + d + 2) / 4; floats are computed as ((a + b) + (c + d)) × 0.25, and half floats are rounded again.
-// Reports what check_texture reports, a texture without level 0, and rectangles, 3D, HILO and DSDT textures.
-[[nodiscard]] Result<Texture> with_mipmaps(const Texture& texture);
+// Components that `is_signed`, as Sampler has them, and ds and dt are two's complement. Reports what check_texture
+// reports, a texture without level 0, and rectangles, 3D and HILO textures.
+[[nodiscard]] Result<Texture> with_mipmaps(const Texture& texture, const std::array<bool, 4>& is_signed = {});
 
 }  // namespace ninebit

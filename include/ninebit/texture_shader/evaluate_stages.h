@@ -44,6 +44,7 @@ struct StageValues {
   Bytes4 fetched{};                            // what was read there
   Bytes4 texel{};                              // the stage's texel, which later stages read
   Rgba9 codes{};                               // what the combiners read
+  friend bool operator==(const StageValues&, const StageValues&) = default;
 };
 
 // The results of all stages for one fragment.
@@ -51,6 +52,7 @@ struct TextureShaderResult {
   std::array<StageValues, kTextureStages> stage;  // in the order of the units
   bool is_culled = false;                         // by CULL_FRAGMENT; the stages are evaluated all the same
   std::optional<float> depth{};  // that replaces the fragment's, in the program's unit, not rounded or clamped
+  friend bool operator==(const TextureShaderResult&, const TextureShaderResult&) = default;
 };
 
 // Evaluates a program that compile() made for this profile. Numbers are 32-bit floats in a fixed order of operations

@@ -18,7 +18,7 @@ Diagnostic fault_of(const std::filesystem::path& file, std::string message) {
   return {.message = std::move(message), .file = file.string()};
 }
 
-Result<CombinerState> program_in(const std::filesystem::path& file, const HardwareProfile& profile) {
+Result<TextProgram> program_in(const std::filesystem::path& file, const HardwareProfile& profile) {
   std::error_code error;
   const std::string text = posix::read_file(file, kMaxSourceBytes + 1, error);
   if (error) return fault_of(file, "cannot be read: " + error.message());
@@ -29,9 +29,9 @@ Result<CombinerState> program_in(const std::filesystem::path& file, const Hardwa
     const TextFault& first = parsed.faults()[0];
     return Diagnostic{.message = first.message, .file = name, .line = first.line};
   }
-  const auto refused = validate(parsed->state, profile);
+  const auto refused = validate(*parsed, profile);
   if (!refused.empty()) return fault_of(file, refused[0].message);
-  return parsed->state;
+  return *parsed;
 }
 
 }  // namespace

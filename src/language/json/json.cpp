@@ -8,6 +8,7 @@
 
 #include "ninebit/combiner/validate.h"
 #include "src/language/json/json_reader.h"
+#include "src/language/json/json_texture_shader.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/source/nearest_name.h"
 
@@ -40,7 +41,7 @@ class ProgramReader {
     if (!read_.object(root,
                       {"ninebit", "version", "num_general_combiners", "color_sum_clamp", "per_stage_constants",
                        "mux_by_lowest_bit", "color_sum_invert_spare0", "color_sum_invert_secondary", "constant_color0",
-                       "constant_color1", "general_combiners", "final_combiner", "other_words"})) {
+                       "constant_color1", "general_combiners", "final_combiner", "other_words", "texture_shader"})) {
       return state_;
     }
     read_.heading(root, "program", true);
@@ -69,11 +70,14 @@ class ProgramReader {
     with(root, "general_combiners", [&](const Value& value) { stages(value); });
     with(root, "final_combiner", [&](const Value& value) { final_combiner(value); });
     with(root, "other_words", [&](const Value& value) { other_words(value); });
+    with(root, "texture_shader", [&](const Value& value) { stages_ = json::read_texture_shader(value, read_); });
     mark_unset_constants(state_, given_);
     return state_;
   }
 
   [[nodiscard]] std::vector<RegisterWord> take_other_words() { return std::move(other_words_); }
+  [[nodiscard]] const json::PlacedTextureShader& texture_shader() const { return stages_; }
+  void check_texture_shader(const HardwareProfile& profile) { json::check_texture_shader(stages_, profile, read_); }
 
   // The place in the text that a diagnostic refers to.
   [[nodiscard]] TextPlace place_of(const StateDiagnostic& found) const {
@@ -223,12 +227,13 @@ class ProgramReader {
   std::array<std::array<std::array<std::size_t, 5>, 2>, kMaxGeneralCombiners> general_{};
   std::array<std::size_t, 7> final_{};
   std::vector<RegisterWord> other_words_;
+  json::PlacedTextureShader stages_;
 };
 
 }  // namespace
 
 Parsed<CombinerState> parse_json_program(const SourceText& source, const HardwareProfile& profile,
-                                         std::vector<RegisterWord>* other_words) {
+                                         std::vector<RegisterWord>* other_words, TextureShaderState* texture_shader) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return faults.take();
   const std::optional<Value> root = json::read_tree(source.text, faults);
@@ -238,8 +243,10 @@ Parsed<CombinerState> parse_json_program(const SourceText& source, const Hardwar
   for (const StateDiagnostic& found : validate(state, profile)) {
     faults.add(reader.place_of(found), found.message, found.gl_error);
   }
+  reader.check_texture_shader(profile);
   if (!faults.empty()) return faults.take();
   if (other_words != nullptr) *other_words = reader.take_other_words();
+  if (texture_shader != nullptr) *texture_shader = reader.texture_shader().state;
   return state;
 }
 
@@ -313,7 +320,8 @@ std::string stage_text(const CombinerState& state, std::size_t i) {
 
 }  // namespace
 
-std::string print_json_program(const CombinerState& state, std::span<const RegisterWord> other_words) {
+std::string print_json_program(const CombinerState& state, std::span<const RegisterWord> other_words,
+                               const TextureShaderState& texture_shader) {
   std::string text = "{\n  \"ninebit\": \"program\",\n  \"version\": 1,\n";
   text += "  \"num_general_combiners\": " + std::to_string(state.num_general_combiners) + ",\n";
   text += "  " + member("color_sum_clamp", state.color_sum_clamp) + ",\n";
@@ -336,12 +344,13 @@ std::string print_json_program(const CombinerState& state, std::span<const Regis
   for (std::size_t i = 0; i < 7; ++i) {
     text += std::string("    \"") + static_cast<char>('a' + i) + "\": " + object(*inputs[i]) + (i < 6 ? ",\n" : "\n");
   }
-  if (other_words.empty()) return text + "  }\n}\n";
-  text += "  },\n  \"other_words\": {\n";
+  text += "  }";
+  if (!other_words.empty()) text += ",\n  \"other_words\": {\n";
   for (const RegisterWord& word : other_words) {
-    text += "    " + member(word.name, words::hex_text(word.value)) + (&word == &other_words.back() ? "\n" : ",\n");
+    text += "    " + member(word.name, words::hex_text(word.value)) + (&word == &other_words.back() ? "\n  }" : ",\n");
   }
-  return text + "  }\n}\n";
+  if (texture_shader.enabled) text += ",\n  \"texture_shader\": " + json::texture_shader_text(texture_shader, "  ");
+  return text + "\n}\n";
 }
 
 // Register words as a JSON object.

@@ -13,6 +13,7 @@
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/json/text_kind.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/source/foreign_language.h"
@@ -22,8 +23,12 @@
 namespace ninebit {
 namespace {
 
-using Words = std::vector<RegisterWord>;
-using State = Parsed<CombinerState>;
+// The program of a parser whose further results `read` holds already.
+Parsed<TextProgram> program_with(Parsed<CombinerState> state, TextProgram read = {}) {
+  if (!state) return {state.faults(), std::move(state.notes)};
+  read.state = *state;
+  return {std::move(read), std::move(state.notes)};
+}
 
 bool is_json_program(std::string_view, std::string_view content) {
   const std::string_view said = json_kind(content);
@@ -59,28 +64,44 @@ ChipClass chip_for(const ReadOptions& options, const HardwareProfile& profile) {
   return options.chip.value_or(chip_of(profile));
 }
 
-State parse_json_words(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
-                       Words& other_words) {
-  return parse_json_register_words(source, chip_for(options, profile), profile, &other_words);
+Parsed<TextProgram> parse_json_words(const SourceText& source, const HardwareProfile& profile,
+                                     const ReadOptions& options) {
+  TextProgram read;
+  auto state = parse_json_register_words(source, chip_for(options, profile), profile, &read.other_words);
+  return program_with(std::move(state), std::move(read));
 }
 
-State parse_log(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
-                Words& other_words) {
+Parsed<TextProgram> parse_words(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
+  if (is_json(without_heading(source.text))) return parse_json_words(source, profile, options);
+  TextProgram read;
+  auto state = parse_register_words(source, chip_for(options, profile), profile, &read.other_words);
+  return program_with(std::move(state), std::move(read));
+}
+
+Parsed<TextProgram> parse_log(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
   auto log = parse_register_log(source, {.chip = options.chip, .fallback = chip_of(profile)});
   if (!log) return {log.faults(), std::move(log.notes)};
-  auto state = program_of(*log, options.setup, source.file, profile, &other_words);
+  TextProgram read;
+  auto state = program_of(*log, options.setup, source.file, profile, &read.other_words);
   state.notes.insert(state.notes.begin(), log.notes.begin(), log.notes.end());
-  return state;
+  return program_with(std::move(state), std::move(read));
+}
+
+// What a language without texture-shader stages says of a program that has some.
+Diagnostic has_stages() {
+  return {.message = "the texture-shader stages cannot be expressed"};
 }
 
 template <GlslVersion version>
 Result<std::string> print_glsl(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+  if (program.texture_shader.enabled) return has_stages();
   return emit_glsl(normalize(program.state, profile), version);
 }
 
 // A form whose printer needs the state alone.
 template <Result<std::string> (*printer)(const CombinerState&, const HardwareProfile&)>
 Result<std::string> print_state(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+  if (program.texture_shader.enabled) return has_stages();
   return printer(program.state, profile);
 }
 
@@ -88,15 +109,15 @@ const std::array kForms{
     Form{.name = "gl",
          .title = "GL calls",
          .kind = "GL calls",
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&,
-                     Words&) { return parse_gl_calls(source, profile); },
+         .parse = [](const SourceText& source, const HardwareProfile& profile,
+                     const ReadOptions&) { return program_with(parse_gl_calls(source, profile)); },
          .print = print_state<print_gl_calls>},
     Form{.name = "rc10",
          .title = "!!RC1.0 (nvparse)",
          .kind = "an !!RC1.0 program",
          .detect = is_rc10,
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&,
-                     Words&) { return parse_rc10(source, profile); },
+         .parse = [](const SourceText& source, const HardwareProfile& profile,
+                     const ReadOptions&) { return program_with(parse_rc10(source, profile)); },
          .print = print_state<print_rc10>},
     Form{.name = "ps",
          .title = "Pixel shader ps.1.x",
@@ -104,24 +125,31 @@ const std::array kForms{
          // The compiler's header of tokens has the text before them, between #if 0 and #endif.
          .detect = [](std::string_view text,
                       std::string_view) { return is_pixel_shader(text) && !is_shader_tokens(text); },
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
-                     Words&) { return parse_pixel_shader(source, profile, options.source.definitions); },
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
+               return program_with(parse_pixel_shader(source, profile, options.source.definitions));
+             },
          .takes_definitions = true},
     Form{.name = "tokens",
          .title = "Assembled pixel shader",
          .kind = "an assembled pixel shader",
          .detect = [](std::string_view text, std::string_view) { return is_shader_tokens(text); },
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&,
-                     Words&) { return parse_shader_tokens(source, profile); },
+         .parse = [](const SourceText& source, const HardwareProfile& profile,
+                     const ReadOptions&) { return program_with(parse_shader_tokens(source, profile)); },
          .print = print_state<print_shader_tokens>},
     Form{.name = "xbox",
          .title = "Xbox pixel shader definition",
          .kind = "an Xbox pixel shader definition",
          .detect = is_definition,
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&,
-                     Words& other_words) { return parse_xbox_pixel_shader(source, profile, &other_words); },
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_xbox_pixel_shader(source, profile, &read.other_words);
+               return program_with(std::move(state), std::move(read));
+             },
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
                return print_xbox_pixel_shader(program.state, profile, program.other_words);
              },
          .keeps_other_words = true,
@@ -130,11 +158,16 @@ const std::array kForms{
          .title = "Program as JSON",
          .kind = "a combiner program as JSON",
          .detect = is_json_program,
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&,
-                     Words& other_words) { return parse_json_program(source, profile, &other_words); },
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_json_program(source, profile, &read.other_words, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
+             },
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile&) {
-               return Result<std::string>(print_json_program(program.state, program.other_words));
+               return Result<std::string>(
+                   print_json_program(program.state, program.other_words, program.texture_shader));
              },
          .keeps_other_words = true},
     Form{.name = "words",
@@ -142,15 +175,10 @@ const std::array kForms{
          .kind = "register words",
          .detect = [](std::string_view,
                       std::string_view content) { return is_assignment(content) || words::is_printed_struct(content); },
-         .parse =
-             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
-                Words& other_words) {
-               if (is_json(without_heading(source.text)))
-                 return parse_json_words(source, profile, options, other_words);
-               return parse_register_words(source, chip_for(options, profile), profile, &other_words);
-             },
+         .parse = parse_words,
          .print =
              [](const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {
+               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
                return print_register_words(program.state, chip, profile, program.other_words);
              },
          .has_words = true,
@@ -162,6 +190,7 @@ const std::array kForms{
          .parse = parse_json_words,
          .print =
              [](const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {
+               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
                return print_json_register_words(program.state, chip, profile, program.other_words);
              },
          .has_words = true,
@@ -170,8 +199,12 @@ const std::array kForms{
          .title = "A source file with GL calls",
          .kind = "a source file with GL calls",
          .detect = is_source,
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
-                     Words& other_words) { return parse_source_code(source, options.source, profile, &other_words); },
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
+               TextProgram read;
+               auto state = parse_source_code(source, options.source, profile, &read.other_words);
+               return program_with(std::move(state), std::move(read));
+             },
          .takes_definitions = true},
     Form{.name = "log",
          .title = "Log of register writes",
@@ -193,8 +226,11 @@ const std::array kForms{
     Form{.name = "c",
          .title = "C",
          .kind = "C",
-         .print = [](const TextProgram& program, ChipClass,
-                     const HardwareProfile& profile) { return emit_c(normalize(program.state, profile)); },
+         .print =
+             [](const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
+               return emit_c(normalize(program.state, profile));
+             },
          .writes_values = true},
 };
 
@@ -255,10 +291,18 @@ Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form, co
                                   const ReadOptions& options) {
   const auto plain = without_line_prefixes(source.text);
   const SourceText read = plain ? SourceText{*plain, source.file, source.written, source.begin} : source;
-  Words other_words;
-  State state = form_row(form).parse(read, profile, options, other_words);
-  if (!state) return {state.faults(), std::move(state.notes)};
-  return {TextProgram{*state, std::move(other_words)}, std::move(state.notes)};
+  return form_row(form).parse(read, profile, options);
+}
+
+std::vector<StateDiagnostic> validate(const TextProgram& program, const HardwareProfile& profile) {
+  std::vector<StateDiagnostic> all;
+  for (TextureShaderDiagnostic& found : validate(program.texture_shader, profile)) {
+    StateDiagnostic& one = all.emplace_back();
+    one.gl_error = found.gl_error;
+    one.message = std::move(found.message);
+  }
+  for (StateDiagnostic& found : validate(program.state, profile)) all.push_back(std::move(found));
+  return all;
 }
 
 }  // namespace ninebit

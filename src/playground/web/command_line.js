@@ -2,6 +2,7 @@
  * The same with `ninebit`: a shell script that writes the files and runs the program.
  */
 import { element, save } from './dom.js';
+import { fileIn } from './shelf.js';
 
 /** A word for a shell. @param {string} word */
 const quoted = (word) => (/^[\w./,:=-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
@@ -28,7 +29,7 @@ export function commandsOf(state, pixel) {
   lines.push(hereDocument(name, JSON.stringify(effect, null, 2)));
   if (typeof profile === 'object') lines.push(hereDocument('profile.json', JSON.stringify(profile, null, 2)));
   const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));
-  const pictures = sources.filter((source) => /\.\w+$/.test(source)).map((source) => source.replace(/^normals:/, ''));
+  const pictures = sources.filter((source) => /\.\w+$/.test(source)).map(fileIn);
   if (effect.scene?.mesh && /\.\w+$/.test(effect.scene.mesh)) pictures.push(effect.scene.mesh);
   for (const picture of pictures) lines.push(`# Needs ${picture.replaceAll('\n', ' ')}; the gallery's files are in scenes/effects.\n`);
   const flags = `--profile ${typeof profile === 'string' ? quoted(profile) : 'profile.json'}`;

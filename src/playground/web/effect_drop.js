@@ -1,6 +1,7 @@
 /**
  * An effect file dropped together with the files that it names: what `ninebit gl-run --dump-frame` writes, for one.
  */
+import { fileIn } from './shelf.js';
 import { mostCharacters, stateOf } from './state.js';
 
 const fileName = (path) => path.split('/').pop();
@@ -64,10 +65,9 @@ export async function stateOfDropped(effect, name, files, shelf) {
   for (const texture of Object.values(effect.textures ?? {})) {
     const source = String(texture?.source ?? '');
     if (generated.test(source)) continue;
-    const [, before, paths] = /^(normals:)?(.*)$/s.exec(source);
-    const names = [];
+    const paths = fileIn(source), names = [];
     for (const path of paths.split(',')) names.push(await shelved(path));
-    texture.source = (before ?? '') + names.join(',');
+    texture.source = source.slice(0, source.length - paths.length) + names.join(',');
   }
   const mesh = effect.scene?.mesh;
   if (typeof mesh === 'string' && !generatedMesh.test(mesh)) effect.scene.mesh = await shelved(mesh);

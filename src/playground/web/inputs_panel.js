@@ -3,11 +3,13 @@
  */
 import { cameraSliders } from './camera.js';
 import { choice, element } from './dom.js';
+import { fileIn } from './shelf.js';
 import { passOf } from './state.js';
 
-const coordinates = ['uv', 'screen', 'projected', 'position', 'normal', 'from-light', 'light-vector', 'view-vector', 'half-vector',
+const vectors = ['uv', 'screen', 'projected', 'position', 'normal', 'from-light', 'light-vector', 'view-vector', 'half-vector',
   'reflection', 'tangent-light-vector', 'tangent-half-vector'];
-const colours = [...coordinates.slice(3), 'color', 'lambert', 'index', 'constant:1,1,1', 'constant:0,0,0', 'constant:0.5,0.5,0.5'];
+const coordinates = [...vectors, 'tangent-to-world-x', 'tangent-to-world-y', 'tangent-to-world-z'];
+const colours = [...vectors.slice(3), 'color', 'lambert', 'index', 'constant:1,1,1', 'constant:0,0,0', 'constant:0.5,0.5,0.5'];
 const off = '(off)';
 
 /** @param {number} value 0 to 1 */
@@ -75,9 +77,9 @@ export class InputsPanel {
     const { effect } = this.store.state;
     const texture = effect.textures?.[unit?.texture];
     const files = this.shelf.names();
-    const title = (name) => name.replace(/^(normals:)?(textures|dropped)\//, '$1');
+    const title = (name) => name.replace(/^([a-z0-9-]+:)?(textures|dropped)\//, '$1');
     const sources = [off, ...this.about.textures, ...[...files, ...files.map((name) => `normals:${name}`)].map((name) => [name, title(name)])];
-    const picture = this.shelf.pictures.get(String(texture?.source ?? '').replace(/^normals:/, ''));
+    const picture = this.shelf.pictures.get(fileIn(String(texture?.source ?? '')));
     const rows = [choice('Texture', sources, texture?.source ?? off, (value) => this.setSource(number, value))];
     if (texture) {
       rows.push(

@@ -9,6 +9,12 @@ export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => char
 /** Names of mesh files. */
 export const meshEnding = /\.(gltf|glb|obj|ply|off)$/i;
 
+/** The word before the file of a texture that is made from it, as effect_words.h has them. */
+const madeFrom = /^(normals|signed-normals|hilo-normals|hilo-heights|offsets|1d|3d|rectangle):/;
+
+/** The file, or the six files, of a texture's source. @param {string} source */
+export const fileIn = (source) => source.replace(madeFrom, '');
+
 export class Shelf {
   /**
    * @param {import('./engine_client.js').Engine} engine
@@ -45,7 +51,7 @@ export class Shelf {
   /** Loads all files that an effect names. @param {any} effect */
   async loadFor(effect) {
     const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));
-    const names = sources.flatMap((source) => source.replace(/^normals:/, '').split(','));
+    const names = sources.flatMap((source) => fileIn(source).split(','));
     await Promise.all(names.map((name) => this.load(name)));
   }
 

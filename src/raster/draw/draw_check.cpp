@@ -28,7 +28,8 @@ Status check_draw(const PipelineState& state, const VertexArrays& arrays, std::s
 
 Status check_units(const DrawContext& context) {
   for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
-    if (!context.samplers[unit]) continue;
+    const auto reads = [&](int k) { return context.stages && context.stages->reads(static_cast<int>(unit), k); };
+    if (!context.samplers[unit] && !reads(0) && !reads(1) && !reads(2)) continue;
     if (Status checked = check_coordinates(context.arrays, unit); !checked) return checked;
   }
   return {};

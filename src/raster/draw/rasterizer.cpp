@@ -102,4 +102,13 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   return {};
 }
 
+Result<std::vector<std::string>> texture_shader_warnings(const PipelineState& state,
+                                                         std::span<const TextureUnit> units) {
+  if (!state.texture_shader.enabled) return std::vector<std::string>{};
+  if (Status checked = check_arrays(state, {}, units); !checked) return checked.error();
+  const auto stages = TextureStages::make(state.profile, state.texture_shader, stage_units(units));
+  if (!stages) return stages.error();
+  return stages->program().warnings();
+}
+
 }  // namespace ninebit

@@ -9,6 +9,14 @@ namespace {
 
 constexpr ColorBytes kWhite{255, 255, 255, 255};
 
+// Whether a stage may replace depths, which then are not known when fragments are made.
+bool replaces_depth(const PipelineState& state) {
+  if (!state.texture_shader.enabled) return false;
+  const auto& stage = state.texture_shader.stage;
+  return std::any_of(stage.begin(), stage.end(),
+                     [](const TextureStage& s) { return s.operation == TextureOperation::dot_product_depth_replace; });
+}
+
 // The registers with the values that all fragments share; texture registers differ per fragment.
 RegisterFile initial_of(const DrawContext& context) {
   FragmentInputs inputs;
@@ -38,32 +46,71 @@ std::vector<RegisterComponent> overwritten(const Program& program) {
   return components;
 }
 
+// The change of s/q from texel to texel; 0 for a cube map, whose direction has no such change.
+float texel_width(const Texture& texture) {
+  if (texture.target == TextureTarget::cube_map) return 0.0F;
+  const bool counts_texels = texture.target == TextureTarget::rectangle;
+  return counts_texels ? 1.0F : 1.0F / static_cast<float>(texture.faces[0][0].width);
+}
+
 }  // namespace
+
+StageUnits stage_units(std::span<const TextureUnit> units) {
+  StageUnits taken;
+  for (std::size_t unit = 0; unit < units.size(); ++unit) {
+    taken.texture[unit] = units[unit].texture;
+    taken.sampler[unit] = units[unit].sampler;
+  }
+  return taken;
+}
 
 DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vertices,
                          std::span<const TextureUnit> units, const RenderTarget& target, bool for_probe)
     : state(pipeline),
       arrays(vertices),
       assembly(vertices),
-      operations(pipeline, target, !for_probe),
+      operations(pipeline, target, !for_probe && !replaces_depth(pipeline)),
       outputs(target),
-      depth(target.format, state.profile.depth_narrowing) {
-  for (std::size_t unit = 0; unit < units.size(); ++unit) {
-    if (units[unit].texture == nullptr) continue;
-    const Texture& texture = *units[unit].texture;
-    samplers[unit] = TextureSampler::make(state.profile, texture, units[unit].sampler);
-    if (!samplers[unit] || !samplers[unit]->needs_derivatives()) continue;
-    needs_texture_changes = true;
-    if (texture.target != TextureTarget::cube_map) {
-      const bool counts_texels = texture.target == TextureTarget::rectangle;
-      point_change[unit] = counts_texels ? 1.0F : 1.0F / static_cast<float>(texture.faces[0][0].width);
-    }
-  }
-  has_flat_result = !for_probe && outputs.need_fragment_alone() &&
+      depth(target.format, state.profile.depth_narrowing),
+      largest_depth(max_depth(target.format)) {
+  state.texture_shader.enabled ? prepare_stages(units) : prepare_units(units);
+  has_flat_result = !for_probe && !stages_decide && outputs.need_fragment_alone() &&
                     (!operations.needs_color() || (!state.program && shades_flat(arrays.vertex_colors)));
   fills_registers = for_probe || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
   initial = initial_of(*this);
   prepare_program(target, for_probe);
+}
+
+void DrawContext::prepare_units(std::span<const TextureUnit> units) {
+  for (std::size_t unit = 0; unit < units.size(); ++unit) {
+    if (units[unit].texture == nullptr) continue;
+    samplers[unit] = TextureSampler::make(state.profile, *units[unit].texture, units[unit].sampler);
+    if (!samplers[unit] || !samplers[unit]->needs_derivatives()) continue;
+    needs_texture_changes = true;
+    point_change[unit] = texel_width(*units[unit].texture);
+  }
+}
+
+void DrawContext::prepare_stages(std::span<const TextureUnit> units) {
+  auto made = TextureStages::make(state.profile, state.texture_shader, stage_units(units));
+  stages = *std::move(made);  // the state has been checked
+  stages_decide = stages->culls() || stages->replaces_depth();
+  needs_texture_changes = stages->needs_derivatives();
+  for (std::size_t unit = 0; unit < units.size(); ++unit) {
+    const ProgramTextureStage& stage = stages->program().stage[unit];
+    const TextureOperationInfo& info = info_of(stage.state.operation);
+    const bool is_plain = info.target != StageTarget::none && info.input == StageInput::none;
+    if (is_plain && stage.inconsistent.empty()) point_change[unit] = texel_width(*units[unit].texture);
+  }
+}
+
+bool DrawContext::gives_signed_codes() const {
+  const auto is_signed = [](const auto& sampler) { return sampler && sampler->gives_signed_codes(); };
+  if (!stages) return std::any_of(samplers.begin(), samplers.end(), is_signed);
+  const auto& stage = stages->program().stage;
+  return std::any_of(stage.begin(), stage.end(), [](const ProgramTextureStage& s) {
+    return std::find(s.is_signed.begin(), s.is_signed.end(), true) != s.is_signed.end();
+  });
 }
 
 void DrawContext::prepare_program(const RenderTarget& target, bool for_probe) {
@@ -75,10 +122,8 @@ void DrawContext::prepare_program(const RenderTarget& target, bool for_probe) {
       wanted.color[kAlpha] = wanted.color[kAlpha] || state.alpha_test.enabled;
     }
     wanted_color = wanted.color;
-    const auto is_signed = [](const auto& sampler) { return sampler && sampler->gives_signed_codes(); };
-    const bool any_signed = std::any_of(samplers.begin(), samplers.end(), is_signed);
     program.emplace(*state.program, wanted, ComponentSet{},
-                    any_signed ? BatchInputs::any_codes : BatchInputs::not_negative);
+                    gives_signed_codes() ? BatchInputs::any_codes : BatchInputs::not_negative);
     const bool keeps_registers = state.program->datapath.arithmetic == Arithmetic::integer && !needs_registers;
     if (!keeps_registers) refilled = overwritten(*state.program);
   }
@@ -91,7 +136,7 @@ void DrawContext::prepare_program(const RenderTarget& target, bool for_probe) {
     const auto reg = static_cast<std::size_t>(texture_register(static_cast<int>(unit)));
     // (Before the first general combiner, spare0's alpha is that of unit 0.)
     const bool as_spare0 = unit == 0 && reads[static_cast<std::size_t>(Register::spare0)];
-    reads_unit[unit] = samplers[unit] && (reads[reg] || as_spare0);
+    reads_unit[unit] = (stages || samplers[unit]) && (reads[reg] || as_spare0);
   }
 }
 

@@ -3,13 +3,16 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
+#include "ninebit/raster/texture_stages.h"
 #include "src/raster/fragment/fragment_operations.h"
 #include "src/raster/fragment/output_planes.h"
 #include "src/raster/setup/primitive_assembly.h"
@@ -21,6 +24,9 @@ struct RegisterComponent {
   Register reg;
   int component;
 };
+
+// The units as stages take them.
+[[nodiscard]] StageUnits stage_units(std::span<const TextureUnit> units);
 
 struct DrawContext {
   // The arguments must outlive the context and have been checked. Units of incomplete textures are off. For a probe,
@@ -58,8 +64,12 @@ struct DrawContext {
   const OutputPlanes outputs;
   const WindowDepth depth;
 
+  std::optional<TextureStages> stages;  // if they are enabled: then no unit has a sampler of its own
+  bool stages_decide = false;           // whether fragments may be culled or their depth replaced
+  std::uint32_t largest_depth;          // code of the target
   std::array<std::optional<TextureSampler>, kMaxTextureUnits> samplers;
-  std::array<float, kMaxTextureUnits> point_change{};  // of s at points, where rho is 1 (OpenGL 1.3, 3.8.8)
+  // Of s at points, where rho is 1 (OpenGL 1.3, 3.8.8), for units and stages that read textures at s/q, t/q, r/q.
+  std::array<float, kMaxTextureUnits> point_change{};
   bool needs_texture_changes = false;
 
   // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment.
@@ -76,7 +86,10 @@ struct DrawContext {
 
  private:
   [[nodiscard]] ColorBytes flat_primary_of_vertex(std::uint32_t primitive) const;
+  void prepare_units(std::span<const TextureUnit> units);
+  void prepare_stages(std::span<const TextureUnit> units);
   void prepare_program(const RenderTarget& target, bool for_probe);
+  [[nodiscard]] bool gives_signed_codes() const;
 };
 
 }  // namespace ninebit

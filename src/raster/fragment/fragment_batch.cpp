@@ -134,6 +134,36 @@ void FragmentBatch::fill_texture(std::size_t unit) {
                  {registers_(reg, kRed), registers_(reg, kGreen), registers_(reg, kBlue), registers_(reg, kAlpha)});
 }
 
+void FragmentBatch::fill_stage_coordinate(std::size_t kind, std::size_t unit, std::size_t k) {
+  const WeightPlanes& weights = *std::array{&weights_.perspective(), &weights_.dx(), &weights_.dy()}[kind];
+  FragmentStages::Lanes& to = stages_->at(kind, unit, k);
+  const std::span<const float> q = context_.arrays.texture_q[unit];
+  const std::span<const glm::vec3> str = context_.arrays.texture_coordinates[unit];
+  if (k == 3 && q.empty()) return static_cast<void>(std::fill_n(to.begin(), count_, kind == 0 ? 1.0F : 0.0F));
+  const auto component = static_cast<int>(k);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
+    to[i] = k == 3 ? interpolate(weights, i, q[v[0]], q[v[1]], q[v[2]])
+                   : interpolate(weights, i, str[v[0]][component], str[v[1]][component], str[v[2]][component]);
+  }
+}
+
+void FragmentBatch::run_stages() {
+  for (std::size_t unit = 0; unit < kTextureStages; ++unit) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!context_.stages->reads(static_cast<int>(unit), static_cast<int>(k))) continue;
+      for (std::size_t kind = 0; kind < stages_->kinds(); ++kind) fill_stage_coordinate(kind, unit, k);
+    }
+    for (std::size_t i = 0; i < count_ && stages_->kinds() > 1; ++i) {
+      const float change = context_.point_change[unit];
+      if (change == 0.0F || place_[i].primitive->kind != SetupKind::point) continue;
+      stages_->at(1, unit, 0)[i] = change * stages_->at(0, unit, 3)[i];
+    }
+  }
+  stages_->run(count_, registers_);
+  for (std::size_t i = 0; i < count_ && context_.stages->replaces_depth(); ++i) fragment_[i].depth = stages_->depth(i);
+}
+
 void FragmentBatch::fill_registers() {
   const auto constant = [this](Register reg, int component) {
     const s9 code = context_.initial[reg][static_cast<std::size_t>(component)];
@@ -154,6 +184,7 @@ void FragmentBatch::fill_registers() {
   }
   if (!context_.arrays.secondary_colors.empty()) fill_secondary();
   if (context_.state.fog.enabled && !context_.arrays.fog_factors.empty()) fill_fog();
+  if (stages_) return run_stages();
   for (std::size_t unit = 0; unit < context_.samplers.size(); ++unit) {
     if (context_.reads_unit[unit]) fill_texture(unit);
   }
@@ -198,10 +229,14 @@ void FragmentBatch::run_program() {
 void FragmentBatch::draw() {
   const OutputPlanes& outputs = context_.outputs;
   if (outputs.empty()) {
-    for (std::size_t i = 0; i < count_; ++i) context_.operations.apply(fragment_[i], color_[i]);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (!is_culled(i)) context_.operations.apply(fragment_[i], color_[i]);
+    }
     return;
   }
   for (std::size_t i = 0; i < count_; ++i) {
+    outcome_[i] = {};
+    if (is_culled(i)) continue;
     outcome_[i].depth_passed = context_.operations.depth_passes(fragment_[i]);
     outcome_[i].drawn = context_.operations.apply(fragment_[i], color_[i]);
   }
@@ -229,6 +264,7 @@ ProbedFragment FragmentBatch::run_alone() {
   fill_registers();
   const UncoloredFragment& fragment = fragment_[0];
   ProbedFragment probed;
+  if (stages_) probed.stages = context_.stages->evaluate(stages_->inputs(0));
   probed.primitive = fragment.primitive;
   probed.depth = fragment.depth;
   for (std::size_t r = 0; r < kRegisterCount; ++r) {
@@ -238,9 +274,9 @@ ProbedFragment FragmentBatch::run_alone() {
   }
   run_program();
   probed.color = color_[0];
-  probed.depth_passes = context_.operations.depth_passes(fragment);
-  probed.fate = context_.operations.fate_of(fragment, color_[0]);
-  context_.operations.apply(fragment, color_[0]);
+  probed.depth_passes = !is_culled(0) && context_.operations.depth_passes(fragment);
+  probed.fate = is_culled(0) ? FragmentFate::culled : context_.operations.fate_of(fragment, color_[0]);
+  if (!is_culled(0)) context_.operations.apply(fragment, color_[0]);
   count_ = 0;
   return probed;
 }
@@ -251,6 +287,8 @@ void FragmentBatch::flush() {
   if (context_.fills_registers) {
     fill_registers();
     run_program();
+  } else if (context_.stages_decide) {
+    run_stages();
   }
   interpolate_attributes();
   draw();

@@ -4,12 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/rasterizer.h"
 #include "src/raster/fragment/draw_context.h"
 #include "src/raster/fragment/fragment_operations.h"
+#include "src/raster/fragment/fragment_stages.h"
 #include "src/raster/fragment/interpolation.h"
 #include "src/raster/setup/window_primitives.h"
 
@@ -17,7 +19,8 @@ namespace ninebit {
 
 class FragmentBatch {
  public:
-  explicit FragmentBatch(const DrawContext& context) : context_(context) {}
+  explicit FragmentBatch(const DrawContext& context)
+      : context_(context), stages_(context.stages ? std::make_unique<FragmentStages>(context) : nullptr) {}
 
   // `edge`: see FragmentPlace. The primitive and its block must stay until the next flush.
   void push(const UncoloredFragment& fragment, const SetupPrimitive& primitive, const SetupBlock& block,
@@ -47,11 +50,16 @@ class FragmentBatch {
   void fill_secondary();
   void fill_fog();
   void fill_texture(std::size_t unit);
+  void run_stages();
+  void fill_stage_coordinate(std::size_t kind, std::size_t unit, std::size_t k);
   void divide_coordinates(std::size_t unit, std::size_t components, std::size_t kinds);
   void fill_registers();
   void interpolate_attributes();
   void run_program();
   void draw();
+  [[nodiscard]] bool is_culled(std::size_t i) const {
+    return stages_ && context_.stages->culls() && stages_->culled()[i] != 0;
+  }
 
   // A smooth colour of vertices at fragment i, each component rounded to nearest.
   [[nodiscard]] ColorBytes smooth_color(std::span<const ColorBytes> colors, std::size_t i) const;
@@ -66,6 +74,7 @@ class FragmentBatch {
   Interpolation weights_;
   std::array<std::array<Lanes, 3>, 3> coordinates_;  // of a texture: values, changes in x, changes in y
   std::array<std::array<Lanes, 4>, kMaxAttributes> attributes_;
+  std::unique_ptr<FragmentStages> stages_;  // if they are enabled
   RegisterBatch registers_;
   OutputBatch out_;
 };

@@ -61,13 +61,22 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const Draw
 struct BatchOperations {
   const LaneDraw<D>& draw;
   const LaneFragments& fragments;
-  bool by_stencil;  // LanePass::draws_by_stencil
+  bool by_stencil;             // LanePass::draws_by_stencil
+  const std::uint8_t* culled;  // FragmentStages::culled, or null
 };
+
+// The fragments of `mask`, from i on, that the stages do not cull.
+HWY_INLINE M not_culled(const std::uint8_t* culled, std::size_t i, M mask) {
+  if (culled == nullptr) return mask;
+  const hn::Rebind<std::uint8_t, D> d8;
+  return hn::And(mask, hn::Eq(hn::PromoteTo(kD, hn::LoadU(d8, culled + i)), hn::Zero(kD)));
+}
 
 // The operations on fragments from i on, the lanes of `mask`, whose pixels hold `stored`.
 HWY_INLINE LaneResult<D> operate(const BatchOperations& batch, std::size_t i, M mask, V color, V stored) {
   const LaneDraw<D>& draw = batch.draw;
   const V alpha = hn::BitCast(kD, hn::ShiftRight<24>(hn::BitCast(hn::RebindToUnsigned<D>(), color)));
+  mask = not_culled(batch.culled, i, mask);
   if (!draw.operations.are_tests_final) {
     return apply_lanes(kD, draw, mask, hn::LoadU(kD, lanes_of(batch.fragments.depth.data()) + i), alpha, stored);
   }
@@ -83,17 +92,25 @@ HWY_INLINE V load_stored(const TilePlanes& tile, const LaneFragments::Span& span
   return hn::LoadU(kD, lanes_of(tile.depth_stencil.data()) + span.place);
 }
 
+// FragmentStages::culled, or null if no stage culls.
+HWY_INLINE const std::uint8_t* culled_fragments(const LanePass& pass) {
+  const bool culls = pass.context.stages && pass.context.stages->culls();
+  return culls ? pass.batch->stages->culled() : nullptr;
+}
+
 // Draws the spans [first, end), a vector for each.
 HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const LanePass& pass,
                                  const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
   const LaneOperations& operations = draw.operations;
   const LaneBatch& batch = *pass.batch;
   const bool by_stencil = pass.draws_by_stencil();
+  const std::uint8_t* const culled = culled_fragments(pass);
   const bool writes = operations.depth_write || operations.stencil_write;
   if (operations.are_tests_final && !operations.alpha && !writes) {
     for (std::size_t s = first; s < end; ++s) {
       const LaneFragments::Span& span = f.span[s];
       auto mask = hn::FirstN(kD, span.count);
+      mask = not_culled(culled, span.first, mask);
       if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, load_stored(tile, span)));
       hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), mask, kD,
                        lanes_of(tile.color.data()) + span.place);
@@ -106,7 +123,7 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
     std::int32_t* const colors = lanes_of(tile.color.data()) + span.place;
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + span.first);
     const LaneResult<D> result =
-        operate({draw, f, by_stencil}, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
+        operate({draw, f, by_stencil, culled}, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
     if (writes) hn::StoreU(result.depth_stencil, kD, stored);
     if (operations.color) hn::BlendedStore(color, result.drawn, kD, colors);
   }
@@ -134,8 +151,8 @@ HWY_INLINE void operate_on_places(TilePlanes& tile, const LaneFragments& f, cons
     const auto mask = hn::FirstN(kD, f.count - i);
     const V place = places_from(f, i, mask);
     const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + i);
-    const LaneResult<D> result =
-        operate({draw, f, pass.draws_by_stencil()}, i, mask, color, hn::GatherIndex(kD, stored, place));
+    const LaneResult<D> result = operate({draw, f, pass.draws_by_stencil(), culled_fragments(pass)}, i, mask, color,
+                                         hn::GatherIndex(kD, stored, place));
     if (operations.depth_write || operations.stencil_write) {
       hn::ScatterIndex(result.depth_stencil, kD, stored, place);
     }
@@ -154,6 +171,23 @@ HWY_INLINE void fill_color_register(LaneFragments& f, LaneBatch& batch, const Dr
   colors_to_codes(batch, f.count, context, from);
 }
 
+// Runs the texture-shader stages: texture registers, culled fragments, replaced depths.
+HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  FragmentStages& stages = *batch.stages;
+  find_shares(f, batch, context);
+  const std::array<const Shares*, 3> shares{&f.weight, &batch.dx.share, &batch.dy.share};
+  for (std::size_t unit = 0; unit < kTextureStages; ++unit) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!context.stages->reads(static_cast<int>(unit), static_cast<int>(k))) continue;
+      for (std::size_t kind = 0; kind < stages.kinds(); ++kind) {
+        fill_stage_coordinate(f, *shares[kind], context.arrays, {kind, unit, k}, stages.at(kind, unit, k));
+      }
+    }
+  }
+  stages.run(f.count, batch.registers);
+  for (std::size_t i = 0; i < f.count && context.stages->replaces_depth(); ++i) f.depth[i] = stages.depth(i);
+}
+
 // Fills the registers that the program reads.
 HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   refill_constants(batch, context);
@@ -163,6 +197,7 @@ HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawCon
     const bool has_alpha = context.state.profile.secondary_alpha.value != SecondaryAlpha::one;
     fill_color_register(f, batch, context, {Register::secondary, arrays.secondary_colors, has_alpha ? 4 : 3});
   }
+  if (context.stages) return run_stages(f, batch, context);
   for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
     if (!context.reads_unit[unit]) continue;
     find_shares(f, batch, context);
@@ -197,7 +232,11 @@ HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContex
 
 // Sends fragments through the combiners and the fragment operations.
 HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& f) {
-  if (pass.operations.needs_color()) find_colors(f, *pass.batch, pass.context);
+  const bool needs_color = pass.operations.needs_color();
+  if (pass.context.stages_decide && !(needs_color && pass.context.state.program)) {
+    run_stages(f, *pass.batch, pass.context);
+  }
+  if (needs_color) find_colors(f, *pass.batch, pass.context);
   if (pass.operations.two_sided) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < f.spans; ++s) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "ninebit/combiner/evaluate.h"
+#include "src/raster/fragment/fragment_stages.h"
 #include "src/raster/lanes/lane_fragments.h"
 #include "src/raster/lanes/tile_planes.h"
 
@@ -24,8 +26,9 @@ struct LaneBatch {
     alignas(64) std::array<Lanes<float>, 3> share, coordinate;
   };
   Changes dx, dy;
-  alignas(64) Lanes<float> weight_sum;  // of the weights before they were divided by it
-  bool has_constants = false;           // true once constant registers have been filled
+  alignas(64) Lanes<float> weight_sum;     // of the weights before they were divided by it
+  bool has_constants = false;              // true once constant registers have been filled
+  std::unique_ptr<FragmentStages> stages;  // if they are enabled
   RegisterBatch registers;
   OutputBatch out;
 };

@@ -237,6 +237,27 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, const Shares& shares, S
   }
 }
 
+// A coordinate that a stage reads: of the fragments, or its changes.
+struct StageCoordinate {
+  std::size_t kind, unit, k;  // see FragmentStages
+};
+
+HWY_INLINE void fill_stage_coordinate(const LaneFragments& f, const Shares& shares, const VertexArrays& arrays,
+                                      const StageCoordinate& which, FragmentStages::Lanes& to) {
+  const std::span<const float> q = arrays.texture_q[which.unit];
+  const std::span<const glm::vec3> str = arrays.texture_coordinates[which.unit];
+  const bool is_q = which.k == 3;
+  if (is_q && q.empty()) return to.fill(which.kind == 0 ? 1.0F : 0.0F);
+  const auto at_vertex = [&](std::uint32_t v) { return is_q ? q[v] : str[v][static_cast<int>(which.k)]; };
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
+    const float a = at_vertex(v[0]), b = at_vertex(v[1]), c = at_vertex(v[2]);
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
+      hn::StoreU(ShareLanes(shares, i).interpolate(a, b, c), kDF, to.data() + i);
+    }
+  }
+}
+
 // Divides s, t and, if there are three components, r by q: (s, t, r) / q, and the change of s/q: (s' - (s/q) q') / q.
 HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std::span<const float> q_at_vertex,
                                    int components, bool changes) {

@@ -96,6 +96,7 @@ HWY_INLINE LaneTests<D> test_lanes(D d, const LaneDraw<D>& draw, V depth, V stor
 // The fragments of `mask`, without those that will certainly fail a test and change nothing.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> not_lost(D d, const LaneDraw<D>& draw, hn::Mask<D> mask, V depth, V stored) {
+  if (draw.operations.replaces_depth) return mask;
   const LaneStencil& side = draw.side;
   const LaneTests<D> tests = test_lanes(d, draw, depth, stored);
   if (!draw.operations.stencil) return hn::And(mask, tests.depth);

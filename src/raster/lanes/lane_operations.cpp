@@ -33,11 +33,12 @@ LaneStencil stencil(const StencilFace& face, int bits) {
 
 }  // namespace
 
-LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& target)
+LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& target, bool with_replaced_depth)
     : alpha(state.alpha_test.enabled && state.alpha_test.function != CompareFunction::always),
       stencil(state.stencil_test.enabled && stencil_bits(target.format) > 0 && target.stencil),
       depth(state.depth_test.enabled && target.depth),
       depth_write(depth && state.depth_test.write),
+      replaces_depth(with_replaced_depth),
       alpha_test(comparison(state.alpha_test.function)),
       depth_test(comparison(state.depth_test.function)),
       alpha_reference(state.alpha_test.reference) {
@@ -62,12 +63,12 @@ void LaneOperations::find_consequences(CompareFunction depth_function) {
   const auto is_constant = [](const LaneComparison& test) { return test.less == 0 && test.equal == 0; };
   tests_change = depth_write || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
   const bool failures_keep = front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
-  are_tests_final = !tests_change && failures_keep;
+  are_tests_final = !tests_change && failures_keep && !replaces_depth;
   asks_equal_depth = are_tests_final && depth && depth_function == CompareFunction::equal && !two_sided;
   is_nearest_alone = depth_write && depth_function == CompareFunction::less && !alpha && !stencil;
   const bool farther_fails = depth_function == CompareFunction::less || depth_function == CompareFunction::lequal ||
                              depth_function == CompareFunction::equal || depth_function == CompareFunction::never;
-  loses_farther = depth && farther_fails && failures_keep;
+  loses_farther = depth && farther_fails && failures_keep && !replaces_depth;
 }
 
 }  // namespace ninebit

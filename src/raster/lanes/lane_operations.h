@@ -34,12 +34,14 @@ struct LaneStencil {
 };
 
 struct LaneOperations {
-  LaneOperations(const PipelineState& state, const RenderTarget& target);
+  // `replaces_depth`: a fragment's depth is not known when it is gathered, so no test is made then.
+  LaneOperations(const PipelineState& state, const RenderTarget& target, bool replaces_depth = false);
 
   bool alpha = false;    // true if the alpha test is enabled and may fail
   bool stencil = false;  // true if the stencil test is enabled and the target has a stencil plane
   bool depth = false;    // true if the depth test is enabled and the target has a depth plane
   bool depth_write = false;
+  bool replaces_depth = false;
   bool color = false;  // true if any colour plane is written
   LaneComparison alpha_test;
   LaneComparison depth_test;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/raster/setup/primitive_assembly.h"
 #include "src/system/parallel/parallel_loop.h"
 
@@ -62,6 +63,9 @@ Status check_lengths(const VertexArrays& arrays, std::size_t primitives) {
 Status check_state(const PipelineState& state, const RenderTarget& target) {
   if (state.program && state.program->datapath != datapath_of(state.profile)) {
     return fault("the program was not compiled for profile " + std::string(state.profile.name));
+  }
+  if (const auto faults = validate(state.texture_shader, state.profile); !faults.empty()) {
+    return fault(faults[0].message);
   }
   if (state.profile.subpixel_bits < 0 || state.profile.subpixel_bits > 4) {
     return fault("the rasterizer's integers hold 0 to 4 subpixel bits, not " +

@@ -74,7 +74,7 @@ TextureSampler::ByteSampler::ByteSampler(const TextureSampler& of)
 void TextureSampler::ByteSampler::find_planes(const Texture& texture) {
   constexpr std::ptrdiff_t kLongestRow = 0x1FFFF;  // kMaxSurfaceSize times this is less than 2^31
   const std::array<bool, 4> stored = stored_components(texture.format);
-  bool words = stored[0] && stored[1] && stored[2];
+  bool words = stored[1] && stored[2];
   for (std::size_t f = 0; f < texture.face_count(); ++f) {
     const auto& of_face = *std::get_if<std::array<BytePlane, 4>>(&texture.faces[f][0].planes);
     for (std::size_t k = 0; k < 4; ++k) plane_[k][f] = of_face[k];
@@ -133,7 +133,7 @@ bool TextureSampler::ByteSampler::find_level_words(const Texture& texture) {
   }
   words_.first = reinterpret_cast<const std::uint8_t*>(first);
   const std::array<bool, 4> stored = stored_components(texture.format);
-  return stored[0] && stored[1] && stored[2];
+  return stored[1] && stored[2];
 }
 
 void TextureSampler::ByteSampler::find_texels(const TextureCoordinates& at, std::size_t first, std::size_t count,

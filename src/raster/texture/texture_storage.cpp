@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texture.h"
 
 namespace ninebit {
@@ -40,11 +41,11 @@ TextureImage view_of(InternalFormat format, const TextureSamples& image) {
       image.samples);
 }
 
-// True for bytes of red, green and blue, with alpha or without. They are kept texel by texel, four bytes each: vectors
-// read a texel's components at once.
+// True for bytes of several components, which are kept texel by texel, four bytes each: vectors read a texel's
+// components at once.
 bool are_kept_in_words(InternalFormat format) {
   const std::array<bool, 4> stored = stored_components(format);
-  return stored[0] && stored[1] && stored[2];
+  return stored[1] && stored[2];
 }
 
 constexpr std::size_t kWordBytes = 4;
@@ -64,14 +65,16 @@ Texture keep_words(TextureTarget target, InternalFormat format, const Faces& fac
   const auto kept = std::make_shared<std::vector<std::uint32_t>>(texels);
   auto* next = reinterpret_cast<std::uint8_t*>(kept->data());
   const std::size_t components = plane_count(format);
+  const std::array<bool, 4> stored = stored_components(format);
   for (std::size_t face = 0; face < faces.size(); ++face) {
     for (const TextureSamples& image : faces[face]) {
       const auto& samples = *std::get_if<std::vector<std::uint8_t>>(&image.samples);
       const std::size_t count = samples.size() / components;
       std::array<Plane<const std::uint8_t>, 4> planes{};
+      auto from = samples.begin();
       for (std::size_t k = 0; k < kWordBytes; ++k) {
         planes[k] = {next + k, image.width * static_cast<std::ptrdiff_t>(kWordBytes), kWordBytes};
-        for (std::size_t i = 0; i < count && k < components; ++i) next[kWordBytes * i + k] = samples[k * count + i];
+        for (std::size_t i = 0; i < count && stored[k]; ++i) next[kWordBytes * i + k] = *from++;
       }
       texture.faces[face].push_back({image.width, image.height, planes, image.depth});
       next += kWordBytes * count;
@@ -157,8 +160,19 @@ Half mean(Half a, Half b, Half c, Half d) {
   return half_of(mean(float_of(a), float_of(b), float_of(c), float_of(d)));
 }
 
+// Of a byte in two's complement: shifted to 0 to 255, and back.
+template <class T>
+T signed_mean(T a, T b, T c, T d) {
+  if constexpr (std::is_same_v<T, std::uint8_t>) {
+    const auto shifted = [](std::uint8_t byte) { return static_cast<std::uint8_t>(byte ^ 0x80U); };
+    return shifted(mean(shifted(a), shifted(b), shifted(c), shifted(d)));
+  } else {
+    return mean(a, b, c, d);
+  }
+}
+
 // The next level of an image. Where it is one texel wide or high, the same texel stands for both of a pair.
-TextureSamples next_level(InternalFormat format, const TextureImage& image) {
+TextureSamples next_level(InternalFormat format, const TextureImage& image, const std::array<bool, 4>& is_signed) {
   const std::array<bool, 4> stored = stored_components(format);
   TextureSamples next{std::max(image.width / 2, 1), std::max(image.height / 2, 1)};
   std::visit(
@@ -173,7 +187,8 @@ TextureSamples next_level(InternalFormat format, const TextureImage& image) {
             const int above = std::min(2 * y + 1, image.height - 1);
             for (int x = 0; x < next.width; ++x) {
               const int right = std::min(2 * x + 1, image.width - 1);
-              samples.push_back(mean(planes[k].at(2 * x, 2 * y), planes[k].at(right, 2 * y), planes[k].at(2 * x, above),
+              const auto find = is_signed[k] ? &signed_mean<T> : static_cast<T (*)(T, T, T, T)>(&mean);
+              samples.push_back(find(planes[k].at(2 * x, 2 * y), planes[k].at(right, 2 * y), planes[k].at(2 * x, above),
                                      planes[k].at(right, above)));
             }
           }
@@ -205,20 +220,19 @@ Result<Texture> make_texture(TextureTarget target, InternalFormat format,
   return texture;
 }
 
-Result<Texture> with_mipmaps(const Texture& texture) {
+Result<Texture> with_mipmaps(const Texture& texture, const std::array<bool, 4>& is_signed) {
   if (Status status = check_texture(texture); !status) return status.error();
   if (texture.target == TextureTarget::rectangle) return Diagnostic{"rectangles have no mip-maps"};
   if (texture.target == TextureTarget::texture_3d) return Diagnostic{"mip-maps of 3D textures are not computed"};
-  if (base_format(texture.format) >= TextureFormat::hilo) {
-    return Diagnostic{"mip-maps of HILO and DSDT textures are not computed"};
-  }
+  if (has_words(texture.format)) return Diagnostic{"mip-maps of HILO textures are not computed"};
+  const std::array<bool, 4> as_signed = signed_components(texture, {.is_signed = is_signed});
   Faces faces(texture.face_count());
   for (std::size_t face = 0; face < faces.size(); ++face) {
     if (texture.faces[face].empty()) return Diagnostic{"a texture without a level 0 has no mip-maps"};
     std::vector<TextureSamples>& levels = faces[face];
     levels.push_back(samples_of(texture.format, texture.faces[face][0]));
     while (levels.back().width > 1 || levels.back().height > 1) {
-      levels.push_back(next_level(texture.format, view_of(texture.format, levels.back())));
+      levels.push_back(next_level(texture.format, view_of(texture.format, levels.back()), as_signed));
     }
   }
   return keep(texture.target, texture.format, std::move(faces));

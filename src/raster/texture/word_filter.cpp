@@ -130,6 +130,13 @@ struct Level {
     static_assert(WordLevels::kRoom == 1 << 4);
   }
 
+  // The same level of other faces, whose sides and rows are alike.
+  [[nodiscard]] HWY_INLINE Level of_faces(const WordLevels& texture, VI face) const {
+    Level other = *this;
+    other.begin = hn::GatherIndex(kDI, texture.begin.data(), hn::ShiftLeft<4>(face));
+    return other;
+  }
+
  private:
   static HWY_INLINE VI side(VI texels) { return hn::Max(texels, hn::Set(kDI, 1)); }
 };
@@ -203,7 +210,7 @@ HWY_INLINE void filter_base(const WordLevels& texture, const FilterRules& rules,
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
     const WordTaps taps = texture.cube
-                              ? read_taps<true>(texture, rules, places, Level(texture, places.face, zero), zero)
+                              ? read_taps<true>(texture, rules, places, base.of_faces(texture, places.face), zero)
                               : read_taps<true>(texture, rules, places, base, zero);
     const VU words = Sum(taps, rules.weight_bits).words(rules.weight_bits, false);
     hn::StoreU(hn::Xor(words, hn::Set(kDU, texture.flip)), kDU, to.data() + i);

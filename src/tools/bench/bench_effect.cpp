@@ -41,7 +41,10 @@ int largest_difference(const Surface& ours, const std::vector<std::uint8_t>& the
 
 Result<EffectRow> measure_effect(const bench::EffectWorkload& workload, const EffectFlags& flags,
                                  bench::LlvmpipeEffect* rival, ProgressLine& line) {
-  auto renderer = EffectRenderer::make(workload.effect, profile_of(flags.bench.common), bench::workload_readers());
+  const HardwareProfile& said = profile_of(flags.bench.common);
+  const bool has_stages = workload.effect.passes[0].state.texture_shader.enabled;
+  const HardwareProfile& profile = has_stages && !said.texture_shaders ? profiles::nv2a : said;
+  auto renderer = EffectRenderer::make(workload.effect, profile, bench::workload_readers());
   if (!renderer) return renderer.error();
   if (rival != nullptr) {
     if (Status ready = rival->prepare(workload); !ready) return ready.error();

@@ -56,11 +56,12 @@ ProgramForm form_by(const std::string& from, std::string_view text) {
 Parsed<TextProgram> program_in(Parsed<RegisterLog>& log, std::size_t setup, const std::string& name,
                                const HardwareProfile& profile) {
   if (!log) return {log.faults(), std::move(log.notes)};
-  std::vector<RegisterWord> other_words;
-  auto state = program_of(*log, setup, name, profile, &other_words);
+  TextProgram program;
+  auto state = program_of(*log, setup, name, profile, &program.other_words);
   state.notes.insert(state.notes.begin(), log.notes.begin(), log.notes.end());
   if (!state) return {state.faults(), std::move(state.notes)};
-  return {TextProgram{*state, std::move(other_words)}, std::move(state.notes)};
+  program.state = *state;
+  return {std::move(program), std::move(state.notes)};
 }
 
 // The lines of a text, for messages. Asked for from the first to the last, they take one pass over the text.
@@ -106,7 +107,7 @@ std::optional<TextProgram> checked(Result<ProgramFile> file, const HardwareProfi
     exit_code = report(file->parsed.faults(), file->text);
     return std::nullopt;
   }
-  const std::vector<StateDiagnostic> refused = validate(file->parsed->state, profile);
+  const std::vector<StateDiagnostic> refused = validate(*file->parsed, profile);
   for (const StateDiagnostic& d : refused) {
     exit_code = report({.message = fmt::format("{}: {}", name_of(d.gl_error), d.message), .file = file->name});
   }
@@ -231,7 +232,12 @@ Result<ProgramFile> read_program_file(ProgramSource source, const ProgramFlags& 
 std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile, bool quiet,
                                           int& exit_code) {
   const auto program = load_text_program(flags, profile, quiet, exit_code);
-  return program ? std::optional(program->state) : std::nullopt;
+  if (!program) return std::nullopt;
+  if (program->texture_shader.enabled && !quiet) {
+    say(fmt::format("ninebit: note: {}: the texture-shader stages are not run here; tex0 to tex3 are inputs\n",
+                    printable(flags.file)));
+  }
+  return program->state;
 }
 
 std::optional<TextProgram> load_text_program(const ProgramFlags& flags, const HardwareProfile& profile, bool quiet,

@@ -32,8 +32,8 @@ bool is_effect(const std::string& file) {
   return content.starts_with('{') && json_kind(content) == "effect";
 }
 
-Result<CombinerState> read_program(const std::filesystem::path& path, const HardwareProfile& profile,
-                                   const std::vector<std::string>& defines, std::vector<std::string>& warnings) {
+Result<TextProgram> read_program(const std::filesystem::path& path, const HardwareProfile& profile,
+                                 const std::vector<std::string>& defines, std::vector<std::string>& warnings) {
   const ProgramFlags flags{.file = path.string(), .defines = defines};
   auto file = read_program_file(flags, profile);
   if (!file) return file.error();
@@ -46,8 +46,8 @@ Result<CombinerState> read_program(const std::filesystem::path& path, const Hard
     for (std::size_t i = 1; i < file->parsed.faults().size(); ++i) (void)report_fault(file->parsed.faults()[i]);
     return Diagnostic{.message = first.message, .file = first.file, .line = first.line};
   }
-  const std::vector<StateDiagnostic> refused = validate(file->parsed->state, profile);
-  if (refused.empty()) return file->parsed->state;
+  const std::vector<StateDiagnostic> refused = validate(*file->parsed, profile);
+  if (refused.empty()) return *file->parsed;
   return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                     .file = file->name};
 }

@@ -66,9 +66,34 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
 
 std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
   const std::uint32_t object = pixel.object_of[f.primitive];
-  return fmt::format("polygon {} of object {} '{}': depth {} against stored {}, {}", f.primitive + 1, object + 1,
-                     printable(pixel.objects[object]), f.depth, f.stored_depth, text_of_fate(f.fate));
+  return fmt::format("polygon {} of object {} '{}': depth {}{} against stored {}, {}", f.primitive + 1, object + 1,
+                     printable(pixel.objects[object]), f.depth, f.stages && f.stages->depth ? " (replaced)" : "",
+                     f.stored_depth, text_of_fate(f.fate));
 }
+
+namespace {
+
+// A line for each texture-shader stage of the fragment.
+std::string stages_text(const ProbedFragment& f) {
+  std::string text;
+  for (std::size_t i = 0; f.stages && i < f.stages->stage.size(); ++i) {
+    const StageValues& stage = f.stages->stage[i];
+    text += fmt::format("  stage {}:", i);
+    if (stage.dot) {
+      const auto& [x, y, z] = *stage.normal;
+      text += fmt::format(" dot product {:.6g} with ({:.6g}, {:.6g}, {:.6g}),", *stage.dot, x, y, z);
+    }
+    if (stage.at) {
+      const auto& [s, t, r] = *stage.at;
+      text += fmt::format(" texture read at ({:.6g}, {:.6g}, {:.6g}),", s, t, r);
+    }
+    const auto& [red, green, blue, alpha] = stage.texel;
+    text += fmt::format(" texel ({}, {}, {}, {})\n", red, green, blue, alpha);
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string pixel_text(const TracedPixel& pixel) {
   const std::string technique = pixel.technique.empty() ? "" : fmt::format("technique {}, ", pixel.technique);
@@ -83,7 +108,8 @@ std::string pixel_text(const TracedPixel& pixel) {
   if (pixel.fragment) {
     const ProbedPass& pass = pixel.passes[*pixel.pass];
     const ProbedFragment& fragment = pass.fragments[*pixel.fragment];
-    return text + fmt::format("traced: pass {}, {}\n", pass.name, fragment_text(pixel, fragment));
+    text += fmt::format("traced: pass {}, {}\n", pass.name, fragment_text(pixel, fragment));
+    return text + stages_text(fragment);
   }
   if (pixel.state == "background" || pixel.state == "not drawn") {
     return text + fmt::format("{}: no fragment to trace\n", pixel.state);

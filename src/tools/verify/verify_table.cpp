@@ -212,7 +212,7 @@ Status VerifyTable::find_program(const CsvLine& line, VerifyRow& row) {
     const TextFault& fault = file->parsed.faults().front();
     return Diagnostic{.message = fault.text()};
   }
-  if (const auto refused = validate(file->parsed->state, *profile_); !refused.empty()) {
+  if (const auto refused = validate(*file->parsed, *profile_); !refused.empty()) {
     return Diagnostic{.message = fmt::format("{}: {}", name_of(refused[0].gl_error), refused[0].message),
                       .file = file->name};
   }
