@@ -90,7 +90,9 @@ TEST(GlCallsRoundTrip, BrokenTextsEndInAStateOrInFaults) {
   };
   const auto found =
       test::parse_damaged({.seed = 7, .whole = lines, .bytes = "(){}[],;=+-&*#/\"'\\.0x1eEfGL_NV \n\t\0\x80\xFF"sv},
-                          profiles::nv2a, parse_gl_calls);
+                          profiles::nv2a, [](const SourceText& source, const HardwareProfile& profile) {
+                            return parse_gl_calls(source, profile);
+                          });
   EXPECT_GT(found.states, 100);
   EXPECT_GT(found.refused, 10000);
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "src/language/gl_nv/gl_nv_access.h"
+
 namespace ninebit::detail {
 namespace {
 
@@ -32,6 +34,7 @@ class Call {
   void execute() {
     if (!convert()) return;
     const gl::CurrentContext current(context_);
+    if (call_.command >= GlCommand::tex_env_i) return set_stage();
     run();
     const GlError error = context_.take_error();
     if (error == GlError::no_error || explain_names() || explain_rules()) return;
@@ -39,6 +42,25 @@ class Call {
   }
 
  private:
+  // A call of texture shaders.
+  void set_stage() {
+    const auto report = [&](const std::optional<gl::detail::Refusal>& why) {
+      if (why) faults_.add(offset_, why->message, why->error);
+    };
+    if (call_.command == GlCommand::active_texture)
+      return report(gl::detail::activate_texture(context_, converted_.e[0]));
+    if (converted_.e[0] != gl::GL_TEXTURE_SHADER_NV) {
+      return faults_.add(arguments_[0].offset, quoted(arguments_[0].text) + " is another target; gl" +
+                                                   std::string(call_.name) +
+                                                   " is read with GL_TEXTURE_SHADER_NV alone");
+    }
+    const bool is_scalar = call_.command == GlCommand::tex_env_i || call_.command == GlCommand::tex_env_f;
+    if (call_.command == GlCommand::tex_env_i) converted_.fv[0] = static_cast<float>(converted_.i);
+    if (call_.command == GlCommand::tex_env_f) converted_.fv[0] = converted_.f;
+    const std::size_t count = is_scalar ? 1 : gl::detail::stage_values_of(converted_.e[1]);
+    report(gl::detail::set_stage_parameter(context_, converted_.e[1], {converted_.fv.data(), count}, is_scalar));
+  }
+
   bool refuse(const GlArgument& argument, const std::string& expected) {
     faults_.add(argument.offset, quoted(argument.text) + " cannot be passed here; expected " + expected);
     return false;
@@ -99,7 +121,10 @@ class Call {
   // GL reads four values for a colour and one for other parameters.
   bool convert_array(const GlArgument& array, char kind) {
     const GLenum pname = converted_.e[call_.parameters.size() - 2];
-    const std::size_t needed = pname == gl::GL_NUM_GENERAL_COMBINERS_NV || pname == gl::GL_COLOR_SUM_CLAMP_NV ? 1 : 4;
+    const bool is_one = pname == gl::GL_NUM_GENERAL_COMBINERS_NV || pname == gl::GL_COLOR_SUM_CLAMP_NV;
+    const std::size_t needed = call_.command >= GlCommand::tex_env_i ? gl::detail::stage_values_of(pname)
+                               : is_one                              ? 1
+                                                                     : 4;
     if (array.element == (kind == 'I' ? GlElement::real : GlElement::integer)) {
       return refuse(array, kind == 'I' ? "an array of integers" : "an array of floats");
     }
@@ -138,6 +163,8 @@ class Call {
         return gl::glEnable(e[0]);
       case GlCommand::disable:
         return gl::glDisable(e[0]);
+      default:
+        return;
     }
   }
 
@@ -237,6 +264,9 @@ class Call {
         return "expected GL_CONSTANT_COLOR0_NV or GL_CONSTANT_COLOR1_NV, not " + quoted(arguments_[1].text);
       default:
         if (pname == gl::GL_PER_STAGE_CONSTANTS_NV) return no_stage_constants;
+        if (pname == gl::GL_TEXTURE_SHADER_NV) {
+          return "profile " + std::string(profile.name) + " has no texture shaders (NV_texture_shader)";
+        }
         return "expected GL_REGISTER_COMBINERS_NV or GL_PER_STAGE_CONSTANTS_NV, not " + quoted(arguments_[0].text);
     }
   }

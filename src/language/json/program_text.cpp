@@ -98,27 +98,34 @@ Result<std::string> print_glsl(const TextProgram& program, ChipClass, const Hard
   return emit_glsl(normalize(program.state, profile), version);
 }
 
-// A form whose printer needs the state alone.
-template <Result<std::string> (*printer)(const CombinerState&, const HardwareProfile&)>
-Result<std::string> print_state(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
-  if (program.texture_shader.enabled) return has_stages();
-  return printer(program.state, profile);
+// A form whose printer needs both halves alone.
+template <Result<std::string> (*printer)(const CombinerState&, const HardwareProfile&, const TextureShaderState&)>
+Result<std::string> print_halves(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+  return printer(program.state, profile, program.texture_shader);
 }
 
 const std::array kForms{
     Form{.name = "gl",
          .title = "GL calls",
          .kind = "GL calls",
-         .parse = [](const SourceText& source, const HardwareProfile& profile,
-                     const ReadOptions&) { return program_with(parse_gl_calls(source, profile)); },
-         .print = print_state<print_gl_calls>},
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_gl_calls(source, profile, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
+             },
+         .print = print_halves<print_gl_calls>},
     Form{.name = "rc10",
          .title = "!!RC1.0 (nvparse)",
          .kind = "an !!RC1.0 program",
          .detect = is_rc10,
-         .parse = [](const SourceText& source, const HardwareProfile& profile,
-                     const ReadOptions&) { return program_with(parse_rc10(source, profile)); },
-         .print = print_state<print_rc10>},
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_rc10(source, profile, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
+             },
+         .print = print_halves<print_rc10>},
     Form{.name = "ps",
          .title = "Pixel shader ps.1.x",
          .kind = "a ps.1.x pixel shader",
@@ -127,16 +134,22 @@ const std::array kForms{
                       std::string_view) { return is_pixel_shader(text) && !is_shader_tokens(text); },
          .parse =
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
-               return program_with(parse_pixel_shader(source, profile, options.source.definitions));
+               TextProgram read;
+               auto state = parse_pixel_shader(source, profile, options.source.definitions, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
              },
          .takes_definitions = true},
     Form{.name = "tokens",
          .title = "Assembled pixel shader",
          .kind = "an assembled pixel shader",
          .detect = [](std::string_view text, std::string_view) { return is_shader_tokens(text); },
-         .parse = [](const SourceText& source, const HardwareProfile& profile,
-                     const ReadOptions&) { return program_with(parse_shader_tokens(source, profile)); },
-         .print = print_state<print_shader_tokens>},
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_shader_tokens(source, profile, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
+             },
+         .print = print_halves<print_shader_tokens>},
     Form{.name = "xbox",
          .title = "Xbox pixel shader definition",
          .kind = "an Xbox pixel shader definition",
@@ -212,7 +225,7 @@ const std::array kForms{
          .detect = [](std::string_view text, std::string_view) { return is_register_log(text); },
          .parse = parse_log,
          .has_words = true},
-    Form{.name = "ps11", .title = "Pixel shader ps.1.1", .kind = "ps.1.1", .print = print_state<print_pixel_shader>},
+    Form{.name = "ps11", .title = "Pixel shader ps.1.1", .kind = "ps.1.1", .print = print_halves<print_pixel_shader>},
     Form{.name = "glsl",
          .title = "GLSL 3.30",
          .kind = "GLSL 3.30",
