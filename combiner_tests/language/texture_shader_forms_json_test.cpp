@@ -85,21 +85,24 @@ TEST(StageCalls, RandomStagesComeBack) {
 TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
   const std::string set = "glTexEnvi(GL_TEXTURE_SHADER_NV, ";
   EXPECT_EQ(gl_faults(set + "GL_SHADER_OPERATION_NV, GL_OFFSET_TEXTURE_2D_NV);"),
-            "1:1: GL_INVALID_OPERATION: texture stage 0: offset_2d is for stages 1 to 3 only\n");
+            "1:1: GL_INVALID_OPERATION: texture stage 0: 'GL_OFFSET_TEXTURE_2D_NV' is for stages 1 to 3 only\n");
   EXPECT_EQ(
       gl_faults(kUnit + set + "GL_PREVIOUS_TEXTURE_INPUT_NV, GL_TEXTURE1_ARB);"),
       "2:1: GL_INVALID_OPERATION: texture stage 1: the previous stage is 1, which is not before this one; expected "
       "one from 0 to 0\n");
   EXPECT_EQ(gl_faults(set + "GL_PREVIOUS_TEXTURE_INPUT_NV, 3);"),
-            "1:1: GL_INVALID_ENUM: texture stage 0: the previous stage is 99; expected one from 0 to 0\n");
+            "1:1: GL_INVALID_ENUM: texture stage 0: expected a texture unit before this one, such as GL_TEXTURE0_ARB, "
+            "not '3'\n");
   EXPECT_EQ(gl_faults(set + "GL_SHADER_OPERATION_NV, GL_LESS);"),
-            "1:1: GL_INVALID_ENUM: expected an operation, such as GL_TEXTURE_2D or GL_DOT_PRODUCT_NV\n");
+            "1:1: GL_INVALID_ENUM: expected an operation, such as GL_TEXTURE_2D or GL_DOT_PRODUCT_NV, not 'GL_LESS'\n");
   EXPECT_EQ(gl_faults(set + "GL_CULL_MODES_NV, GL_LESS);"),
-            "1:1: GL_INVALID_ENUM: expected a parameter of one value; this one needs an array\n");
-  EXPECT_EQ(gl_faults(set + "GL_LESS, 1);"),
-            "1:1: GL_INVALID_ENUM: expected a parameter of texture shaders, such as GL_SHADER_OPERATION_NV\n");
+            "1:1: GL_INVALID_ENUM: this parameter needs an array; expected one of a single value\n");
+  EXPECT_EQ(
+      gl_faults(set + "GL_LESS, 1);"),
+      "1:1: GL_INVALID_ENUM: expected a parameter of texture shaders, such as GL_SHADER_OPERATION_NV, not 'GL_LESS'\n");
   EXPECT_EQ(gl_faults(set + "GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV, GL_SIGNED_IDENTITY_NV);"),
-            "1:1: GL_INVALID_ENUM: expected GL_UNSIGNED_IDENTITY_NV or GL_EXPAND_NORMAL_NV\n");
+            "1:1: GL_INVALID_ENUM: expected GL_UNSIGNED_IDENTITY_NV or GL_EXPAND_NORMAL_NV, not "
+            "'GL_SIGNED_IDENTITY_NV'\n");
   EXPECT_EQ(gl_faults("glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_CONST_EYE_NV, (GLfloat[]){1, 2});"),
             "1:51: '(GLfloat[]){1, 2}' cannot be passed here; expected 3 values, not 2\n");
   EXPECT_EQ(gl_faults("glTexEnvi(GL_TEXTURE_ENV, GL_SHADER_OPERATION_NV, 0);"),
@@ -128,11 +131,11 @@ TEST(StageFunctions, HaveGlsNames) {
   const CurrentContext current(context);
   glEnable(GL_TEXTURE_SHADER_NV);
   glActiveTextureARB(GL_TEXTURE2_ARB);
-  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, static_cast<GLint>(GL_DOT_PRODUCT_DEPTH_REPLACE_NV));
+  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, 0x86ED);
   EXPECT_EQ(glGetError(), GL_NO_ERROR);
   EXPECT_EQ(context.texture_shader().stage[2].operation, TextureOperation::dot_product_depth_replace);
   EXPECT_EQ(glIsEnabled(GL_TEXTURE_SHADER_NV), GL_TRUE);
-  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, static_cast<GLint>(GL_DOT_PRODUCT_TEXTURE_3D_NV));
+  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, 0x86EF);
   EXPECT_EQ(glGetError(), GL_INVALID_OPERATION);
   glTexEnviv(GL_TEXTURE_SHADER_NV, GL_CULL_MODES_NV, nullptr);
   EXPECT_EQ(glGetError(), GL_INVALID_VALUE);

@@ -222,7 +222,7 @@ class Stages {
     }
     switch (op(i)) {
       case Op::none:
-        texel = {0, 0, 0, q_.profile.disabled_texture_alpha};
+        texel = {0, 0, 0, q_.state.rules == StageRules::nv2a ? q_.profile.disabled_texture_alpha : 0};
         return;
       case Op::texture_1d:
       case Op::texture_2d:

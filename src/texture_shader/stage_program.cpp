@@ -211,12 +211,10 @@ Result<TextureShaderProgram> compile(const TextureShaderState& state, const Stag
   }
   if (!message.empty()) return Diagnostic{.message = message};
   TextureShaderProgram program;
-  program.choices = {profile.stage_byte,
-                     profile.dot_divisors,
-                     profile.dependent_divisor,
-                     profile.ahead_mapping,
+  program.choices = {profile.stage_byte, profile.dot_divisors, profile.dependent_divisor, profile.ahead_mapping,
                      profile.replaced_depth_narrowing,
-                     static_cast<std::uint8_t>(profile.disabled_texture_alpha)};
+                     // OpenGL: GL_NONE gives (0, 0, 0, 0).
+                     static_cast<std::uint8_t>(state.rules == StageRules::nv2a ? profile.disabled_texture_alpha : 0)};
   program.depth_unit = state.depth_unit;
   program.converts_yuv = state.converts_yuv;
   const auto reasons = Consistency(state, textures).reasons();

@@ -43,6 +43,9 @@ inline constexpr GLenum GL_TEXTURE1 = GL_TEXTURE1_ARB;
 inline constexpr GLenum GL_TEXTURE2 = GL_TEXTURE2_ARB;
 inline constexpr GLenum GL_TEXTURE3 = GL_TEXTURE3_ARB;
 
+inline constexpr GLenum GL_LESS = 0x0201;
+inline constexpr GLenum GL_GEQUAL = 0x0206;
+
 // Return values of glGetError.
 inline constexpr GLenum GL_NO_ERROR = 0;
 inline constexpr GLenum GL_INVALID_ENUM = 0x0500;
@@ -104,6 +107,18 @@ inline constexpr GLenum GL_COMBINER7_NV = 0x8557;
 
 // NV_register_combiners2.
 inline constexpr GLenum GL_PER_STAGE_CONSTANTS_NV = 0x8535;
+
+// NV_texture_shader. The operations have their enumerants in texture_operations() (stage_operation.h).
+inline constexpr GLenum GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV = 0x86D9;
+inline constexpr GLenum GL_SHADER_CONSISTENT_NV = 0x86DD;
+inline constexpr GLenum GL_TEXTURE_SHADER_NV = 0x86DE;
+inline constexpr GLenum GL_SHADER_OPERATION_NV = 0x86DF;
+inline constexpr GLenum GL_CULL_MODES_NV = 0x86E0;
+inline constexpr GLenum GL_OFFSET_TEXTURE_MATRIX_NV = 0x86E1;
+inline constexpr GLenum GL_OFFSET_TEXTURE_SCALE_NV = 0x86E2;
+inline constexpr GLenum GL_OFFSET_TEXTURE_BIAS_NV = 0x86E3;
+inline constexpr GLenum GL_PREVIOUS_TEXTURE_INPUT_NV = 0x86E4;
+inline constexpr GLenum GL_CONST_EYE_NV = 0x86E5;
 
 // The enumerant of each enumerator. A texture register gives GL_TEXTURE0_ARB + unit.
 [[nodiscard]] GLenum to_enum(Register reg);

@@ -1,5 +1,5 @@
-// NV_register_combiners and NV_register_combiners2 as C++ functions with their GL names, so that code written for GL
-// compiles unchanged:
+// NV_register_combiners, NV_register_combiners2 and the state of NV_texture_shader as C++ functions with their GL
+// names, so that code written for GL compiles unchanged:
 //
 //   #include <ninebit/language/gl_nv.h>
 //   using namespace ninebit::gl;
@@ -40,13 +40,15 @@ class Context {
   [[nodiscard]] const CombinerState& state() const { return state_; }
   [[nodiscard]] CombinerState& state() { return state_; }
 
-  // The texture-shader stages; enabled: GL_TEXTURE_SHADER_NV. Writes are not checked.
-  [[nodiscard]] const TextureShaderState& texture_shader() const { return texture_shader_; }
-  [[nodiscard]] TextureShaderState& texture_shader() { return texture_shader_; }
-
   // The constants that calls have set, by place; last are those of glCombinerParameter.
   [[nodiscard]] const ByConstant<bool>& constants_set() const { return constants_set_; }
   [[nodiscard]] ByConstant<bool>& constants_set() { return constants_set_; }
+
+  // The texture-shader stages, and the active texture unit (GL_ACTIVE_TEXTURE, from 0), whose stage glTexEnv sets.
+  [[nodiscard]] const TextureShaderState& texture_shader() const { return texture_shader_; }
+  [[nodiscard]] TextureShaderState& texture_shader() { return texture_shader_; }
+  [[nodiscard]] int active_texture() const { return active_texture_; }
+  void set_active_texture(int unit) { active_texture_ = unit; }
 
   // Whether GL_REGISTER_COMBINERS_NV is enabled.
   [[nodiscard]] bool register_combiners_enabled() const { return register_combiners_enabled_; }
@@ -61,6 +63,7 @@ class Context {
   HardwareProfile profile_;
   CombinerState state_{};
   TextureShaderState texture_shader_{};
+  int active_texture_ = 0;
   ByConstant<bool> constants_set_{};
   bool register_combiners_enabled_ = false;
   GlError error_ = GlError::no_error;
@@ -105,7 +108,25 @@ void glFinalCombinerInputNV(GLenum variable, GLenum input, GLenum mapping, GLenu
 // GL_PER_STAGE_CONSTANTS_NV is enabled or not; GL_INVALID_ENUM if the profile does not have the extension.
 void glCombinerStageParameterfvNV(GLenum stage, GLenum pname, const GLfloat* params);
 
-// GL_REGISTER_COMBINERS_NV and, if the profile has it, GL_PER_STAGE_CONSTANTS_NV.
+// The active texture unit: GL_TEXTURE0 and so on, as many as the profile has; otherwise GL_INVALID_ENUM.
+void glActiveTexture(GLenum texture);
+void glActiveTextureARB(GLenum texture);  // the same
+
+// NV_texture_shader: a parameter of the active unit's stage. `target` must be GL_TEXTURE_SHADER_NV, of a profile that
+// has texture shaders; otherwise GL_INVALID_ENUM. GL_CULL_MODES_NV and GL_OFFSET_TEXTURE_MATRIX_NV (four values) and
+// GL_CONST_EYE_NV (three) need a vector; GL_SHADER_OPERATION_NV, GL_PREVIOUS_TEXTURE_INPUT_NV,
+// GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV, GL_OFFSET_TEXTURE_SCALE_NV and GL_OFFSET_TEXTURE_BIAS_NV have one value.
+// Operations are those of the GeForce 3 (stage_operation.h); errors are those of validate_stages.h.
+void glTexEnvi(GLenum target, GLenum pname, GLint param);
+void glTexEnvf(GLenum target, GLenum pname, GLfloat param);
+void glTexEnviv(GLenum target, GLenum pname, const GLint* params);
+void glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params);
+// The same parameters. GL_SHADER_CONSISTENT_NV depends on textures, which a context does not have: GL_INVALID_ENUM;
+// compile() in stage_program.h decides it.
+void glGetTexEnviv(GLenum target, GLenum pname, GLint* params);
+void glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params);
+
+// GL_REGISTER_COMBINERS_NV and, if the profile has them, GL_PER_STAGE_CONSTANTS_NV and GL_TEXTURE_SHADER_NV.
 void glEnable(GLenum cap);
 void glDisable(GLenum cap);
 [[nodiscard]] GLboolean glIsEnabled(GLenum cap);

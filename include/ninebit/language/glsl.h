@@ -2,12 +2,15 @@
 // GLSL.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/stage_program.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -43,5 +46,32 @@ inline constexpr int kGlslConstants = 2 * (kMaxGeneralCombiners + 1);
 // comments.
 [[nodiscard]] Result<std::string> emit_glsl_with_uniform_constants(const Program& program, GlslVersion version,
                                                                    std::string_view function = "ninebit_combine");
+
+// Whether the numbers of a stage that animations change stand in the text or in uniforms.
+enum class StageNumbers : std::uint8_t {
+  literal,  // in the text
+  uniform   // `vec4 FUNCTION_matrix[4]`, `vec2 FUNCTION_scale[4]` (scale, bias), `vec3 FUNCTION_eye[4]`, by stage
+};
+
+// Texture-shader stages as a GLSL function, for the same shader as the function of the combiners: without a #version
+// line, for GLSL 1.30 and ES 3.00 and later, with `precision highp float` where the language wants one.
+//
+//   bool ninebit_texture_shader(vec4 at0, vec4 at1, vec4 at2, vec4 at3,
+//                               out ivec4 texture0, out ivec4 texture1, out ivec4 texture2, out ivec4 texture3,
+//                               out float depth)
+//
+// returns whether a stage culls the fragment. `atI` is s, t, r, q of unit I, not divided by q; `textureI` is what
+// ninebit_combine reads, as register codes of the profile; `depth` is the depth that replaces the fragment's, in the
+// program's unit, or 0. For each unit I that a stage reads the text declares `ivec4 FUNCTION_texelI(vec3 at)`, which
+// the caller defines: the filtered bytes of the unit's texture at s, t, r, as FetchTexel (evaluate_stages.h) gives
+// them.
+//
+// Whole numbers are exact. Floats follow the order of operations of evaluate(); a GLSL that rounds or contracts them in
+// another way may differ in their last bit. NaN becomes the byte 0; other uses of NaN are up to the GLSL. The profile
+// must be that of compile(). Returns a Diagnostic for an invalid name.
+[[nodiscard]] Result<std::string> emit_glsl_texture_shader(const TextureShaderProgram& program,
+                                                           const HardwareProfile& profile,
+                                                           StageNumbers numbers = StageNumbers::literal,
+                                                           std::string_view function = "ninebit_texture_shader");
 
 }  // namespace ninebit

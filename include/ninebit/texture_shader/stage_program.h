@@ -32,7 +32,7 @@ struct StageChoices {
   int dependent_divisor = 255;                         // HardwareProfile::dependent_divisor
   AheadMapping ahead_mapping = AheadMapping::own;      // HardwareProfile::ahead_mapping
   Narrowing depth_narrowing = Narrowing::toward_zero;  // HardwareProfile::replaced_depth_narrowing
-  std::uint8_t off_alpha = 255;                        // HardwareProfile::disabled_texture_alpha
+  std::uint8_t off_alpha = 255;  // of `none`: HardwareProfile::disabled_texture_alpha, 0 by OpenGL's rules
   friend constexpr bool operator==(const StageChoices&, const StageChoices&) = default;
 };
 

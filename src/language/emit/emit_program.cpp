@@ -218,12 +218,14 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   const bool usable = one > 0 && one <= kMostOne && lowest <= 0 && half >= 0 && expand_offset >= 0 && most <= 2 * one &&
                       6 * most * most + half * one <= 8 * one * one;
   if (!usable) return Diagnostic{.message = "the profile's codes are out of the datapath's range"};
-  if (!is_usable_name(function)) {
-    return Diagnostic{.message = "\"" + std::string(function) +
-                                 "\" is not a valid function name in GLSL and C; expected a letter, then letters, "
-                                 "digits and single underscores, not ending in an underscore or starting with gl_"};
-  }
-  return std::nullopt;
+  return refused_name(function);
+}
+
+std::optional<Diagnostic> refused_name(std::string_view function) {
+  if (is_usable_name(function)) return std::nullopt;
+  return Diagnostic{.message = "\"" + std::string(function) +
+                               "\" is not a valid function name in GLSL and C; expected a letter, then letters, digits "
+                               "and single underscores, not ending in an underscore or starting with gl_"};
 }
 
 namespace {

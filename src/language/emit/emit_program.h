@@ -50,6 +50,8 @@ V any_code(const Program& program, Graph& graph, std::string text);
 
 // Why the program cannot be emitted under this function name; empty: it can.
 std::optional<Diagnostic> refusal(const Program& program, std::string_view function);
+// The name alone.
+std::optional<Diagnostic> refused_name(std::string_view function);
 
 // Comments in the emitted text: the equations of a portion and of the final combiner, in ASCII.
 

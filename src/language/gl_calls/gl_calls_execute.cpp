@@ -9,8 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "src/language/gl_nv/gl_nv_access.h"
-
 namespace ninebit::detail {
 namespace {
 
@@ -44,21 +42,74 @@ class Call {
  private:
   // A call of texture shaders.
   void set_stage() {
-    const auto report = [&](const std::optional<gl::detail::Refusal>& why) {
-      if (why) faults_.add(offset_, why->message, why->error);
-    };
-    if (call_.command == GlCommand::active_texture)
-      return report(gl::detail::activate_texture(context_, converted_.e[0]));
-    if (converted_.e[0] != gl::GL_TEXTURE_SHADER_NV) {
+    const auto& e = converted_.e;
+    if (call_.command != GlCommand::active_texture && e[0] != gl::GL_TEXTURE_SHADER_NV) {
       return faults_.add(arguments_[0].offset, quoted(arguments_[0].text) + " is another target; gl" +
                                                    std::string(call_.name) +
                                                    " is read with GL_TEXTURE_SHADER_NV alone");
     }
+    switch (call_.command) {
+      case GlCommand::tex_env_i:
+        gl::glTexEnvi(e[0], e[1], converted_.i);
+        break;
+      case GlCommand::tex_env_f:
+        gl::glTexEnvf(e[0], e[1], converted_.f);
+        break;
+      case GlCommand::tex_env_iv:
+        gl::glTexEnviv(e[0], e[1], converted_.iv.data());
+        break;
+      case GlCommand::tex_env_fv:
+        gl::glTexEnvfv(e[0], e[1], converted_.fv.data());
+        break;
+      default:
+        gl::glActiveTexture(e[0]);
+    }
+    if (const GlError error = context_.take_error(); error != GlError::no_error) {
+      faults_.add(offset_, reason_of_stage(), error);
+    }
+  }
+
+  // How many values glTexEnv reads of an array.
+  static std::size_t values_of_stage(GLenum pname) {
+    if (pname == gl::GL_CONST_EYE_NV) return 3;
+    return pname == gl::GL_CULL_MODES_NV || pname == gl::GL_OFFSET_TEXTURE_MATRIX_NV ? 4 : 1;
+  }
+
+  // Why GL refused a call of texture shaders.
+  [[nodiscard]] std::string reason_of_stage() const {
+    const HardwareProfile& profile = context_.profile();
+    if (call_.command == GlCommand::active_texture) {
+      return "profile " + std::string(profile.name) + " has " +
+             std::to_string(std::min(profile.texture_units.value, kTextureStages)) + " texture units";
+    }
+    if (!profile.texture_shaders) return no_texture_shaders();
     const bool is_scalar = call_.command == GlCommand::tex_env_i || call_.command == GlCommand::tex_env_f;
-    if (call_.command == GlCommand::tex_env_i) converted_.fv[0] = static_cast<float>(converted_.i);
-    if (call_.command == GlCommand::tex_env_f) converted_.fv[0] = converted_.f;
-    const std::size_t count = is_scalar ? 1 : gl::detail::stage_values_of(converted_.e[1]);
-    report(gl::detail::set_stage_parameter(context_, converted_.e[1], {converted_.fv.data(), count}, is_scalar));
+    const GLenum pname = converted_.e[1];
+    if (is_scalar && values_of_stage(pname) > 1) return "this parameter needs an array; expected one of a single value";
+    const std::string place = "texture stage " + std::to_string(context_.active_texture());
+    const std::string_view value = arguments_[2].text;
+    switch (pname) {
+      case gl::GL_SHADER_OPERATION_NV:
+        for (const TextureOperationInfo& info : texture_operations()) {
+          if (info.gl_value == 0 || arguments_[2].real != static_cast<double>(info.gl_value)) continue;
+          return place + ": " + quoted(value) + " is for stages " + std::to_string(info.first) + " to " +
+                 std::to_string(info.last) + " only";
+        }
+        return "expected an operation, such as GL_TEXTURE_2D or GL_DOT_PRODUCT_NV, not " + quoted(value);
+      case gl::GL_PREVIOUS_TEXTURE_INPUT_NV:
+        return place + ": expected a texture unit before this one, such as GL_TEXTURE0_ARB, not " + quoted(value);
+      case gl::GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV:
+        return "expected GL_UNSIGNED_IDENTITY_NV or GL_EXPAND_NORMAL_NV, not " + quoted(value);
+      case gl::GL_CULL_MODES_NV:
+        return "expected GL_LESS or GL_GEQUAL, four of them";
+      default:
+        return "expected a parameter of texture shaders, such as GL_SHADER_OPERATION_NV, not " +
+               quoted(arguments_[1].text);
+    }
+  }
+
+  [[nodiscard]] std::string no_texture_shaders() const {
+    return "profile " + std::string(context_.profile().name) + " has no texture shaders (NV_texture_shader)";
   }
 
   bool refuse(const GlArgument& argument, const std::string& expected) {
@@ -122,9 +173,7 @@ class Call {
   bool convert_array(const GlArgument& array, char kind) {
     const GLenum pname = converted_.e[call_.parameters.size() - 2];
     const bool is_one = pname == gl::GL_NUM_GENERAL_COMBINERS_NV || pname == gl::GL_COLOR_SUM_CLAMP_NV;
-    const std::size_t needed = call_.command >= GlCommand::tex_env_i ? gl::detail::stage_values_of(pname)
-                               : is_one                              ? 1
-                                                                     : 4;
+    const std::size_t needed = call_.command >= GlCommand::tex_env_i ? values_of_stage(pname) : is_one ? 1 : 4;
     if (array.element == (kind == 'I' ? GlElement::real : GlElement::integer)) {
       return refuse(array, kind == 'I' ? "an array of integers" : "an array of floats");
     }
@@ -264,9 +313,7 @@ class Call {
         return "expected GL_CONSTANT_COLOR0_NV or GL_CONSTANT_COLOR1_NV, not " + quoted(arguments_[1].text);
       default:
         if (pname == gl::GL_PER_STAGE_CONSTANTS_NV) return no_stage_constants;
-        if (pname == gl::GL_TEXTURE_SHADER_NV) {
-          return "profile " + std::string(profile.name) + " has no texture shaders (NV_texture_shader)";
-        }
+        if (pname == gl::GL_TEXTURE_SHADER_NV) return no_texture_shaders();
         return "expected GL_REGISTER_COMBINERS_NV or GL_PER_STAGE_CONSTANTS_NV, not " + quoted(arguments_[0].text);
     }
   }

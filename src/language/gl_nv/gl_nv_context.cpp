@@ -16,6 +16,8 @@ void set_enabled(GLenum cap, bool enabled) {
     context->enable_register_combiners(enabled);
   } else if (cap == GL_PER_STAGE_CONSTANTS_NV && context->profile().per_stage_constants) {
     context->state().per_stage_constants = enabled;
+  } else if (cap == GL_TEXTURE_SHADER_NV && context->profile().texture_shaders) {
+    context->texture_shader().enabled = enabled;
   } else {
     context->raise(GlError::invalid_enum);
   }
@@ -59,6 +61,9 @@ GLboolean glIsEnabled(GLenum cap) {
   if (cap == GL_REGISTER_COMBINERS_NV) return context->register_combiners_enabled() ? GL_TRUE : GL_FALSE;
   if (cap == GL_PER_STAGE_CONSTANTS_NV && context->profile().per_stage_constants) {
     return context->state().per_stage_constants ? GL_TRUE : GL_FALSE;
+  }
+  if (cap == GL_TEXTURE_SHADER_NV && context->profile().texture_shaders) {
+    return context->texture_shader().enabled ? GL_TRUE : GL_FALSE;
   }
   context->raise(GlError::invalid_enum);
   return GL_FALSE;
