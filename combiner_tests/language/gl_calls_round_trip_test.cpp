@@ -88,9 +88,9 @@ TEST(GlCallsRoundTrip, BrokenTextsEndInAStateOrInFaults) {
     const std::size_t from = all.find('\n', static_cast<std::size_t>(random.below(static_cast<int>(all.size())))) + 1;
     return random.one_in(2) ? all.substr(0, from) : all.substr(from, all.find('\n', from) + 1 - from);
   };
-  const auto found =
-      test::parse_damaged({.seed = 7, .whole = lines, .bytes = "(){}[],;=+-&*#/\"'\\.0x1eEfGL_NV \n\t\0\x80\xFF"sv},
-                          profiles::nv2a, parse_gl_calls);
+  const auto found = test::parse_damaged(
+      {.seed = 7, .whole = lines, .bytes = "(){}[],;=+-&*#/\"'\\.0x1eEfGL_NV \n\t\0\x80\xFF"sv}, profiles::nv2a,
+      [](const SourceText& source, const HardwareProfile& profile) { return parse_gl_calls(source, profile); });
   EXPECT_GT(found.states, 100);
   EXPECT_GT(found.refused, 10000);
 }

@@ -157,7 +157,9 @@ TEST(Rc10RoundTrip, BrokenTextsEndInAStateOrInFaults) {
                                           .whole = [&](Random&) { return std::string(kWhole); },
                                           .kept = 7,  // !!RC1.0
                                           .bytes = kBytes},
-                                         profiles::nv2a, parse_rc10);
+                                         profiles::nv2a, [](const SourceText& source, const HardwareProfile& profile) {
+                                           return parse_rc10(source, profile);
+                                         });
   EXPECT_GT(found.states, 400);
   EXPECT_GT(found.refused, 10000);
 }

@@ -68,8 +68,8 @@ class States(unittest.TestCase):
             self.assertEqual(ninebit.State.parse(shader, define={"MODE": mode}), ninebit.State.parse(plain))
 
     def test_the_form_is_found(self):
-        shader = "ps.1.1\ntex t0\nmul r0, t0, v0"
-        with self.assertWarnsRegex(UserWarning, "2:1: tex is executed before the combiners"):
+        shader = "ps.1.1\ntex t0\nmul r0.rgb, t0, v0"
+        with self.assertWarnsRegex(UserWarning, "r0.a is not written"):
             state = ninebit.State.parse(shader)
         self.enterContext(warnings.catch_warnings())
         warnings.simplefilter("ignore")

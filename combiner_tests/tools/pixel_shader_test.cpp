@@ -39,9 +39,16 @@ TEST_F(PixelShaderTool, SaysWhatTheApplicationSets) {
   const std::string shader = file("xps.1.1\ntex t0\nmul r0, t0, c5\n");
   const Outcome outcome = ninebit({"explain", shader, "--profile", "nv2a"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("shader.psh:2:1: tex is executed before the combiners"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("shader.psh:3:13: c5 is not defined here"), std::string::npos) << outcome.err;
   EXPECT_EQ(ninebit({"explain", shader, "--profile", "nv2a", "--quiet"}).err, "");
+  const std::string bump = file("ps.1.1\ntex t0\ntexbem t1, t0\nmov r0, t1\n", "bump.psh");
+  const Outcome bumped = ninebit({"explain", bump, "--profile", "nv2a"});
+  EXPECT_NE(bumped.err.find("bump.psh:3:1: the application sets the bump matrix of texture stage 1"),
+            std::string::npos);
+  EXPECT_EQ(bumped.out.rfind("texture shader\n  tex0 = texture 0 at (s0, t0) / q0\n", 0), 0U) << bumped.out;
+  const Outcome older = ninebit({"explain", bump, "--profile", "geforce2"});
+  EXPECT_EQ(older.code, 3);
+  EXPECT_NE(older.err.find("GL_INVALID_ENUM: profile geforce2 has no texture shaders"), std::string::npos) << older.err;
 }
 
 // Every verb that reads programs takes the values that a shader's conditions need.

@@ -100,7 +100,6 @@ TEST(Source, ForeignLanguagesByTheirNames) {
   };
   said("!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n", "an ARB fragment program");
   said("!!VP1.0\nMOV o[COL0], v[COL0];\nEND\n", "an NV vertex program");
-  said("# a comment\n!!TS1.0\ntexture_2d();\n", "an NV texture shader");
   said("\"!!FP1.0\\n\"\n\"MOV o[COLR], f[COL0];\\n\"\n\"END\\n\"\n", "an NV fragment program");
   said("#version 120\nvoid main() { gl_FragColor = gl_Color; }\n", "a GLSL shader");
   said("uniform sampler2D t;\nvoid main()\n{\n  gl_FragColor = texture2D(t, gl_TexCoord[0].st);\n}\n", "a GLSL shader");

@@ -89,7 +89,8 @@ Reply read_text(Request& request) {
   if (!parsed) return out;
   const CombinerState& state = parsed->state;
   const Program program = normalize(state, profile);
-  out["explanation"] = print_explanation(explain(program, profile));
+  const std::string stages = print_stages(parsed->texture_shader);
+  out["explanation"] = stages + (stages.empty() ? "" : "\n") + print_explanation(explain(program, profile));
   Json textures = Json::array();
   for (int unit = 0; unit < 4; ++unit) {
     if (reads_register(program, texture_register(unit))) textures.push_back(unit);

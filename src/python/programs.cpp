@@ -98,13 +98,16 @@ std::vector<py::dict> diagnostics(const State& state) {
 }
 
 RunnableProgram compiled(const State& state) {
+  const TextProgram both{state.state, {}, state.texture_shader};
+  if (const auto wrong = validate(both, *state.profile.profile); !wrong.empty()) throw Error{wrong.front().message};
   const auto program = compile(state.state, *state.profile.profile);
   if (!program) throw Error{program.error().text()};
   return {state, *program, BatchProgram(*program)};
 }
 
 std::string explained(const RunnableProgram& p) {
-  return print_explanation(explain(p.program, *p.state.profile.profile));
+  const std::string stages = print_stages(p.state.texture_shader);
+  return stages + (stages.empty() ? "" : "\n") + print_explanation(explain(p.program, *p.state.profile.profile));
 }
 
 std::string glsl(const RunnableProgram& p, const std::string& function, bool es) {

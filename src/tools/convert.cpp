@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/language/source/beyond_opengl.h"
+#include "src/language/xbox/stage_words.h"
 #include "src/tools/common/log_listing.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/program_file.h"
@@ -21,10 +22,16 @@ struct ConvertFlags {
   std::string output;
 };
 
-// Says which words have no place in the form that is written.
-void say_left_out(const ConvertFlags& flags, const std::vector<RegisterWord>& other_words) {
+// Says what has no place in the form that is written.
+void say_left_out(const ConvertFlags& flags, const TextProgram& program) {
+  const std::vector<RegisterWord>& other_words = program.other_words;
   const Form& form = *find_form(flags.to);
   const bool nv20 = chip_of(flags.program, profile_of(flags.common)) == ChipClass::nv20;
+  const bool has_words = form.has_words || form.name == "xbox";
+  if (const std::string lost = has_words ? xbox::not_in_stage_words(program.texture_shader) : "";
+      !lost.empty() && !flags.common.quiet) {
+    say(fmt::format("ninebit: note: {} has no place for {}\n", flags.to, lost));
+  }
   if (flags.common.quiet || (form.keeps_other_words && (nv20 || !form.has_words))) return;
   std::string names;
   for (const RegisterWord& word : other_words) {
@@ -113,7 +120,7 @@ int run(const ConvertFlags& flags) {
     lacking.message = fmt::format("cannot be written as {}: {}", flags.to, lacking.message);
     return report(lacking);
   }
-  say_left_out(flags, program->other_words);
+  say_left_out(flags, *program);
   if (form.writes_values && !flags.common.quiet) {
     say_assumed_constants(flags.program.file, normalize(program->state, profile), {});
   }

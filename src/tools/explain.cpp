@@ -25,7 +25,7 @@ DiagramPage page_of(const ExplainFlags& flags, const TextProgram& program, const
                     const std::string& text) {
   DiagramPage page{.kind = "ninebit explain", .title = printable(flags.program.file)};
   page.facts = {{"Profile", printable(flags.common.profile)}, {"Version", "ninebit " NINEBIT_VERSION}};
-  page.program = print_json_program(program.state);
+  page.program = print_json_program(program.state, {}, program.texture_shader);
   page.explanation = json_text(explanation);
   page.text = printable_lines(text);
   return page;
@@ -37,8 +37,8 @@ int run(const ExplainFlags& flags) {
   const auto program = load_text_program(flags.program, profile, flags.common.quiet, exit_code);
   if (!program) return exit_code;
   const Explanation explanation = explain(normalize(program->state, profile), profile);
-  Json object = explanation_json(explanation, program->other_words, flags.common.profile);
-  const std::string text = explanation_text(explanation, program->other_words);
+  Json object = explanation_json(explanation, *program, flags.common.profile);
+  const std::string text = explanation_text(explanation, *program);
   if (!flags.output.empty()) {
     const Status written = write_page(flags.output, page_of(flags, *program, object, text));
     if (!written) return report(written.error());

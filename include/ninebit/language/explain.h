@@ -8,6 +8,7 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -48,5 +49,14 @@ struct Explanation {
 
 // The explanation as text: several lines of UTF-8, each ending in a newline.
 [[nodiscard]] std::string print_explanation(const Explanation& explanation);
+
+// The stages before the combiners as equations, one a line, in the order of execution; empty: they are not enabled.
+// tex0 to tex3 are texels, s1 the coordinates of unit 1, ds() and dt() the offsets in a texel, dot1 a dot product of
+// stage 1, expand() and the like the mapping of its factor, reflect(d, e) the eye e reflected by d. The stages must be
+// valid.
+[[nodiscard]] std::vector<std::string> explain_stages(const TextureShaderState& state);
+
+// The same as text, below a line "texture shader"; empty: they are not enabled.
+[[nodiscard]] std::string print_stages(const TextureShaderState& state);
 
 }  // namespace ninebit

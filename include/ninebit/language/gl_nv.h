@@ -110,6 +110,7 @@ void glCombinerStageParameterfvNV(GLenum stage, GLenum pname, const GLfloat* par
 
 // The active texture unit: GL_TEXTURE0 and so on, as many as the profile has; otherwise GL_INVALID_ENUM.
 void glActiveTexture(GLenum texture);
+void glActiveTextureARB(GLenum texture);  // the same
 
 // NV_texture_shader: a parameter of the active unit's stage. `target` must be GL_TEXTURE_SHADER_NV, of a profile that
 // has texture shaders; otherwise GL_INVALID_ENUM. GL_CULL_MODES_NV and GL_OFFSET_TEXTURE_MATRIX_NV (four values) and

@@ -11,6 +11,7 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -19,18 +20,22 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // Translates a shader as drivers of the GeForce3 and the Xbox's assembler did: an arithmetic instruction, or a pair of
 // them, becomes one general combiner, and the final combiner outputs r0. Texture instructions run before the combiners:
-// a note names them. Reports all faults: of the syntax, of Direct3D's rules for the version, and what register
-// combiners cannot express. A shader with more instructions than the profile has general combiners is
-// GL_INVALID_VALUE.
-// `definitions` are macros that replace the text's own of the same name. An #if that depends on a name that neither
-// defines is a fault; #ifdef of such a name is false.
+// `texture_shader` receives them as stages, which are enabled if there is one but tex and texld; without it, a note
+// names them. Notes name what the application sets: matrices, eye vectors, kinds of textures. Reports all faults: of
+// the syntax, of Direct3D's rules for the version, and what register combiners cannot express. A shader with more
+// instructions than the profile has general combiners is GL_INVALID_VALUE. `definitions` are macros that replace the
+// text's own of the same name. An #if that depends on a name that neither defines is a fault; #ifdef of such a name is
+// false.
 [[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
-                                                       const std::vector<Definition>& definitions = {});
+                                                       const std::vector<Definition>& definitions = {},
+                                                       TextureShaderState* texture_shader = nullptr);
 
 // The state as a ps.1.1 text, or a Diagnostic that names what the language cannot express. parse_pixel_shader of the
 // text returns a state that computes the same for every fragment; if this one came from a ps.1.x text, it normalizes to
-// the same program.
-[[nodiscard]] Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile);
+// the same program. If `texture_shader` is enabled, its operations are printed; matrices and the kinds of textures but
+// two-dimensional ones are not in the language.
+[[nodiscard]] Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile,
+                                                     const TextureShaderState& texture_shader = {});
 
 // Whether a text begins with the tokens of a shader that Direct3D's assembler or compiler made: bytes of a file,
 // numbers, or a C array of words or bytes, "const DWORD ps[] = { 0xffff0101, …". Vertex shaders and later versions
@@ -39,9 +44,11 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // Translates the tokens of an assembled ps.1.0 to ps.1.4, as parse_pixel_shader() translates its text. Reports other
 // shaders by name, and text after the last token.
-[[nodiscard]] Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile);
+[[nodiscard]] Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile,
+                                                        TextureShaderState* texture_shader = nullptr);
 
 // What print_pixel_shader() prints, assembled: a C array of words.
-[[nodiscard]] Result<std::string> print_shader_tokens(const CombinerState& state, const HardwareProfile& profile);
+[[nodiscard]] Result<std::string> print_shader_tokens(const CombinerState& state, const HardwareProfile& profile,
+                                                      const TextureShaderState& texture_shader = {});
 
 }  // namespace ninebit

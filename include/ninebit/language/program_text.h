@@ -11,6 +11,7 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/combiner/validate.h"
+#include "ninebit/language/register_log.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/source_text.h"
@@ -51,6 +52,13 @@ struct TextProgram {
   std::vector<RegisterWord> other_words{};  // of kOtherWordNames, in the order of the text
   TextureShaderState texture_shader{};      // the stages before them; enabled: the text has some
 };
+
+// The program of a log's set-up, as program_of() in register_log.h gives it, with its stages.
+[[nodiscard]] Parsed<TextProgram> text_program_of(const RegisterLog& log, std::size_t setup, std::string_view file,
+                                                  const HardwareProfile& profile);
+
+// Whether stages do only what units do without them: they are not enabled, or all read their own textures.
+[[nodiscard]] bool only_reads_textures(const TextureShaderState& stages);
 
 // What is wrong with both halves: the diagnostics of the texture-shader stages, which have no place but that in their
 // message, and then those of the combiners.

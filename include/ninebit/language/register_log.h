@@ -44,9 +44,12 @@ struct LogSetup {
   std::vector<std::string> unwritten{};     // words among them that no line writes before the first draw; they are 0
   std::vector<std::string> unknown{};       // words whose last write has no data in the log
   std::vector<RegisterWord> other_words{};  // those of kOtherWordNames at the first draw that the log writes before
-  bool other_words_change = false;          // they differ between draws
-  std::uint64_t draws = 0;                  // that use it
-  std::uint64_t first_line = 0;             // of the first of them; 0: none
+  // The same of the stages' registers: BUMP_ENV_MAT[1][0], BUMP_ENV_SCALE[1], BUMP_ENV_OFFSET[1], EYE_VECTOR[0],
+  // CONTROL0.
+  std::vector<RegisterWord> stage_registers{};
+  bool other_words_change = false;                // either differ between draws
+  std::uint64_t draws = 0;                        // that use it
+  std::uint64_t first_line = 0;                   // of the first of them; 0: none
   std::uint32_t first_frame = 0, last_frame = 0;  // of its draws; 0: none
   std::vector<LogDraw> draw_calls{};              // the first of them; kMaxLogDraws together in all set-ups
 };

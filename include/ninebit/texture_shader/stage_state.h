@@ -70,4 +70,8 @@ struct TextureShaderState {
   friend constexpr bool operator==(const TextureShaderState&, const TextureShaderState&) = default;
 };
 
+// The state with the defaults for everything that its operations do not read, such as the matrix of a plain texture.
+// Operations that are not enumerators stay as they are.
+[[nodiscard]] TextureShaderState only_used(const TextureShaderState& state);
+
 }  // namespace ninebit

@@ -232,6 +232,7 @@ GlArgumentReader::Read GlArgumentReader::enumerant(GlArgument& out) {
   if (is_conversion(lexer_.peek().text) && lexer_.next_is_call()) return converted(out);
   const GlToken name = lexer_.take();
   auto value = value_of_name(name.text);
+  if (!value && reads_stage_names_) value = stage_value_of_name(name.text);
   if (!value) value = value_of_spelling(name.text, qualified);
   if (!value) {
     faults_.add(name.offset, quoted(name.text) +

@@ -38,6 +38,8 @@ class GlArgumentReader {
   bool qualifier();
 
   bool expect(char c);
+  // From now on, enumerants of texture shaders are known, too.
+  void read_stage_names(bool reads) { reads_stage_names_ = reads; }
   // Reports what was found instead; false.
   bool expected(const std::string& what);
 
@@ -57,6 +59,7 @@ class GlArgumentReader {
   SourceFaults& faults_;
   std::map<std::string_view, GlArgument> arrays_;
   int depth_ = 0;
+  bool reads_stage_names_ = false;
 };
 
 }  // namespace ninebit::detail

@@ -32,6 +32,7 @@ class Call {
   void execute() {
     if (!convert()) return;
     const gl::CurrentContext current(context_);
+    if (call_.command >= GlCommand::tex_env_i) return set_stage();
     run();
     const GlError error = context_.take_error();
     if (error == GlError::no_error || explain_names() || explain_rules()) return;
@@ -39,6 +40,78 @@ class Call {
   }
 
  private:
+  // A call of texture shaders.
+  void set_stage() {
+    const auto& e = converted_.e;
+    if (call_.command != GlCommand::active_texture && e[0] != gl::GL_TEXTURE_SHADER_NV) {
+      return faults_.add(arguments_[0].offset, quoted(arguments_[0].text) + " is another target; gl" +
+                                                   std::string(call_.name) +
+                                                   " is read with GL_TEXTURE_SHADER_NV alone");
+    }
+    switch (call_.command) {
+      case GlCommand::tex_env_i:
+        gl::glTexEnvi(e[0], e[1], converted_.i);
+        break;
+      case GlCommand::tex_env_f:
+        gl::glTexEnvf(e[0], e[1], converted_.f);
+        break;
+      case GlCommand::tex_env_iv:
+        gl::glTexEnviv(e[0], e[1], converted_.iv.data());
+        break;
+      case GlCommand::tex_env_fv:
+        gl::glTexEnvfv(e[0], e[1], converted_.fv.data());
+        break;
+      default:
+        gl::glActiveTexture(e[0]);
+    }
+    if (const GlError error = context_.take_error(); error != GlError::no_error) {
+      faults_.add(offset_, reason_of_stage(), error);
+    }
+  }
+
+  // How many values glTexEnv reads of an array.
+  static std::size_t values_of_stage(GLenum pname) {
+    if (pname == gl::GL_CONST_EYE_NV) return 3;
+    return pname == gl::GL_CULL_MODES_NV || pname == gl::GL_OFFSET_TEXTURE_MATRIX_NV ? 4 : 1;
+  }
+
+  // Why GL refused a call of texture shaders.
+  [[nodiscard]] std::string reason_of_stage() const {
+    const HardwareProfile& profile = context_.profile();
+    if (call_.command == GlCommand::active_texture) {
+      return "profile " + std::string(profile.name) + " has " +
+             std::to_string(std::min(profile.texture_units.value, kTextureStages)) + " texture units";
+    }
+    if (!profile.texture_shaders) return no_texture_shaders();
+    const bool is_scalar = call_.command == GlCommand::tex_env_i || call_.command == GlCommand::tex_env_f;
+    const GLenum pname = converted_.e[1];
+    if (is_scalar && values_of_stage(pname) > 1) return "this parameter needs an array; expected one of a single value";
+    const std::string place = "texture stage " + std::to_string(context_.active_texture());
+    const std::string_view value = arguments_[2].text;
+    switch (pname) {
+      case gl::GL_SHADER_OPERATION_NV:
+        for (const TextureOperationInfo& info : texture_operations()) {
+          if (info.gl_value == 0 || arguments_[2].real != static_cast<double>(info.gl_value)) continue;
+          return place + ": " + quoted(value) + " is for stages " + std::to_string(info.first) + " to " +
+                 std::to_string(info.last) + " only";
+        }
+        return "expected an operation, such as GL_TEXTURE_2D or GL_DOT_PRODUCT_NV, not " + quoted(value);
+      case gl::GL_PREVIOUS_TEXTURE_INPUT_NV:
+        return place + ": expected a texture unit before this one, such as GL_TEXTURE0_ARB, not " + quoted(value);
+      case gl::GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV:
+        return "expected GL_UNSIGNED_IDENTITY_NV or GL_EXPAND_NORMAL_NV, not " + quoted(value);
+      case gl::GL_CULL_MODES_NV:
+        return "expected GL_LESS or GL_GEQUAL, four of them";
+      default:
+        return "expected a parameter of texture shaders, such as GL_SHADER_OPERATION_NV, not " +
+               quoted(arguments_[1].text);
+    }
+  }
+
+  [[nodiscard]] std::string no_texture_shaders() const {
+    return "profile " + std::string(context_.profile().name) + " has no texture shaders (NV_texture_shader)";
+  }
+
   bool refuse(const GlArgument& argument, const std::string& expected) {
     faults_.add(argument.offset, quoted(argument.text) + " cannot be passed here; expected " + expected);
     return false;
@@ -99,7 +172,8 @@ class Call {
   // GL reads four values for a colour and one for other parameters.
   bool convert_array(const GlArgument& array, char kind) {
     const GLenum pname = converted_.e[call_.parameters.size() - 2];
-    const std::size_t needed = pname == gl::GL_NUM_GENERAL_COMBINERS_NV || pname == gl::GL_COLOR_SUM_CLAMP_NV ? 1 : 4;
+    const bool is_one = pname == gl::GL_NUM_GENERAL_COMBINERS_NV || pname == gl::GL_COLOR_SUM_CLAMP_NV;
+    const std::size_t needed = call_.command >= GlCommand::tex_env_i ? values_of_stage(pname) : is_one ? 1 : 4;
     if (array.element == (kind == 'I' ? GlElement::real : GlElement::integer)) {
       return refuse(array, kind == 'I' ? "an array of integers" : "an array of floats");
     }
@@ -138,6 +212,8 @@ class Call {
         return gl::glEnable(e[0]);
       case GlCommand::disable:
         return gl::glDisable(e[0]);
+      default:
+        return;
     }
   }
 
@@ -237,6 +313,7 @@ class Call {
         return "expected GL_CONSTANT_COLOR0_NV or GL_CONSTANT_COLOR1_NV, not " + quoted(arguments_[1].text);
       default:
         if (pname == gl::GL_PER_STAGE_CONSTANTS_NV) return no_stage_constants;
+        if (pname == gl::GL_TEXTURE_SHADER_NV) return no_texture_shaders();
         return "expected GL_REGISTER_COMBINERS_NV or GL_PER_STAGE_CONSTANTS_NV, not " + quoted(arguments_[0].text);
     }
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "ninebit/texture_shader/stage_operation.h"
 #include "src/language/source/nearest_name.h"
 #include "src/language/source/source_faults.h"
 
@@ -124,6 +125,27 @@ constexpr std::array kCalls{GlSignature{GlCommand::combiner_parameter_i, "Combin
                             GlSignature{GlCommand::combiner_stage_parameter_fv, "CombinerStageParameterNV", "eeF"},
                             GlSignature{GlCommand::enable, "Enable", "e"},
                             GlSignature{GlCommand::disable, "Disable", "e"}};
+
+constexpr std::array kStageCalls{
+    GlSignature{GlCommand::tex_env_i, "TexEnvi", "eei"}, GlSignature{GlCommand::tex_env_f, "TexEnvf", "eef"},
+    GlSignature{GlCommand::tex_env_iv, "TexEnviv", "eeI"}, GlSignature{GlCommand::tex_env_fv, "TexEnvfv", "eeF"},
+    GlSignature{GlCommand::active_texture, "ActiveTexture", "e"}};
+
+// Of texture shaders, without GL_; those of operations are in their table.
+constexpr std::array kStageNames{
+    Name{"TEXTURE_SHADER_NV", gl::GL_TEXTURE_SHADER_NV}, Name{"SHADER_OPERATION_NV", gl::GL_SHADER_OPERATION_NV},
+    Name{"CULL_MODES_NV", gl::GL_CULL_MODES_NV}, Name{"OFFSET_TEXTURE_MATRIX_NV", gl::GL_OFFSET_TEXTURE_MATRIX_NV},
+    Name{"OFFSET_TEXTURE_2D_MATRIX_NV", gl::GL_OFFSET_TEXTURE_MATRIX_NV},
+    Name{"OFFSET_TEXTURE_SCALE_NV", gl::GL_OFFSET_TEXTURE_SCALE_NV},
+    Name{"OFFSET_TEXTURE_BIAS_NV", gl::GL_OFFSET_TEXTURE_BIAS_NV},
+    Name{"OFFSET_TEXTURE_2D_BIAS_NV", gl::GL_OFFSET_TEXTURE_BIAS_NV},
+    Name{"PREVIOUS_TEXTURE_INPUT_NV", gl::GL_PREVIOUS_TEXTURE_INPUT_NV}, Name{"CONST_EYE_NV", gl::GL_CONST_EYE_NV},
+    Name{"RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV", gl::GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV},
+    Name{"TEXTURE_RECTANGLE", 0x84F5}, Name{"TEXTURE_RECTANGLE_ARB", 0x84F5}, Name{"TEXTURE_RECTANGLE_EXT", 0x84F5},
+    Name{"TEXTURE_3D_EXT", 0x806F}, Name{"TEXTURE_CUBE_MAP", 0x8513}, Name{"TEXTURE_CUBE_MAP_EXT", 0x8513},
+    Name{"LESS", gl::GL_LESS}, Name{"GEQUAL", gl::GL_GEQUAL},
+    // Other targets of glTexEnv, which GL takes.
+    Name{"TEXTURE_ENV", 0x2300}, Name{"TEXTURE_FILTER_CONTROL", 0x8500}, Name{"TEXTURE_FILTER_CONTROL_EXT", 0x8500}};
 
 // GL_TEXTUREn and GL_TEXTUREn_ARB, n from 0 to 31 without leading zeros.
 std::optional<gl::GLenum> texture_of_name(std::string_view name) {
@@ -321,6 +343,29 @@ const GlSignature* find_gl_call(std::string_view name) {
     if (is_call(call, name.substr(0, at), suffix, has_nv)) return &call;
   }
   return nullptr;
+}
+
+const GlSignature* find_stage_call(std::string_view name) {
+  if (name.size() > kLongestName) return nullptr;
+  for (const GlSignature& call : kStageCalls) {
+    const std::size_t at = name.find(call.name);
+    if (at == std::string_view::npos || !is_gl_prefix(name.substr(0, at))) continue;
+    if (is_pointer_suffix(name.substr(at + call.name.size()))) return &call;
+  }
+  return nullptr;
+}
+
+std::optional<gl::GLenum> stage_value_of_name(std::string_view name) {
+  constexpr std::string_view kStart = "GL_";
+  if (!name.starts_with(kStart)) return std::nullopt;
+  name.remove_prefix(kStart.size());
+  const auto* const found =
+      std::find_if(kStageNames.begin(), kStageNames.end(), [&](const Name& n) { return n.name == name; });
+  if (found != kStageNames.end()) return found->value;
+  for (const TextureOperationInfo& info : texture_operations()) {
+    if (info.gl == name && info.gl_value != 0) return info.gl_value;
+  }
+  return std::nullopt;
 }
 
 const GlSignature* find_gl_method(std::string_view name) {

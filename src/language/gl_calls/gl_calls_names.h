@@ -25,7 +25,12 @@ enum class GlCommand {
   final_combiner_input,
   combiner_stage_parameter_fv,
   enable,
-  disable
+  disable,
+  tex_env_i,
+  tex_env_f,
+  tex_env_iv,
+  tex_env_fv,
+  active_texture
 };
 
 // The GL name of a call without its prefix, and its parameters, one letter each: e an enumerant, b a boolean, i an
@@ -54,6 +59,13 @@ struct GlSignature {
 // The call that a name means: GL's name or that of a function pointer (docs/languages.md); nullptr: none. A qualifier
 // such as gl. or vtkgl:: is not part of the name.
 [[nodiscard]] const GlSignature* find_gl_call(std::string_view name);
+
+// The call of texture shaders that a name means: glTexEnvi and its kin, glActiveTextureARB, with the affixes of
+// function pointers. Other calls of plain OpenGL have these names, too, so that find_gl_call() does not find them.
+[[nodiscard]] const GlSignature* find_stage_call(std::string_view name);
+
+// The value of an enumerant of texture shaders by its C name; empty if it is none.
+[[nodiscard]] std::optional<gl::GLenum> stage_value_of_name(std::string_view name);
 
 // The call that a method of an object or a function of a namespace means, beyond find_gl_call: gl.enable, GL.Disable.
 [[nodiscard]] const GlSignature* find_gl_method(std::string_view name);

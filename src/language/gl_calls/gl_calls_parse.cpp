@@ -27,14 +27,18 @@ using detail::quoted;
 // next name of a call.
 class GlParser {
  public:
-  GlParser(const SourceText& source, const HardwareProfile& profile)
+  // With `reads_stages`, calls of texture shaders are read, too.
+  GlParser(const SourceText& source, const HardwareProfile& profile, bool reads_stages)
       : text_(source.text),
         faults_(source),
         notes_(source),
         lexer_(source.text, faults_),
         values_(source, lexer_, faults_),
         context_(profile),
-        has_semicolons_(source.text.find(';') != std::string_view::npos) {}
+        has_semicolons_(source.text.find(';') != std::string_view::npos),
+        reads_stages_(reads_stages) {
+    values_.read_stage_names(reads_stages);
+  }
 
   Parsed<CombinerState> parse() {
     while (lexer_.peek().kind != GlToken::Kind::end && !faults_.full()) {
@@ -45,8 +49,13 @@ class GlParser {
     if (!faults_.empty()) return {faults_.take(), notes_.take()};
     CombinerState state = context_.state();
     mark_unset_constants(state, context_.constants_set());
+    if (!reads_stages_ && context_.texture_shader().enabled) {
+      notes_.add(0, "GL_TEXTURE_SHADER_NV is enabled; texture shaders are not for combiners");
+    }
     return {state, notes_.take()};
   }
+
+  [[nodiscard]] const TextureShaderState& texture_shader() const { return context_.texture_shader(); }
 
  private:
   // Returns false if the rest of the statement must be skipped.
@@ -80,10 +89,11 @@ class GlParser {
 
   // A call of a dump, which has a number before it. Those that set no combiners are skipped.
   bool dump_line(const detail::GlDumpLine& line) {
-    if (line.sets_combiners) {
+    const GlSignature* const stage_call = reads_stages_ ? detail::find_stage_call(line.name) : nullptr;
+    if (line.sets_combiners || (stage_call != nullptr && sets_stages(*stage_call, line))) {
       lexer_.move_to(line.call);
       dump_end_ = line.end;
-      return call_statement(*detail::find_gl_call(line.name), false, false);
+      return call_statement(stage_call != nullptr ? *stage_call : *detail::find_gl_call(line.name), false, false);
     }
     constexpr std::size_t kMostNames = 6;
     const bool is_new = std::find(skipped_names_.begin(), skipped_names_.end(), line.name) == skipped_names_.end();
@@ -92,6 +102,14 @@ class GlParser {
     if (skipped_names_.size() > kMostNames) skipped_names_.back() = "…";
     lexer_.move_to(line.end);
     return true;
+  }
+
+  // Whether a line of a dump sets texture shaders. Units are followed where there may be stages.
+  [[nodiscard]] bool sets_stages(const GlSignature& call, const detail::GlDumpLine& line) const {
+    const std::string_view text = text_.substr(line.call, line.end - line.call);
+    if (!context_.profile().texture_shaders) return false;
+    return call.command == detail::GlCommand::active_texture ||
+           text.find("TEXTURE_SHADER_NV") != std::string_view::npos || text.find("0x86de") != std::string_view::npos;
   }
 
   void note_skipped() {
@@ -108,8 +126,13 @@ class GlParser {
   // The call that the next name means. With an object before them, enable and disable are GL's.
   const GlSignature* called(bool qualified) {
     const std::string_view name = lexer_.peek().text;
-    if (const GlSignature* const call = detail::find_gl_call(name)) return call;
+    if (const GlSignature* const call = named_call(name)) return call;
     return qualified ? detail::find_gl_method(name) : nullptr;
+  }
+
+  [[nodiscard]] const GlSignature* named_call(std::string_view name) const {
+    if (const GlSignature* const call = detail::find_gl_call(name)) return call;
+    return reads_stages_ ? detail::find_stage_call(name) : nullptr;
   }
 
   bool unknown_call(const GlToken& name) {
@@ -189,14 +212,14 @@ class GlParser {
     }
     if (dump_end_ != 0) return true;
     if (!has_semicolons_ && !lexer_.cut_short()) return true;
-    if (!values_.expect(';')) return detail::find_gl_call(lexer_.peek().text) != nullptr;
+    if (!values_.expect(';')) return named_call(lexer_.peek().text) != nullptr;
     return true;
   }
 
   void recover() {
     if (dump_end_ != 0) return lexer_.move_to(dump_end_);
     while (lexer_.peek().kind != GlToken::Kind::end) {
-      if (lexer_.peek().kind == GlToken::Kind::name && detail::find_gl_call(lexer_.peek().text) != nullptr) return;
+      if (lexer_.peek().kind == GlToken::Kind::name && named_call(lexer_.peek().text) != nullptr) return;
       if (lexer_.take().is(';')) return;
     }
   }
@@ -206,7 +229,7 @@ class GlParser {
   GlLexer lexer_;
   GlArgumentReader values_;
   gl::Context context_;
-  bool has_semicolons_;
+  bool has_semicolons_, reads_stages_;
   bool called_ = false;       // a call of the combiners was found
   std::size_t dump_end_ = 0;  // of the line of a dump that is read; else 0
   std::size_t skipped_ = 0, first_skipped_ = 0;
@@ -215,13 +238,20 @@ class GlParser {
 
 }  // namespace
 
-Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwareProfile& profile) {
+Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwareProfile& profile,
+                                     TextureShaderState* texture_shader) {
   detail::SourceFaults faults(source);
   if (detail::too_long(source, faults)) return faults.take();
-  Parsed<CombinerState> parsed = GlParser(source, profile).parse();
-  if (parsed) return parsed;
+  GlParser parser(source, profile, texture_shader != nullptr);
+  Parsed<CombinerState> parsed = parser.parse();
+  if (parsed) {
+    if (texture_shader != nullptr && parser.texture_shader().enabled) *texture_shader = parser.texture_shader();
+    return parsed;
+  }
   std::string_view language = foreign_language(source.text);
-  const bool names_combiners = source.text.find("ombiner") != std::string_view::npos;
+  const bool names_combiners =
+      source.text.find("ombiner") != std::string_view::npos ||
+      (texture_shader != nullptr && source.text.find("TEXTURE_SHADER_NV") != std::string_view::npos);
   if (language.empty() && !names_combiners) language = foreign_calls(source.text);
   if (language.empty()) return parsed;
   faults.add(0, cannot_run(language));

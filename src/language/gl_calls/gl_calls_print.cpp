@@ -23,13 +23,25 @@ constexpr std::array<std::string_view, 7> kVariableNames{"GL_VARIABLE_A_NV", "GL
 
 constexpr std::array<std::string_view, 2> kConstantNames{"GL_CONSTANT_COLOR0_NV", "GL_CONSTANT_COLOR1_NV"};
 
-// The shortest C constant of type float for the number as GL would store it.
-std::string float_text(float component) {
+// The shortest C constant of type float.
+std::string number_text(float value) {
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), gl::detail::clamped_color(component));
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   std::string text(digits.data(), end.ptr);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text + "f";
+}
+
+// The same for the number as GL would store a colour.
+std::string float_text(float component) {
+  return number_text(gl::detail::clamped_color(component));
+}
+
+template <std::size_t N>
+std::string numbers_text(const std::array<float, N>& values) {
+  std::string text;
+  for (const float value : values) text += (text.empty() ? "" : ", ") + number_text(value);
+  return "(const GLfloat[]){" + text + "}";
 }
 
 std::string array_text(const ColorF& color) {
@@ -44,7 +56,9 @@ std::string stage_name(std::size_t stage) {
 
 class GlPrinter {
  public:
-  std::string print(const CombinerState& state, const HardwareProfile& profile) {
+  std::string print(const CombinerState& state, const HardwareProfile& profile,
+                    const TextureShaderState& texture_shader) {
+    if (texture_shader.enabled) print_stages(only_used(texture_shader));
     call("glCombinerParameteriNV", {"GL_NUM_GENERAL_COMBINERS_NV", std::to_string(state.num_general_combiners)});
     call("glCombinerParameteriNV", {"GL_COLOR_SUM_CLAMP_NV", boolean(state.color_sum_clamp)});
     for (std::size_t which = 0; which < 2; ++which) {
@@ -87,6 +101,41 @@ class GlPrinter {
     std::string text;
   };
 
+  void print_stages(const TextureShaderState& stages) {
+    const TextureStage fresh;
+    constexpr std::string_view kTarget = "GL_TEXTURE_SHADER_NV";
+    for (std::size_t i = 0; i < stages.stage.size(); ++i) {
+      const TextureStage& stage = stages.stage[i];
+      call("glActiveTextureARB", {"GL_TEXTURE" + std::to_string(i) + "_ARB"});
+      call("glTexEnvi", {kTarget, "GL_SHADER_OPERATION_NV", "GL_" + std::string(info_of(stage.operation).gl)});
+      if (stage.previous != fresh.previous) {
+        call("glTexEnvi",
+             {kTarget, "GL_PREVIOUS_TEXTURE_INPUT_NV", "GL_TEXTURE" + std::to_string(stage.previous) + "_ARB"});
+      }
+      if (stage.mapping != fresh.mapping) {
+        call("glTexEnvi", {kTarget, "GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV", "GL_EXPAND_NORMAL_NV"});
+      }
+      if (stage.cull != fresh.cull) {
+        std::string modes;
+        for (const CullMode mode : stage.cull) {
+          modes += modes.empty() ? "" : ", ";
+          modes += mode == CullMode::kills_negative ? "GL_GEQUAL" : "GL_LESS";
+        }
+        call("glTexEnviv", {kTarget, "GL_CULL_MODES_NV", "(const GLint[]){" + modes + "}"});
+      }
+      if (stage.matrix != fresh.matrix) {
+        call("glTexEnvfv", {kTarget, "GL_OFFSET_TEXTURE_MATRIX_NV", numbers_text(stage.matrix)});
+      }
+      if (stage.scale != fresh.scale)
+        call("glTexEnvf", {kTarget, "GL_OFFSET_TEXTURE_SCALE_NV", number_text(stage.scale)});
+      if (stage.bias != fresh.bias) call("glTexEnvf", {kTarget, "GL_OFFSET_TEXTURE_BIAS_NV", number_text(stage.bias)});
+      if (stage.eye != fresh.eye) call("glTexEnvfv", {kTarget, "GL_CONST_EYE_NV", numbers_text(stage.eye)});
+    }
+    call("glActiveTextureARB", {"GL_TEXTURE0_ARB"});
+    call("glEnable", {kTarget});
+    text_ += '\n';
+  }
+
   static std::string_view boolean(bool value) { return value ? "GL_TRUE" : "GL_FALSE"; }
 
   void call(std::string_view name, std::initializer_list<Argument> arguments) {
@@ -123,11 +172,15 @@ class GlPrinter {
 
 }  // namespace
 
-Result<std::string> print_gl_calls(const CombinerState& state, const HardwareProfile& profile) {
+Result<std::string> print_gl_calls(const CombinerState& state, const HardwareProfile& profile,
+                                   const TextureShaderState& texture_shader) {
   if (const std::string beyond = beyond_opengl(normalize(state, profile)); !beyond.empty()) {
     return Diagnostic{.message = "OpenGL has no " + beyond};
   }
-  return GlPrinter().print(state, profile);
+  if (const std::string beyond = beyond_opengl(texture_shader); texture_shader.enabled && !beyond.empty()) {
+    return Diagnostic{.message = "OpenGL has no " + beyond};
+  }
+  return GlPrinter().print(state, profile, texture_shader);
 }
 
 }  // namespace ninebit

@@ -177,6 +177,10 @@ void glActiveTexture(GLenum texture) {
   context->set_active_texture(static_cast<int>(texture - GL_TEXTURE0));
 }
 
+void glActiveTextureARB(GLenum texture) {
+  glActiveTexture(texture);
+}
+
 void glTexEnvi(GLenum target, GLenum pname, GLint param) {
   set_scalar(target, pname, param);
 }

@@ -13,11 +13,13 @@
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/texture_shader/stage_program.h"
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/json/text_kind.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"
+#include "src/language/xbox/stage_words.h"
 #include "src/language/xbox/xbox_dump.h"
 
 namespace ninebit {
@@ -28,6 +30,36 @@ Parsed<TextProgram> program_with(Parsed<CombinerState> state, TextProgram read =
   if (!state) return {state.faults(), std::move(state.notes)};
   read.state = *state;
   return {std::move(read), std::move(state.notes)};
+}
+
+// The same, where the words of the stages are among the other words, and `registers` of a log: they become stages,
+// unless the stages do not model them.
+Parsed<TextProgram> program_with_words(Parsed<CombinerState> state, TextProgram read, std::string_view file,
+                                       const std::vector<RegisterWord>& registers = {}) {
+  auto program = program_with(std::move(state), std::move(read));
+  if (!program || program->texture_shader.enabled) return program;
+  std::vector<RegisterWord> words = program->other_words;
+  words.insert(words.end(), registers.begin(), registers.end());
+  const xbox::StageWords stages = xbox::decode_stage_words(words);
+  if (!stages.why.empty()) {
+    program.notes.push_back({std::string(file), stages.place.line, stages.place.column,
+                             "texture stages are skipped, and their words kept: " + stages.why});
+  } else if (stages.state.enabled) {
+    program->texture_shader = stages.state;
+    std::erase_if(program->other_words, [](const RegisterWord& word) { return xbox::is_stage_word(word.name); });
+  }
+  return program;
+}
+
+// The other words of a program with those of its stages, in the order of kOtherWordNames where there are some.
+Result<std::vector<RegisterWord>> all_other_words(const TextProgram& program) {
+  if (!program.texture_shader.enabled) return program.other_words;
+  auto words = xbox::encode_stage_words(program.texture_shader);
+  if (!words) return words;
+  for (const RegisterWord& word : program.other_words) {
+    if (!xbox::is_stage_word(word.name)) words->push_back(word);
+  }
+  return words;
 }
 
 bool is_json_program(std::string_view, std::string_view content) {
@@ -68,23 +100,22 @@ Parsed<TextProgram> parse_json_words(const SourceText& source, const HardwarePro
                                      const ReadOptions& options) {
   TextProgram read;
   auto state = parse_json_register_words(source, chip_for(options, profile), profile, &read.other_words);
-  return program_with(std::move(state), std::move(read));
+  return program_with_words(std::move(state), std::move(read), source.file);
 }
 
 Parsed<TextProgram> parse_words(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
   if (is_json(without_heading(source.text))) return parse_json_words(source, profile, options);
   TextProgram read;
   auto state = parse_register_words(source, chip_for(options, profile), profile, &read.other_words);
-  return program_with(std::move(state), std::move(read));
+  return program_with_words(std::move(state), std::move(read), source.file);
 }
 
 Parsed<TextProgram> parse_log(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
   auto log = parse_register_log(source, {.chip = options.chip, .fallback = chip_of(profile)});
   if (!log) return {log.faults(), std::move(log.notes)};
-  TextProgram read;
-  auto state = program_of(*log, options.setup, source.file, profile, &read.other_words);
-  state.notes.insert(state.notes.begin(), log.notes.begin(), log.notes.end());
-  return program_with(std::move(state), std::move(read));
+  auto program = text_program_of(*log, options.setup, source.file, profile);
+  program.notes.insert(program.notes.begin(), log.notes.begin(), log.notes.end());
+  return program;
 }
 
 // What a language without texture-shader stages says of a program that has some.
@@ -92,33 +123,67 @@ Diagnostic has_stages() {
   return {.message = "the texture-shader stages cannot be expressed"};
 }
 
-template <GlslVersion version>
-Result<std::string> print_glsl(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
-  if (program.texture_shader.enabled) return has_stages();
-  return emit_glsl(normalize(program.state, profile), version);
+// Stages with unsigned textures of the kinds that they read, by the chip's rules, which take any format.
+Result<TextureShaderProgram> compile_for_text(TextureShaderState state, const HardwareProfile& profile) {
+  state.rules = StageRules::nv2a;
+  StageTextures textures;
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    const StageTarget target = info_of(state.stage[i].operation).target;
+    if (target != StageTarget::none) textures[i] = StageTexture{.target = target};
+  }
+  auto program = compile(state, textures, profile);
+  if (!program) return program;
+  const auto warnings = program->warnings();
+  return warnings.empty() ? program : Diagnostic{.message = warnings.front()};
 }
 
-// A form whose printer needs the state alone.
-template <Result<std::string> (*printer)(const CombinerState&, const HardwareProfile&)>
-Result<std::string> print_state(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
-  if (program.texture_shader.enabled) return has_stages();
-  return printer(program.state, profile);
+// Register words of NV10, which has no texture shaders.
+template <Result<std::string> (*printer)(const CombinerState&, ChipClass, const HardwareProfile&,
+                                         std::span<const RegisterWord>)>
+Result<std::string> words_without_stages(const TextProgram& program, const HardwareProfile& profile) {
+  if (!only_reads_textures(program.texture_shader)) return has_stages();
+  return printer(program.state, ChipClass::nv10, profile, program.other_words);
+}
+
+template <GlslVersion version>
+Result<std::string> print_glsl(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+  auto combiners = emit_glsl(normalize(program.state, profile), version);
+  if (!combiners || only_reads_textures(program.texture_shader)) return combiners;
+  const auto stages = compile_for_text(program.texture_shader, profile);
+  if (!stages) return stages.error();
+  const auto text = emit_glsl_texture_shader(*stages, profile);
+  if (!text) return text;
+  return *combiners + '\n' + *text;
+}
+
+// A form whose printer needs both halves alone.
+template <Result<std::string> (*printer)(const CombinerState&, const HardwareProfile&, const TextureShaderState&)>
+Result<std::string> print_halves(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+  return printer(program.state, profile, program.texture_shader);
 }
 
 const std::array kForms{
     Form{.name = "gl",
          .title = "GL calls",
          .kind = "GL calls",
-         .parse = [](const SourceText& source, const HardwareProfile& profile,
-                     const ReadOptions&) { return program_with(parse_gl_calls(source, profile)); },
-         .print = print_state<print_gl_calls>},
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_gl_calls(source, profile, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
+             },
+         .print = print_halves<print_gl_calls>},
     Form{.name = "rc10",
          .title = "!!RC1.0 (nvparse)",
          .kind = "an !!RC1.0 program",
          .detect = is_rc10,
-         .parse = [](const SourceText& source, const HardwareProfile& profile,
-                     const ReadOptions&) { return program_with(parse_rc10(source, profile)); },
-         .print = print_state<print_rc10>},
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_rc10(source, profile, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
+             },
+         .print = print_halves<print_rc10>},
     Form{.name = "ps",
          .title = "Pixel shader ps.1.x",
          .kind = "a ps.1.x pixel shader",
@@ -127,16 +192,22 @@ const std::array kForms{
                       std::string_view) { return is_pixel_shader(text) && !is_shader_tokens(text); },
          .parse =
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
-               return program_with(parse_pixel_shader(source, profile, options.source.definitions));
+               TextProgram read;
+               auto state = parse_pixel_shader(source, profile, options.source.definitions, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
              },
          .takes_definitions = true},
     Form{.name = "tokens",
          .title = "Assembled pixel shader",
          .kind = "an assembled pixel shader",
          .detect = [](std::string_view text, std::string_view) { return is_shader_tokens(text); },
-         .parse = [](const SourceText& source, const HardwareProfile& profile,
-                     const ReadOptions&) { return program_with(parse_shader_tokens(source, profile)); },
-         .print = print_state<print_shader_tokens>},
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+               TextProgram read;
+               auto state = parse_shader_tokens(source, profile, &read.texture_shader);
+               return program_with(std::move(state), std::move(read));
+             },
+         .print = print_halves<print_shader_tokens>},
     Form{.name = "xbox",
          .title = "Xbox pixel shader definition",
          .kind = "an Xbox pixel shader definition",
@@ -145,12 +216,12 @@ const std::array kForms{
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
                TextProgram read;
                auto state = parse_xbox_pixel_shader(source, profile, &read.other_words);
-               return program_with(std::move(state), std::move(read));
+               return program_with_words(std::move(state), std::move(read), source.file);
              },
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile& profile) {
-               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
-               return print_xbox_pixel_shader(program.state, profile, program.other_words);
+               const auto words = all_other_words(program);
+               return words ? print_xbox_pixel_shader(program.state, profile, *words) : words.error();
              },
          .keeps_other_words = true,
          .writes_values = true},
@@ -162,7 +233,7 @@ const std::array kForms{
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
                TextProgram read;
                auto state = parse_json_program(source, profile, &read.other_words, &read.texture_shader);
-               return program_with(std::move(state), std::move(read));
+               return program_with_words(std::move(state), std::move(read), source.file);
              },
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile&) {
@@ -178,8 +249,9 @@ const std::array kForms{
          .parse = parse_words,
          .print =
              [](const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {
-               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
-               return print_register_words(program.state, chip, profile, program.other_words);
+               if (chip == ChipClass::nv10) return words_without_stages<print_register_words>(program, profile);
+               const auto words = all_other_words(program);
+               return words ? print_register_words(program.state, chip, profile, *words) : words.error();
              },
          .has_words = true,
          .keeps_other_words = true},
@@ -190,8 +262,9 @@ const std::array kForms{
          .parse = parse_json_words,
          .print =
              [](const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {
-               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
-               return print_json_register_words(program.state, chip, profile, program.other_words);
+               if (chip == ChipClass::nv10) return words_without_stages<print_json_register_words>(program, profile);
+               const auto words = all_other_words(program);
+               return words ? print_json_register_words(program.state, chip, profile, *words) : words.error();
              },
          .has_words = true,
          .keeps_other_words = true},
@@ -203,7 +276,7 @@ const std::array kForms{
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
                TextProgram read;
                auto state = parse_source_code(source, options.source, profile, &read.other_words);
-               return program_with(std::move(state), std::move(read));
+               return program_with_words(std::move(state), std::move(read), source.file);
              },
          .takes_definitions = true},
     Form{.name = "log",
@@ -212,7 +285,7 @@ const std::array kForms{
          .detect = [](std::string_view text, std::string_view) { return is_register_log(text); },
          .parse = parse_log,
          .has_words = true},
-    Form{.name = "ps11", .title = "Pixel shader ps.1.1", .kind = "ps.1.1", .print = print_state<print_pixel_shader>},
+    Form{.name = "ps11", .title = "Pixel shader ps.1.1", .kind = "ps.1.1", .print = print_halves<print_pixel_shader>},
     Form{.name = "glsl",
          .title = "GLSL 3.30",
          .kind = "GLSL 3.30",
@@ -228,7 +301,7 @@ const std::array kForms{
          .kind = "C",
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile& profile) {
-               if (program.texture_shader.enabled) return Result<std::string>(has_stages());
+               if (!only_reads_textures(program.texture_shader)) return Result<std::string>(has_stages());
                return emit_c(normalize(program.state, profile));
              },
          .writes_values = true},
@@ -292,6 +365,22 @@ Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form, co
   const auto plain = without_line_prefixes(source.text);
   const SourceText read = plain ? SourceText{*plain, source.file, source.written, source.begin} : source;
   return form_row(form).parse(read, profile, options);
+}
+
+bool only_reads_textures(const TextureShaderState& stages) {
+  return !stages.enabled || std::all_of(stages.stage.begin(), stages.stage.end(), [](const TextureStage& stage) {
+    return stage.operation <= TextureOperation::texture_cube_map;
+  });
+}
+
+Parsed<TextProgram> text_program_of(const RegisterLog& log, std::size_t setup, std::string_view file,
+                                    const HardwareProfile& profile) {
+  TextProgram read;
+  auto state = program_of(log, setup, file, profile, &read.other_words);
+  const std::size_t place = setup == 0 ? 0 : setup - 1;
+  const std::vector<RegisterWord> none;
+  return program_with_words(std::move(state), std::move(read), file,
+                            place < log.setups.size() ? log.setups[place].stage_registers : none);
 }
 
 std::vector<StateDiagnostic> validate(const TextProgram& program, const HardwareProfile& profile) {

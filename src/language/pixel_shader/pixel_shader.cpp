@@ -52,7 +52,7 @@ std::string listed(const std::set<std::string>& names) {
 }
 
 // Says what runs before the combiners, and what the text leaves to the application.
-void note_outside(const ShaderText& text, detail::SourceFaults& notes) {
+void note_outside(const ShaderText& text, bool skips_textures, detail::SourceFaults& notes) {
   std::set<std::string> fetches, registers, constants;
   std::optional<std::size_t> first_fetch, first_constant;
   for (const ShaderInstruction& one : text.instructions) {
@@ -69,7 +69,7 @@ void note_outside(const ShaderText& text, detail::SourceFaults& notes) {
       constants.insert("c" + std::to_string(from.index));
     }
   }
-  if (first_fetch) {
+  if (first_fetch && skips_textures) {
     notes.add(*first_fetch, listed(fetches) + (fetches.size() == 1 ? " is" : " are") +
                                 " executed before the combiners, and skipped; " + listed(registers) +
                                 (registers.size() == 1 ? " holds" : " hold") + " the result");
@@ -81,10 +81,19 @@ void note_outside(const ShaderText& text, detail::SourceFaults& notes) {
   }
 }
 
+// Whether a constant is the eye vector of a texture instruction, which is not clamped.
+bool is_eye(const ShaderText& text, int constant) {
+  return std::any_of(text.instructions.begin(), text.instructions.end(), [&](const ShaderInstruction& one) {
+    return one.op() == ShaderOp::texture && one.operands.size() == 2 && one.operands[1].file == ShaderFile::constant &&
+           one.operands[1].index == constant;
+  });
+}
+
 // Says where a value is another one than the text has.
 void note_ranges(const ShaderText& text, detail::SourceFaults& notes) {
   for (std::size_t i = 0; i < text.constants.size(); ++i) {
     const detail::ShaderConstant& one = text.constants[i];
+    if (is_eye(text, static_cast<int>(i))) continue;
     const float lowest = *std::min_element(one.color.begin(), one.color.end());
     const float highest = *std::max_element(one.color.begin(), one.color.end());
     const bool below = text.version.is_xbox ? lowest < 0 : lowest < -1;
@@ -132,14 +141,15 @@ bool is_pixel_shader(std::string_view text) {
 }
 
 Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, const std::vector<Definition>& definitions,
-                                                   const HardwareProfile& profile, std::set<std::string>& used) {
+                                                   const HardwareProfile& profile, std::set<std::string>& used,
+                                                   TextureShaderState* texture_shader) {
   detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return faults.take();
   if (detail::shader_version_length(source.text.substr(shader_begin(source.text))) == 0) {
     const std::size_t quote = detail::find_shader_literal(source.text);
     if (quote != std::string_view::npos) {
       const LiteralText shader(source, quote, end_of_literals(source.text, quote));
-      return parse_defined_shader(shader.source(), definitions, profile, used);
+      return parse_defined_shader(shader.source(), definitions, profile, used, texture_shader);
     }
   }
   if (const std::string_view language = foreign_language(source.text); !language.empty()) {
@@ -151,24 +161,29 @@ Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, con
   if (!tokens.is_whole) return {faults.take(), notes.take()};
   const ShaderText text = detail::parse_shader(tokens, faults);
   if (text.version.name.empty()) return {faults.take(), notes.take()};
-  return program_of_shader(text, profile, faults, notes);
+  return program_of_shader(text, profile, faults, notes, texture_shader);
 }
 
 Parsed<CombinerState> detail::program_of_shader(const ShaderText& text, const HardwareProfile& profile,
-                                                SourceFaults& faults, SourceFaults& notes) {
+                                                SourceFaults& faults, SourceFaults& notes,
+                                                TextureShaderState* texture_shader) {
   check_shader_rules(text, faults);
   const CombinerState state = translate_shader(text, profile, faults, notes);
-  note_outside(text, notes);
+  TextureShaderState stages;
+  if (texture_shader != nullptr) stages = translate_textures(text, profile, faults, notes);
+  note_outside(text, texture_shader == nullptr, notes);
   note_ranges(text, notes);
   note_result(text, notes);
   if (!faults.empty()) return {faults.take(), notes.take()};
+  if (texture_shader != nullptr) *texture_shader = stages;
   return {state, notes.take()};
 }
 
 Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
-                                         const std::vector<Definition>& definitions) {
+                                         const std::vector<Definition>& definitions,
+                                         TextureShaderState* texture_shader) {
   std::set<std::string> used;
-  auto parsed = detail::parse_defined_shader(source, definitions, profile, used);
+  auto parsed = detail::parse_defined_shader(source, definitions, profile, used, texture_shader);
   detail::SourceFaults notes(source);
   for (const Definition& one : definitions) {
     if (!used.contains(one.name)) notes.add(0, detail::not_needed(one));

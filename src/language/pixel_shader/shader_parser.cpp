@@ -226,7 +226,7 @@ class ShaderParser {
     return true;
   }
 
-  // A texture instruction's operands are not the combiners': t0_bx2, r0_dw.xyw and the like are read, and not checked.
+  // A texture instruction's operands are not the combiners': t0_bx2, c0, and r0_dw.xyw of ps.1.4.
   std::optional<ShaderOperand> coordinates() {
     const ShaderToken& word = in_.peek();
     const std::string name = lower_case(word.text);
@@ -238,7 +238,11 @@ class ShaderParser {
     }
     in_.take();
     ShaderOperand out{.offset = word.offset, .text = word.text, .index = name[1] - '0'};
-    out.file = name[0] == 'r' ? ShaderFile::temporary : ShaderFile::texture;
+    out.file = name[0] == 'r'   ? ShaderFile::temporary
+               : name[0] == 'c' ? ShaderFile::constant
+               : name[0] == 'v' ? ShaderFile::color
+                                : ShaderFile::texture;
+    if (name.size() > 2) out.modifier = name.substr(2) == "_bx2" ? ShaderModifier::expand : ShaderModifier::saturate;
     if (in_.take_if('.') && in_.peek().kind == TokenKind::word) in_.take();
     return out;
   }

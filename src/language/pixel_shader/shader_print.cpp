@@ -1,6 +1,7 @@
 // A program as a ps.1.1 text: an instruction, or a pair of them, for each general combiner.
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/pixel_shader.h"
+#include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/pixel_shader/shader_stages.h"
 #include "src/language/pixel_shader/shader_words.h"
 
@@ -33,7 +35,7 @@ class ShaderPrinter {
     own_constants_ = state.per_stage_constants;
   }
 
-  Result<std::string> print() {
+  Result<std::string> print(const TextureShaderState& stages) {
     last_ = add_last();
     find_blue_result();
     for (std::size_t i = 0; i < stages_.size() && why_.empty(); ++i) print_stage(i);
@@ -44,6 +46,7 @@ class ShaderPrinter {
     if (why_.empty() && !written_rgb_[index(Register::spare0)]) why_ = "spare0's colour is read before it is written";
     if (!why_.empty()) return Diagnostic{.message = "ps.1.1 cannot express this: " + why_};
     std::string text = "ps.1.1\n" + constants_.text();
+    if (stages.enabled) return with_stages(text, stages);
     for (std::size_t i = 0; i < 4; ++i) {
       if (fetched_[index(Register::texture0) + i]) text += "tex t" + std::to_string(i) + "\n";
     }
@@ -53,6 +56,34 @@ class ShaderPrinter {
  private:
   static constexpr std::size_t kMostInstructions = 8;
   static std::size_t index(Register reg) { return static_cast<std::size_t>(reg); }
+
+  // The text with the texture instructions of stages.
+  Result<std::string> with_stages(std::string text, const TextureShaderState& stages) {
+    std::string eye;  // a constant that nothing else uses
+    for (int i = 7; i >= 0 && eye.empty(); --i) {
+      const std::string name = "c" + std::to_string(i);
+      if ((text + body_).find(name) == std::string::npos) eye = name;
+    }
+    for (const TextureStage& stage : stages.stage) {
+      if (stage.operation != TextureOperation::dot_product_const_eye_reflect_cube_map) continue;
+      if (eye.empty()) return Diagnostic{.message = "ps.1.1 cannot express this: a ninth constant, for an eye vector"};
+      text += "def " + eye;
+      for (const float component : stage.eye) {
+        std::array<char, 32> digits{};
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), component).ptr;
+        text += ", " + std::string(digits.data(), end);
+      }
+      text += ", 0\n";
+    }
+    const Result<std::string> lines = detail::print_textures(stages, eye);
+    if (!lines) return lines;
+    for (std::size_t i = 0; i < stages.stage.size(); ++i) {
+      if (!fetched_[index(Register::texture0) + i] || stages.stage[i].operation != TextureOperation::none) continue;
+      return Diagnostic{.message = "ps.1.1 cannot express this: t" + std::to_string(i) +
+                                   " is read, and texture stage " + std::to_string(i) + " is none"};
+    }
+    return text + *lines + body_;
+  }
 
   // The input whose value the final combiner outputs as it is; empty: it computes.
   [[nodiscard]] std::optional<CombinerInput> passed() const {
@@ -270,17 +301,19 @@ class ShaderPrinter {
 
 }  // namespace
 
-Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile) {
+Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile,
+                                       const TextureShaderState& texture_shader) {
   const Result<Program> program = compile(state, profile);
   if (!program) return program.error();
   for (const ProgramStage& stage : program->general) {
     if (!stage.mux_by_lowest_bit) continue;
     return Diagnostic{.message = "ps.1.1 cannot express this: a mux by the lowest bit of spare0's alpha"};
   }
-  Result<std::string> text = ShaderPrinter(state, *program, profile).print();
+  Result<std::string> text = ShaderPrinter(state, *program, profile).print(texture_shader);
   if (!text) return text;
   // The printer may have added more than the profile has, such as a third constant.
-  const auto back = parse_pixel_shader({*text, "the text"}, profile);
+  TextureShaderState stages;
+  const auto back = parse_pixel_shader({*text, "the text"}, profile, {}, texture_shader.enabled ? &stages : nullptr);
   if (back) return text;
   return Diagnostic{.message = "ps.1.1 cannot express this: " + back.faults().front().message};
 }

@@ -189,9 +189,11 @@ class TokenReader {
     out.index = register_of(token, out.file);
     if (out.index < 0) return false;
     out.text = register_name(out.file, out.index);
-    // A texture instruction's operands are not the combiners'.
-    if (one.op() != ShaderOp::texture) {
-      const std::uint32_t swizzle = token.value >> 16 & 0xff, modifier = token.value >> 24 & 15;
+    const std::uint32_t swizzle = token.value >> 16 & 0xff, modifier = token.value >> 24 & 15;
+    constexpr std::uint32_t kExpand = 4;
+    if (one.op() == ShaderOp::texture) {  // its operands are not the combiners'
+      if (modifier != 0) out.modifier = modifier == kExpand ? ShaderModifier::expand : ShaderModifier::saturate;
+    } else {
       const auto* const found =
           std::find_if(kSwizzles.begin(), kSwizzles.end(), [&](const Swizzle& s) { return s.code == swizzle; });
       if (found == kSwizzles.end()) return fault(token, "reads components in an order that combiners do not have");
@@ -286,7 +288,8 @@ bool is_shader_tokens(std::string_view text) {
   return !detail::tokens_in(text.substr(0, kLookedAt), 1, none).tokens.empty();
 }
 
-Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile) {
+Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile,
+                                          TextureShaderState* texture_shader) {
   constexpr std::size_t kMostTokens = std::size_t{1} << 16;
   detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return faults.take();
@@ -301,11 +304,12 @@ Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const Hardwa
   const detail::ShaderText text = detail::TokenReader(list.tokens, faults).read();
   if (faults.empty()) rest.check();
   if (!faults.empty()) return faults.take();
-  return detail::program_of_shader(text, profile, faults, notes);
+  return detail::program_of_shader(text, profile, faults, notes, texture_shader);
 }
 
-Result<std::string> print_shader_tokens(const CombinerState& state, const HardwareProfile& profile) {
-  const auto assembly = print_pixel_shader(state, profile);
+Result<std::string> print_shader_tokens(const CombinerState& state, const HardwareProfile& profile,
+                                        const TextureShaderState& texture_shader) {
+  const auto assembly = print_pixel_shader(state, profile, texture_shader);
   if (!assembly) return assembly.error();
   detail::SourceFaults none({*assembly, {}});
   const auto tokens = detail::preprocess_shader(*assembly, {}, none, none);

@@ -11,7 +11,7 @@
 
 namespace ninebit::detail {
 
-inline constexpr std::string_view kRc10Header = "!!RC1.0";
+inline constexpr std::string_view kRc10Header = "!!RC1.0", kTs10Header = "!!TS1.0";
 
 struct Rc10Token {
   enum class Kind {

@@ -36,27 +36,37 @@ std::string_view header_at(std::string_view text) {
 
 }  // namespace
 
-std::optional<std::string> only_rc10(std::string_view text, SourceFaults& faults, SourceFaults& notes) {
+std::optional<Rc10Parts> rc10_parts(std::string_view text, bool skips_stages, SourceFaults& faults,
+                                    SourceFaults& notes) {
   const std::vector<std::size_t> headers = headers_in(text);
   const auto is_rc10 = [&](std::size_t at) { return text.substr(at).starts_with(kRc10Header); };
   if (headers.empty() || std::all_of(headers.begin(), headers.end(), is_rc10)) return std::nullopt;
-  std::string kept(text);
-  for (std::size_t i = 0; i < headers.size() && !faults.full(); ++i) {
-    if (is_rc10(headers[i])) continue;
-    const std::size_t end = i + 1 < headers.size() ? headers[i + 1] : text.size();
-    const std::string_view header = header_at(text.substr(headers[i]));
-    const std::string_view language = language_of_header(header);
-    if (language.empty()) {
-      faults.add(headers[i], "unknown part " + quoted(header) + "; expected !!RC1.0 or !!TS1.0");
-    } else {
-      notes.add(headers[i],
-                "skipped " + std::string(language) + " (" + std::string(header) + "): it is not for combiners");
-    }
-    const auto first = kept.begin() + static_cast<std::ptrdiff_t>(headers[i]);
+  Rc10Parts parts{.rc10 = std::string(text), .ts10 = std::string(text)};
+  const auto blank = [](std::string& out, std::size_t begin, std::size_t end) {
+    const auto at = [&](std::size_t offset) { return out.begin() + static_cast<std::ptrdiff_t>(offset); };
     std::replace_if(
-        first, kept.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');
+        at(begin), at(end), [](char c) { return c != '\n'; }, ' ');
+  };
+  blank(parts.ts10, 0, headers[0]);
+  for (std::size_t i = 0; i < headers.size() && !faults.full(); ++i) {
+    const std::size_t at = headers[i], end = i + 1 < headers.size() ? headers[i + 1] : text.size();
+    const bool is_ts10 = !skips_stages && text.substr(at).starts_with(kTs10Header);
+    parts.has_rc10 = parts.has_rc10 || is_rc10(at);
+    if (!is_rc10(at)) blank(parts.rc10, at, end);
+    if (!is_ts10) blank(parts.ts10, at, end);
+    if (is_rc10(at)) continue;
+    const std::string_view header = header_at(text.substr(at));
+    const std::string_view language = language_of_header(header);
+    if (is_ts10) {
+      if (parts.ts10_at) faults.add(at, "there is a part !!TS1.0 already; expected one");
+      parts.ts10_at = at;
+    } else if (language.empty()) {
+      faults.add(at, "unknown part " + quoted(header) + "; expected !!RC1.0 or !!TS1.0");
+    } else {
+      notes.add(at, "skipped " + std::string(language) + " (" + std::string(header) + "): it is not for combiners");
+    }
   }
-  return kept;
+  return parts;
 }
 
 }  // namespace ninebit::detail
@@ -183,8 +193,15 @@ class Parser {
   bool too_many_ = false;
 };
 
-bool has_rc10_part(std::string_view text) {
-  return text.find(detail::kRc10Header) != std::string_view::npos;
+bool has_part(std::string_view text, std::string_view header) {
+  return text.find(header) != std::string_view::npos;
+}
+
+// The text behind blanks and comments.
+std::string_view without_blanks(std::string_view text) {
+  std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  detail::SourceFaults none({text, {}});
+  return detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, none) ? text.substr(at) : text;
 }
 
 // The specification requires the header at the very beginning, but real files have comments before it. A missing header
@@ -199,7 +216,8 @@ bool begins_with_header(std::string_view text, detail::SourceFaults& faults) {
 
 }  // namespace
 
-Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile& profile) {
+Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile& profile,
+                                 TextureShaderState* texture_shader) {
   detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return faults.take();
   // As it stands in a source: in string literals.
@@ -207,23 +225,35 @@ Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile
   const std::size_t header = source.text.find("!!");
   if (quote != std::string_view::npos && quote < header) {
     const LiteralText program(source, quote, end_of_literals(source.text, quote));
-    return parse_rc10(program.source(), profile);
+    return parse_rc10(program.source(), profile, texture_shader);
   }
+  const bool may_be_stages = texture_shader != nullptr && has_part(source.text, detail::kTs10Header);
   if (const std::string_view language = foreign_language(source.text);
-      !language.empty() && !has_rc10_part(source.text)) {
+      !language.empty() && !may_be_stages && !has_part(source.text, detail::kRc10Header)) {
     faults.add(0, cannot_run(language));
     return faults.take();
   }
   SourceText program = source;
-  const std::optional<std::string> kept = detail::only_rc10(source.text, faults, notes);
-  if (kept) {
-    program.text = *kept;
+  const auto parts = detail::rc10_parts(source.text, texture_shader == nullptr, faults, notes);
+  if (parts) {
+    program.text = parts->rc10;
     if (program.written.empty()) program.written = source.text;
   }
-  if (!faults.empty() || !begins_with_header(program.text, faults)) {
+  if (!faults.empty()) return {faults.take(), notes.take()};
+  TextureShaderState stages;
+  if (parts && parts->ts10_at) stages = detail::read_ts10(*parts, profile, faults);
+  const bool is_alone = stages.enabled && !parts->has_rc10 && without_blanks(program.text).empty();
+  if (is_alone) {
+    notes.add(*parts->ts10_at, "there is no !!RC1.0; the register combiners have OpenGL's defaults");
+  } else if (!begins_with_header(program.text, faults)) {
     return {faults.take(), notes.take()};
   }
-  Parsed<CombinerState> parsed = Parser(program, profile).parse();
+  Parsed<CombinerState> parsed = is_alone ? CombinerState{} : Parser(program, profile).parse();
+  if (!parsed) {
+    for (const TextFault& fault : parsed.faults()) faults.add(fault);
+  }
+  if (!faults.empty()) return {faults.take(), notes.take()};
+  if (texture_shader != nullptr) *texture_shader = stages;
   parsed.notes = notes.take();
   return parsed;
 }

@@ -1,13 +1,18 @@
 // Shared by the parsers of the general combiners and of the final combiner: tokens, faults and operands.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
+#include "ninebit/texture_shader/stage_state.h"
 #include "src/language/rc10/rc10_lexer.h"
 #include "src/language/source/source_faults.h"
 
@@ -106,10 +111,32 @@ class Rc10Final {
   Operand g_{rc10_zero(ComponentUsage::alpha), {}};
 };
 
-// Files of NVIDIA's fp20 profile: an !!RC1.0 program beside programs for the units before it, one after the other.
+// Files of NVIDIA's fp20 profile: an !!RC1.0 program beside programs for the units before it, one after the other. Each
+// part stands in a text of its own, with blanks for the others. Without a part !!RC1.0, `rc10` is the text behind the
+// other parts.
+struct Rc10Parts {
+  std::string rc10{}, ts10{};            // with their headers
+  std::optional<std::size_t> ts10_at{};  // the offset of the header !!TS1.0
+  bool has_rc10 = false;
+};
+// The parts of a text; empty: it has no part but !!RC1.0. Parts that are skipped are named by notes; with
+// `skips_stages`, !!TS1.0 is one of them. Reports parts whose headers are unknown, and a second !!TS1.0.
+[[nodiscard]] std::optional<Rc10Parts> rc10_parts(std::string_view text, bool skips_stages, SourceFaults& faults,
+                                                  SourceFaults& notes);
 
-// The text with its other parts, such as !!TS1.0, replaced by blanks, each named by a note; empty: there are none.
-// Reports parts whose headers are unknown.
-[[nodiscard]] std::optional<std::string> only_rc10(std::string_view text, SourceFaults& faults, SourceFaults& notes);
+// The stages of a part !!TS1.0, of which every line takes the next one. Reports all faults, with those of validate().
+[[nodiscard]] TextureShaderState read_ts10(const Rc10Parts& parts, const HardwareProfile& profile,
+                                           SourceFaults& faults);
+// The part !!TS1.0, or a Diagnostic that names what it cannot express.
+[[nodiscard]] Result<std::string> print_ts10(const TextureShaderState& state);
+
+// A chain of lines, such as dot_product_2d_1of2 and dot_product_2d_2of2.
+struct Ts10Chain {
+  std::string_view name;  // of each line before its "_1of2"
+  std::array<TextureOperation, 3> operation;
+  int lines;
+  bool has_eye;  // the first line ends with three numbers
+};
+[[nodiscard]] std::span<const Ts10Chain> ts10_chains();
 
 }  // namespace ninebit::detail

@@ -238,7 +238,10 @@ class Printer {
 
 }  // namespace
 
-Result<std::string> print_rc10(const CombinerState& state, const HardwareProfile& profile) {
+Result<std::string> print_rc10(const CombinerState& state, const HardwareProfile& profile,
+                               const TextureShaderState& texture_shader) {
+  const Result<std::string> stages = texture_shader.enabled ? detail::print_ts10(texture_shader) : std::string();
+  if (!stages) return stages;
   const Result<Program> program = compile(state, profile);
   if (!program) return program.error();
   if (std::string why = inexpressible(*program); !why.empty()) return Diagnostic{.message = std::move(why)};
@@ -247,7 +250,7 @@ Result<std::string> print_rc10(const CombinerState& state, const HardwareProfile
     return Diagnostic{.message =
                           "!!RC1.0 cannot express this: constants of general combiners' own, none of which is set"};
   }
-  return printer.print();
+  return *stages + printer.print();
 }
 
 }  // namespace ninebit

@@ -59,6 +59,42 @@ constexpr OtherMethod kNv10Methods[] = {
     {0x1400, MethodKind::arrays},    {0x1800, MethodKind::inline_data}, {0x0c08, MethodKind::vertex},
     {0x0c24, MethodKind::vertex},
 };
+constexpr std::uint32_t kNv20BumpMatrix = 0x1b28, kNv20TextureStride = 0x40, kNv20EyeVector = 0x181c,
+                        kNv20Control0 = 0x0290;
+
+// The place of a method among the stages' registers.
+std::optional<int> stage_register(std::uint32_t number) {
+  constexpr std::uint32_t kOfStage = 6;
+  for (std::uint32_t stage = 1; stage < 4; ++stage) {
+    const std::uint32_t first = kNv20BumpMatrix + stage * kNv20TextureStride;
+    if (number >= first && number < first + 4 * kOfStage) {
+      return static_cast<int>((stage - 1) * kOfStage + (number - first) / 4);
+    }
+  }
+  if (number >= kNv20EyeVector && number < kNv20EyeVector + 12) {
+    return static_cast<int>(3 * kOfStage + (number - kNv20EyeVector) / 4);
+  }
+  return number == kNv20Control0 ? std::optional(static_cast<int>(kStageRegisters) - 1) : std::nullopt;
+}
+
+// The method of a name such as "texture_set_bump_env_mat[7]" or "eye_vector[0]", whose index counts words, or stages
+// where there is one word of each.
+std::optional<std::uint32_t> number_of_stage_register(std::string_view bare) {
+  const std::size_t open = std::min(bare.find('['), bare.size());
+  const std::string_view name = bare.substr(0, open);
+  const auto index = open == bare.size()   ? std::optional<std::uint32_t>(0)
+                     : bare.ends_with(']') ? number_in(bare.substr(open + 1, bare.size() - open - 2), true)
+                                           : std::nullopt;
+  if (!index || *index >= 16) return std::nullopt;
+  if (name == "control0" && *index == 0) return kNv20Control0;
+  if (name == "eye_vector" && *index < 3) return kNv20EyeVector + 4 * *index;
+  if (name == "texture_set_bump_env_mat") return kNv20BumpMatrix + *index / 4 * kNv20TextureStride + *index % 4 * 4;
+  if (*index >= 4) return std::nullopt;
+  if (name == "texture_set_bump_env_scale") return kNv20BumpMatrix + 16 + *index * kNv20TextureStride;
+  if (name == "texture_set_bump_env_offset") return kNv20BumpMatrix + 20 + *index * kNv20TextureStride;
+  return std::nullopt;
+}
+
 constexpr std::uint32_t kNv20VertexFormat = 0x1760;
 constexpr std::uint32_t kNv20Attributes = 16;
 
@@ -107,6 +143,7 @@ Method method_of(std::uint32_t number, ChipClass chip) {
   if (!nv10 && number >= kNv20VertexFormat && number < kNv20VertexFormat + 4 * kNv20Attributes) {
     return {MethodKind::vertex_format, {}, static_cast<int>(number - kNv20VertexFormat) / 4};
   }
+  if (const auto index = nv10 ? std::nullopt : stage_register(number)) return {MethodKind::stage_register, {}, *index};
   const std::span<const OtherMethod> others = nv10 ? std::span<const OtherMethod>(kNv10Methods) : kNv20Methods;
   const auto found =
       std::find_if(others.begin(), others.end(), [&](const OtherMethod& one) { return one.number == number; });
@@ -124,6 +161,7 @@ std::optional<std::uint32_t> number_of(std::string_view name, ChipClass chip) {
     }
   }
   std::string bare = words::bare_name(plain);
+  if (const auto found = nv10 ? std::nullopt : number_of_stage_register(bare)) return found;
   // Tracers also number what is only one.
   if (bare.ends_with("[0]")) bare.resize(bare.size() - 3);
   for (const MethodName& method : kMethodNames) {
@@ -131,6 +169,14 @@ std::optional<std::uint32_t> number_of(std::string_view name, ChipClass chip) {
     if (number != 0 && method.name == bare) return number;
   }
   return std::nullopt;
+}
+
+std::string stage_register_name(std::size_t index) {
+  if (index + 1 == kStageRegisters) return "CONTROL0";
+  if (index >= 18) return "EYE_VECTOR[" + std::to_string(index - 18) + ']';
+  const std::string stage = '[' + std::to_string(index / 6 + 1) + ']';
+  if (index % 6 < 4) return "BUMP_ENV_MAT" + stage + '[' + std::to_string(index % 6) + ']';
+  return (index % 6 == 4 ? "BUMP_ENV_SCALE" : "BUMP_ENV_OFFSET") + stage;
 }
 
 std::optional<ChipClass> chip_of_class(std::uint32_t object_class) {

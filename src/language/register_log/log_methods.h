@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "src/language/register_words/register_words_layout.h"
@@ -10,25 +11,31 @@
 namespace ninebit::reglog {
 
 enum class MethodKind : std::uint8_t {
-  none,           // anything else
-  word,           // a word of the combiners
-  other_word,     // a word of kOtherWordNames
-  begin_end,      // begins a draw by its primitive, or ends it by 0
-  arrays,         // draws a run of the arrays: its length less one in bits 31..24
-  elements16,     // two indices
-  elements32,     // one index
-  inline_data,    // a word of a vertex
-  vertex_format,  // how a vertex attribute is stored
-  vertex,         // the last part of a position, which completes a vertex
-  clear,          // clears the target
-  flip            // ends a frame
+  none,            // anything else
+  word,            // a word of the combiners
+  other_word,      // a word of kOtherWordNames
+  stage_register,  // a register of texture-shader stages beside these words
+  begin_end,       // begins a draw by its primitive, or ends it by 0
+  arrays,          // draws a run of the arrays: its length less one in bits 31..24
+  elements16,      // two indices
+  elements32,      // one index
+  inline_data,     // a word of a vertex
+  vertex_format,   // how a vertex attribute is stored
+  vertex,          // the last part of a position, which completes a vertex
+  clear,           // clears the target
+  flip             // ends a frame
 };
 
 struct Method {
   MethodKind kind = MethodKind::none;
   words::Slot slot{};  // of a word of the combiners
-  int index = 0;       // in kOtherWordNames, or of an attribute
+  int index = 0;       // in kOtherWordNames, of a stage register, or of an attribute
 };
+
+// The registers of stages: six for each of the stages 1 to 3, three of the eye vector, and CONTROL0; their names in
+// LogSetup::stage_registers.
+inline constexpr std::size_t kStageRegisters = 22;
+[[nodiscard]] std::string stage_register_name(std::size_t index);
 
 // The methods of these numbers, which are those of nxdk's nv2a_regs.h and of envytools rnndb (nv10_3d.xml,
 // nv20_3d.xml).

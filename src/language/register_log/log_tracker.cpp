@@ -51,6 +51,9 @@ void LogTracker::write(const Method& method, std::optional<std::uint32_t> data, 
     case MethodKind::other_word:
       if (data) others_[static_cast<std::size_t>(method.index)] = {*data, line, false};
       return;
+    case MethodKind::stage_register:
+      if (data) stage_registers_[static_cast<std::size_t>(method.index)] = {*data, line, false};
+      return;
     case MethodKind::vertex_format:
       formats_[static_cast<std::size_t>(method.index)] = data;
       return;
@@ -91,11 +94,12 @@ void LogTracker::begin(std::uint32_t primitive, std::uint64_t line) {
     setup.first_frame = frame_;
   }
   setup.last_frame = std::max(setup.last_frame, frame_);
-  const std::vector<RegisterWord> now = other_words();
-  setup.other_words_change =
-      setup.other_words_change ||
-      !std::equal(now.begin(), now.end(), setup.other_words.begin(), setup.other_words.end(),
-                  [](const RegisterWord& a, const RegisterWord& b) { return a.value == b.value; });
+  const auto differ = [](const std::vector<RegisterWord>& now, const std::vector<RegisterWord>& before) {
+    return !std::equal(now.begin(), now.end(), before.begin(), before.end(),
+                       [](const RegisterWord& a, const RegisterWord& b) { return a.value == b.value; });
+  };
+  setup.other_words_change = setup.other_words_change || differ(other_words(), setup.other_words) ||
+                             differ(stage_registers(), setup.stage_registers);
   if (kept_draws_ == kMaxLogDraws) {
     ++unkept_draws_;
     return;
@@ -259,6 +263,7 @@ LogSetup LogTracker::new_setup(const std::vector<Slot>& used) const {
     if (word.unknown) setup.unknown.push_back(setup.words.back().name);
   }
   setup.other_words = other_words();
+  setup.stage_registers = stage_registers();
   return setup;
 }
 
@@ -266,6 +271,17 @@ std::vector<RegisterWord> LogTracker::other_words() const {
   std::vector<RegisterWord> found;
   for (std::size_t i = 0; i < others_.size(); ++i) {
     if (others_[i].line != 0) found.push_back({std::string(kOtherWordNames[i]), others_[i].value, {}});
+  }
+  return found;
+}
+
+// CONTROL0 also switches stencil and depth: only its conversion of colours counts.
+std::vector<RegisterWord> LogTracker::stage_registers() const {
+  std::vector<RegisterWord> found;
+  for (std::size_t i = 0; i < stage_registers_.size(); ++i) {
+    const bool is_control = i + 1 == stage_registers_.size();
+    const std::uint32_t value = stage_registers_[i].value & (is_control ? 0xf0000000 : 0xffffffff);
+    if (stage_registers_[i].line != 0) found.push_back({stage_register_name(i), value, {}});
   }
   return found;
 }

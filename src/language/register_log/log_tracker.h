@@ -55,6 +55,7 @@ class LogTracker {
   [[nodiscard]] std::uint32_t normalized(words::Slot slot) const;
   [[nodiscard]] LogSetup new_setup(const std::vector<words::Slot>& used) const;
   [[nodiscard]] std::vector<RegisterWord> other_words() const;
+  [[nodiscard]] std::vector<RegisterWord> stage_registers() const;
   [[nodiscard]] int stages() const;
   [[nodiscard]] bool stage_reads(int stage, std::uint32_t code) const;
   [[nodiscard]] bool final_reads(std::uint32_t code) const;
@@ -65,6 +66,7 @@ class LogTracker {
   std::array<Method, 0x800> methods_{};
   Slots words_{};
   std::array<Word, 4> others_{};
+  std::array<Word, kStageRegisters> stage_registers_{};
   std::array<std::optional<std::uint32_t>, 16> formats_{};  // of vertex attributes
   bool changed_ = true;                                     // words were written since the last draw
   std::size_t last_setup_ = 0;

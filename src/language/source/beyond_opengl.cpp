@@ -16,4 +16,19 @@ std::string beyond_opengl(const Program& program) {
   return text;
 }
 
+std::string beyond_opengl(const TextureShaderState& state) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  const TextureShaderState used = only_used(state);
+  for (std::size_t i = 0; i < used.stage.size(); ++i) {
+    const DotMapping mapping = used.stage[i].mapping;
+    if (mapping != DotMapping::zero_to_one && mapping != DotMapping::minus1_to_1_d3d) {
+      add("dot-product mapping but that of 0 to 1 and (x - 128) / 127 (texture stage " + std::to_string(i) + ")");
+    }
+  }
+  if (used.depth_unit == DepthUnit::codes) add("replaced depth in codes of the buffer");
+  if (used.converts_yuv) add("conversion from YUV");
+  return text;
+}
+
 }  // namespace ninebit

@@ -33,7 +33,7 @@ std::string other_words_text(const std::vector<RegisterWord>& other_words) {
 
 }  // namespace
 
-Json explanation_json(const Explanation& e, const std::vector<RegisterWord>& other_words, const std::string& profile) {
+Json explanation_json(const Explanation& e, const TextProgram& program, const std::string& profile) {
   Json rows = Json::array();
   for (const Equation& equation : e.equations) {
     rows.push_back({{"stage", equation.stage ? Json(*equation.stage) : Json("final")},
@@ -48,15 +48,22 @@ Json explanation_json(const Explanation& e, const std::vector<RegisterWord>& oth
   for (const DeadPortion& portion : e.dead) {
     dead.push_back({{"stage", portion.stage}, {"portion", portion_name(portion.portion)}, {"reason", portion.reason}});
   }
-  return {{"command", "explain"},     {"version", NINEBIT_VERSION},
-          {"profile", profile},       {"num_general_combiners", e.num_general_combiners},
-          {"rows", std::move(rows)},  {"dead", std::move(dead)},
-          {"constants", e.constants}, {"notes", e.notes},
-          {"legend", e.legend},       {"other_words", other_words_json(other_words)}};
+  return {{"command", "explain"},
+          {"version", NINEBIT_VERSION},
+          {"profile", profile},
+          {"num_general_combiners", e.num_general_combiners},
+          {"rows", std::move(rows)},
+          {"dead", std::move(dead)},
+          {"constants", e.constants},
+          {"notes", e.notes},
+          {"legend", e.legend},
+          {"other_words", other_words_json(program.other_words)},
+          {"texture_shader", explain_stages(program.texture_shader)}};
 }
 
-std::string explanation_text(const Explanation& e, const std::vector<RegisterWord>& other_words) {
-  return print_explanation(e) + other_words_text(other_words);
+std::string explanation_text(const Explanation& e, const TextProgram& program) {
+  const std::string stages = print_stages(program.texture_shader);
+  return stages + (stages.empty() ? "" : "\n") + print_explanation(e) + other_words_text(program.other_words);
 }
 
 }  // namespace ninebit::tools

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "ninebit/language/explain.h"
-#include "ninebit/language/register_words.h"
+#include "ninebit/language/program_text.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 
-// The answer of `ninebit explain --json`. `other_words`: the words beside the combiners'.
-[[nodiscard]] Json explanation_json(const Explanation& explanation, const std::vector<RegisterWord>& other_words,
+// The answer of `ninebit explain --json`. `program`: what stands beside the combiners, their stages and words.
+[[nodiscard]] Json explanation_json(const Explanation& explanation, const TextProgram& program,
                                     const std::string& profile);
 
 // The same for people.
-[[nodiscard]] std::string explanation_text(const Explanation& explanation,
-                                           const std::vector<RegisterWord>& other_words);
+[[nodiscard]] std::string explanation_text(const Explanation& explanation, const TextProgram& program);
 
 }  // namespace ninebit::tools

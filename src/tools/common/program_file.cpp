@@ -56,12 +56,9 @@ ProgramForm form_by(const std::string& from, std::string_view text) {
 Parsed<TextProgram> program_in(Parsed<RegisterLog>& log, std::size_t setup, const std::string& name,
                                const HardwareProfile& profile) {
   if (!log) return {log.faults(), std::move(log.notes)};
-  TextProgram program;
-  auto state = program_of(*log, setup, name, profile, &program.other_words);
-  state.notes.insert(state.notes.begin(), log.notes.begin(), log.notes.end());
-  if (!state) return {state.faults(), std::move(state.notes)};
-  program.state = *state;
-  return {std::move(program), std::move(state.notes)};
+  auto program = text_program_of(*log, setup, name, profile);
+  program.notes.insert(program.notes.begin(), log.notes.begin(), log.notes.end());
+  return program;
 }
 
 // The lines of a text, for messages. Asked for from the first to the last, they take one pass over the text.
@@ -233,7 +230,7 @@ std::optional<CombinerState> load_program(const ProgramFlags& flags, const Hardw
                                           int& exit_code) {
   const auto program = load_text_program(flags, profile, quiet, exit_code);
   if (!program) return std::nullopt;
-  if (program->texture_shader.enabled && !quiet) {
+  if (!only_reads_textures(program->texture_shader) && !quiet) {
     say(fmt::format("ninebit: note: {}: the texture-shader stages are not run here; tex0 to tex3 are inputs\n",
                     printable(flags.file)));
   }

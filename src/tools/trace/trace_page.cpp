@@ -19,7 +19,7 @@ Json page_trace(const TraceFacts& facts, const TracedPixel* pixel, const Program
   const TraceHeading heading{.profile = facts.profile, .program = facts.program, .pixel = pixel};
   const Trace traced = trace(program, *facts.hardware, registers);
   return {{"trace", trace_answer(heading, &program, &traced)},
-          {"explanation", explanation_json(explain(program, *facts.hardware), {}, facts.profile)}};
+          {"explanation", explanation_json(explain(program, *facts.hardware), TextProgram{}, facts.profile)}};
 }
 
 // The page's text about a pass beside its diagram.
