@@ -11,6 +11,7 @@
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/eval/eval_engine.h"
+#include "src/tools/eval/eval_stages.h"
 
 namespace ninebit::tools {
 namespace {
@@ -113,21 +114,99 @@ Result<std::size_t> stream(CsvLines& lines, const EvalRows& rows, EvalRunner& ru
   }
 }
 
-Result<std::size_t> evaluate_table(const EvalFlags& flags, const CombinerState& state, ProgressLine& progress) {
+// The same for the registers that the table gives.
+Result<std::size_t> evaluate_registers(const EvalFlags& flags, const TextProgram& program, EvalTable& table,
+                                       ProgressLine& progress) {
   const HardwareProfile& profile = profile_of(flags.common);
-  auto table = EvalTable::open(flags.inputs, profile);
-  if (!table) return table.error();
-  if (!flags.common.quiet) say_assumed_constants(flags.program.file, normalize(state, profile), table->columns);
-  const EvalRows rows(table->columns, profile);
-  EvalRunner runner(state, profile, rows, flags.engine == "simd" ? EvalEngine::simd : EvalEngine::reference);
-
+  if (!flags.common.quiet) {
+    say_assumed_constants(flags.program.file, normalize(program.state, profile), table.columns);
+    if (!only_reads_textures(program.texture_shader)) {
+      say(fmt::format(
+          "ninebit: note: {}: the texture-shader stages are not run, as {} has no coordinates such as at1.s; "
+          "tex0 to tex3 are inputs\n",
+          printable(flags.program.file), printable(table.lines.name())));
+    }
+  }
+  const EvalRows rows(table.columns, profile);
+  EvalRunner runner(program.state, profile, rows, flags.engine == "simd" ? EvalEngine::simd : EvalEngine::reference);
   auto output = OutputFile::open(flags.output);
   if (!output) return output.error();
   Writer writer(flags, profile, *output);
-  auto total = stream(table->lines, rows, runner, writer, progress);
+  auto total = stream(table.lines, rows, runner, writer, progress);
   if (!total) return total;
   if (Status finished = writer.finish(); !finished) return finished.error();
   return total;
+}
+
+// A row's results as CSV, or as an object of the JSON answer, where a result that there is not is null.
+std::string stage_row(const std::vector<std::string>& names, const std::vector<std::string>& values, bool is_json) {
+  if (!is_json) return fmt::format("{}\n", fmt::join(values, ","));
+  Json row = Json::object();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const bool is_number = Json::accept(values[k]);  // "inf" and "nan" stay words
+    row[names[k]] = values[k].empty() ? Json() : is_number ? Json::parse(values[k]) : Json(values[k]);
+  }
+  return row.dump();
+}
+
+// The stages run first, row by row.
+Result<std::size_t> evaluate_stages(const EvalFlags& flags, const EvalStages& stages, CsvLines& lines,
+                                    ProgressLine& progress) {
+  auto output = OutputFile::open(flags.output);
+  if (!output) return output.error();
+  if (!flags.common.quiet) {
+    for (const std::string& warning : stages.warnings()) {
+      say(fmt::format("ninebit: note: {}: {}\n", printable(flags.program.file), warning));
+    }
+  }
+  const bool is_json = flags.common.json && flags.output.empty();
+  const std::vector<std::string> names = EvalStages::result_names();
+  std::string text = fmt::format("{}\n", fmt::join(names, ","));
+  if (is_json) {
+    text = Json{{"command", "eval"}, {"version", NINEBIT_VERSION}, {"profile", flags.common.profile}}.dump();
+    text.back() = ',';
+    text += "\"rows\":[";
+  }
+  std::size_t total = 0;
+  for (;; ++total) {
+    auto line = lines.next();
+    if (!line) return line.error();
+    if (!*line) break;
+    const auto values = stages.evaluate(**line, lines.name());
+    if (!values) return values.error();
+    if (is_json) text += total == 0 ? "\n" : ",\n";
+    text += stage_row(names, *values, is_json);
+    if (Status written = output->write(text); !written) return written.error();
+    text.clear();
+    const bool goes_on =
+        total % 65536 == 0 ? progress.step(fmt::format("{} rows", total), 0.0) : !ProgressLine::stopped();
+    if (!goes_on) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  }
+  if (is_json) text += "\n]}\n";
+  if (Status written = output->write(text); !written) return written.error();
+  if (Status finished = output->finish(); !finished) return finished.error();
+  return total;
+}
+
+Result<std::size_t> evaluate_table(const EvalFlags& flags, const TextProgram& program, ProgressLine& progress) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  auto input = InputFile::open(flags.inputs);
+  if (!input) return input.error();
+  CsvLines lines(std::move(*input));
+  const auto header = header_line(lines);
+  if (!header) return header.error();
+  if (program.texture_shader.enabled && has_stage_columns(header->text)) {
+    if (flags.registers) {
+      return Diagnostic{.message = "--registers is for tables of registers; this one has coordinates or texels"};
+    }
+    const auto stages = EvalStages::make(program, profile, *header, lines.name());
+    if (!stages) return stages.error();
+    return evaluate_stages(flags, *stages, lines, progress);
+  }
+  auto columns = read_header(*header, lines.name(), profile);
+  if (!columns) return table_fault(lines, columns.error());
+  EvalTable table{std::move(lines), *std::move(columns)};
+  return evaluate_registers(flags, program, table, progress);
 }
 
 int run(const EvalFlags& flags) {
@@ -136,11 +215,11 @@ int run(const EvalFlags& flags) {
     return kWrongUsage;
   }
   int exit_code = kDone;
-  const auto state = load_program(flags.program, profile_of(flags.common), flags.common.quiet, exit_code);
-  if (!state) return exit_code;
+  const auto program = load_text_program(flags.program, profile_of(flags.common), flags.common.quiet, exit_code);
+  if (!program) return exit_code;
 
   std::optional<ProgressLine> progress(std::in_place, flags.common.quiet || posix::is_terminal(posix::kStandardOutput));
-  const auto total = evaluate_table(flags, *state, *progress);
+  const auto total = evaluate_table(flags, *program, *progress);
   progress.reset();
   if (!total) return report(total.error());
   if (flags.output.empty()) return kDone;
@@ -163,6 +242,9 @@ void add_eval(CLI::App& app, int& exit_code) {
       "  spare0.a                    the value of tex0.a\n"
       "  const0, const1              the program's own constants; 0, with a note, if it does not set them\n"
       "  all others                  0\n"
+      "A program with texture-shader stages also takes coordinates, at0.s to at3.q (default 0, of q 1), and bytes of\n"
+      "texels, texel0.r to texel3.a (default 0), which are read wherever a stage reads its texture. Its results are\n"
+      "the colour, tex0 to tex3, whether the fragment is culled, its replaced depth, and where textures are read.\n"
       "A column for a constant replaces the constant in every stage. Results are written to standard output as\n"
       "they are computed; if a row is invalid, the rows before it have already been written.\n"
       "Examples:\n"

@@ -57,14 +57,20 @@ Result<std::vector<EvalColumn>> read_header(const CsvLine& line, const std::stri
   }
 }
 
+Result<CsvLine> header_line(CsvLines& lines) {
+  auto header = lines.next();
+  if (!header) return table_fault(lines, header.error());
+  if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
+  return **header;
+}
+
 Result<EvalTable> EvalTable::open(const std::string& file, const HardwareProfile& profile) {
   auto input = InputFile::open(file);
   if (!input) return input.error();
   CsvLines lines(std::move(*input));
-  auto header = lines.next();
-  if (!header) return table_fault(lines, header.error());
-  if (!*header) return csv_fault(lines.name(), 1, 1, "the table is empty; expected a header such as primary.r,tex0.a");
-  auto columns = read_header(**header, lines.name(), profile);
+  auto header = header_line(lines);
+  if (!header) return header.error();
+  auto columns = read_header(*header, lines.name(), profile);
   if (!columns) return table_fault(lines, columns.error());
   return EvalTable{std::move(lines), *std::move(columns)};
 }

@@ -29,6 +29,9 @@ struct EvalColumn {
 [[nodiscard]] Result<std::vector<EvalColumn>> read_header(const CsvLine& line, const std::string& file,
                                                           const HardwareProfile& profile);
 
+// The first line of a table. Reports an empty table.
+[[nodiscard]] Result<CsvLine> header_line(CsvLines& lines);
+
 // Up to kBatchSize fragments.
 struct EvalBatch {
   RegisterBatch registers{};  // constants only if the table has their columns
