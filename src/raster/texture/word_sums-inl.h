@@ -30,8 +30,8 @@ HWY_INLINE VU between(VU a, VU b, VU weight, int bits) {
   return hn::Add(hn::ShiftLeftSame(a, bits), hn::Mul(hn::Sub(b, a), weight));
 }
 
-// The same of two numbers side by side in each word, of at most 8 bits with weights of at most 8 bits: `weights` has each
-// weight twice. Multiplications of 16 bits are faster than those of 32.
+// The same of two numbers side by side in each word, of at most 8 bits with weights of at most 8 bits: `weights` has
+// each weight twice. Multiplications of 16 bits are faster than those of 32.
 HWY_INLINE VU between_pairs(VU a, VU b, VU weights, int bits) {
 #if HWY_TARGET == HWY_SCALAR  // its words have no halves
   return between(a, b, hn::And(weights, hn::Set(kDU, 0xFFFF)), bits);
