@@ -415,6 +415,32 @@ TEST(TextureShaderDraws, InconsistentStagesGiveZerosAndAWarning) {
   EXPECT_TRUE(texture_shader_warnings(quad.state, {})->empty());
 }
 
+// The depth that is tested is the replaced one, in vectors and one by one: the quad's own would fail.
+TEST(TextureShaderDraws, AReplacedDepthIsTestedAndWritten) {
+  TextureSamples white{.width = 1, .height = 1};
+  white.samples = std::vector<std::uint8_t>{255, 255, 255};
+  const Texture texture = make_texture(TextureTarget::texture_2d, InternalFormat::rgb8, {{white}}).value();
+  for (const bool with_outputs : {false, true}) {
+    StageQuad quad;
+    if (!with_outputs) quad.planes.target.outputs.clear();
+    const std::uint32_t largest = max_depth(quad.planes.target.format);
+    for (int y = 0; y < 8; ++y) std::fill_n(quad.planes.target.depth.row(y), 8, largest / 8 * 3);
+    quad.state.texture_shader.stage[0].operation = TextureOperation::texture_2d;
+    quad.state.texture_shader.stage[1].operation = TextureOperation::dot_product;
+    quad.state.texture_shader.stage[2].operation = TextureOperation::dot_product_depth_replace;
+    quad.state.depth_test = {.enabled = true, .function = CompareFunction::less};
+    VertexArrays arrays = quad.arrays();
+    const std::vector<glm::vec3> quarter(4, glm::vec3(0.25F, 0, 0)), one(4, glm::vec3(0, 1, 0));
+    arrays.texture_coordinates[1] = quarter;
+    arrays.texture_coordinates[2] = one;
+    const TextureUnit unit{&texture, kNearestSampler};
+    ASSERT_TRUE(rasterize(quad.state, kIdentity, arrays, {&unit, 1}, quad.planes.target).ok());
+    const oracle::Picture picture = quad.planes.picture();
+    EXPECT_EQ(picture.color[0], (oracle::Bytes{255, 255, 255, 255})) << with_outputs;
+    EXPECT_EQ(picture.depth[0], largest / 4) << with_outputs;
+  }
+}
+
 // Passes over one preparation that ask for equal depth share their fragments; each culls its own.
 TEST(TextureShaderDraws, PassesThatShareFragmentsCullTheirOwn) {
   StageQuad quad;

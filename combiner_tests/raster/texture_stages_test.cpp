@@ -179,8 +179,10 @@ std::vector<TextureShaderResult> expect_same_batches(const TextureStages& stages
   for (int u = 0; u < kTextureStages; ++u) {
     for (int k = 0; k < 4; ++k) {
       auto& array = given[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)];
-      for (std::size_t i = 0; i < kStageFragments; ++i) array.push_back(random.real_f(-2, 2));
-      if (stages.reads(u, k)) batch.value[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] = array.data();
+      const bool is_one = k == 3 && random.one_in(2);  // a null q
+      for (std::size_t i = 0; i < kStageFragments; ++i) array.push_back(is_one ? 1.0F : random.real_f(-2, 2));
+      if (stages.reads(u, k) && !is_one)
+        batch.value[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] = array.data();
     }
   }
   std::vector<TextureShaderResult> results;

@@ -46,7 +46,7 @@ Json request_of(Engine& engine, const std::string& file) {
   }
   for (const Json& texture : effect.value("textures", Json::object())) {
     std::string source = texture["source"];
-    if (source.starts_with("normals:")) source.erase(0, 8);
+    if (const std::size_t colon = source.find(':'); colon != std::string::npos) source.erase(0, colon + 1);
     if (!source.ends_with(".png")) continue;
     for (std::size_t at = 0; at < source.size();) {
       const std::size_t end = std::min(source.find(',', at), source.size());
@@ -69,7 +69,7 @@ TEST(PlaygroundAnswers, TheGalleryIsToTheBit) {
 }
 
 TEST(PlaygroundAnswers, APixelsTraceIsTheProgramsOwn) {
-  for (const char* const name : {"dot3_specular.json", "index_cube.json"}) {
+  for (const char* const name : {"dot3_specular.json", "index_cube.json", "depth_balls.json", "clip_planes.json"}) {
     Engine engine;
     asked(engine, request_of(engine, name));
     for (const auto& [x, y] : std::vector<std::pair<int, int>>{{128, 80}, {0, 0}}) {

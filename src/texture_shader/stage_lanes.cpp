@@ -85,13 +85,12 @@ void dependent(const s9* bytes, float divisor, std::size_t count, float* to) {
 void reflect(const Three& dots, const Three& eye, std::size_t count, const std::array<float*, 3>& to) {
   const float *const dx = dots[0], *const dy = dots[1], *const dz = dots[2];
   const float *const ex = eye[0], *const ey = eye[1], *const ez = eye[2];
+  // One result at a time: compilers make no vectors of a loop with so many arrays that may overlap.
+  const auto at = [&](std::size_t i) HWY_ATTR { return reflected_eye({dx[i], dy[i], dz[i]}, {ex[i], ey[i], ez[i]}); };
   float *const x = to[0], *const y = to[1], *const z = to[2];
-  for (std::size_t i = 0; i < count; ++i) {
-    const StageVector at = reflected_eye({dx[i], dy[i], dz[i]}, {ex[i], ey[i], ez[i]});
-    x[i] = at.x;
-    y[i] = at.y;
-    z[i] = at.z;
-  }
+  for (std::size_t i = 0; i < count; ++i) x[i] = at(i).x;
+  for (std::size_t i = 0; i < count; ++i) y[i] = at(i).y;
+  for (std::size_t i = 0; i < count; ++i) z[i] = at(i).z;
 }
 
 void cull(CullMode mode, const float* at, std::size_t count, std::uint8_t* killed) {

@@ -32,7 +32,7 @@ struct StageUnits {
 
 // The interpolated coordinates of up to kBatchSize fragments: [unit][s, t, r, q], one float a fragment. Differences to
 // the fragments on the right and above are read if the stages need_derivatives(). Arrays that no stage reads may be
-// null.
+// null; a null q is 1 everywhere.
 struct StageBatch {
   std::array<std::array<const float*, 4>, kTextureStages> value{};  // of the fragments
   std::array<std::array<const float*, 4>, kTextureStages> dx{};     // to the fragment on the right

@@ -139,7 +139,6 @@ void FragmentBatch::fill_stage_coordinate(std::size_t kind, std::size_t unit, st
   FragmentStages::Lanes& to = stages_->at(kind, unit, k);
   const std::span<const float> q = context_.arrays.texture_q[unit];
   const std::span<const glm::vec3> str = context_.arrays.texture_coordinates[unit];
-  if (k == 3 && q.empty()) return static_cast<void>(std::fill_n(to.begin(), count_, kind == 0 ? 1.0F : 0.0F));
   const auto component = static_cast<int>(k);
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
@@ -151,7 +150,7 @@ void FragmentBatch::fill_stage_coordinate(std::size_t kind, std::size_t unit, st
 void FragmentBatch::run_stages() {
   for (std::size_t unit = 0; unit < kTextureStages; ++unit) {
     for (std::size_t k = 0; k < 4; ++k) {
-      if (!context_.stages->reads(static_cast<int>(unit), static_cast<int>(k))) continue;
+      if (!stages_->needs(unit, k)) continue;
       for (std::size_t kind = 0; kind < stages_->kinds(); ++kind) fill_stage_coordinate(kind, unit, k);
     }
     for (std::size_t i = 0; i < count_ && stages_->kinds() > 1; ++i) {

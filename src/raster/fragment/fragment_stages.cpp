@@ -4,6 +4,11 @@
 
 namespace ninebit {
 
+FragmentStages::FragmentStages(const DrawContext& context)
+    : context_(context), coordinates_(context.stages->needs_derivatives() ? 3 : 1) {
+  for (auto& unit : coordinates_[0]) unit[3].fill(1.0F);
+}
+
 StageInputs FragmentStages::inputs(std::size_t i) const {
   StageInputs in;
   for (std::size_t unit = 0; unit < kTextureStages; ++unit) {
@@ -31,6 +36,7 @@ void FragmentStages::run(std::size_t count, RegisterBatch& registers) {
       const Register reg = texture_register(static_cast<int>(unit));
       if (context_.reads_unit[unit]) outputs.codes[unit][k] = registers(reg, static_cast<int>(k));
     }
+    if (!has_q(unit)) batch.value[unit][3] = nullptr;
   }
   context_.stages->run(batch, count, outputs);
   if (context_.reads_unit[0]) {

@@ -20,10 +20,15 @@ class FragmentStages {
   using Coordinates = std::array<std::array<Lanes, 4>, kTextureStages>;  // [unit][s, t, r, q]
 
   // The context, whose stages are enabled, must outlive the object.
-  explicit FragmentStages(const DrawContext& context)
-      : context_(context), coordinates_(context.stages->needs_derivatives() ? 3 : 1) {}
+  explicit FragmentStages(const DrawContext& context);
 
-  // What has to be filled in of the coordinates: of fragments, and the changes to their neighbours in x and y.
+  // Whether the vertices give a unit's q; else it is 1 here, and nobody fills it in.
+  [[nodiscard]] bool has_q(std::size_t unit) const { return !context_.arrays.texture_q[unit].empty(); }
+  // Whether a unit's coordinate k has to be filled in.
+  [[nodiscard]] bool needs(std::size_t unit, std::size_t k) const {
+    return context_.stages->reads(static_cast<int>(unit), static_cast<int>(k)) && (k < 3 || has_q(unit));
+  }
+  // Of which kinds: of fragments, and the changes to their neighbours in x and y.
   [[nodiscard]] std::size_t kinds() const { return coordinates_.size(); }
   [[nodiscard]] Lanes& at(std::size_t kind, std::size_t unit, std::size_t k) { return coordinates_[kind][unit][k]; }
 

@@ -177,11 +177,12 @@ HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawConte
   find_shares(f, batch, context);
   const std::array<const Shares*, 3> shares{&f.weight, &batch.dx.share, &batch.dy.share};
   for (std::size_t unit = 0; unit < kTextureStages; ++unit) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!context.stages->reads(static_cast<int>(unit), static_cast<int>(k))) continue;
-      for (std::size_t kind = 0; kind < stages.kinds(); ++kind) {
-        fill_stage_coordinate(f, *shares[kind], context.arrays, {kind, unit, k}, stages.at(kind, unit, k));
+    for (std::size_t kind = 0; kind < stages.kinds(); ++kind) {
+      StageLanes to{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (stages.needs(unit, k)) to[k] = stages.at(kind, unit, k).data();
       }
+      fill_stage_coordinates(f, *shares[kind], context.arrays, unit, to);
     }
   }
   stages.run(f.count, batch.registers);

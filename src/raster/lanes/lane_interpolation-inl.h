@@ -237,23 +237,29 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, const Shares& shares, S
   }
 }
 
-// A coordinate that a stage reads: of the fragments, or its changes.
-struct StageCoordinate {
-  std::size_t kind, unit, k;  // see FragmentStages
-};
+// Where a unit's coordinates for stages go: s, t, r, q, of the fragments or their changes; null: FragmentStages::needs
+// none.
+using StageLanes = std::array<float*, 4>;
 
-HWY_INLINE void fill_stage_coordinate(const LaneFragments& f, const Shares& shares, const VertexArrays& arrays,
-                                      const StageCoordinate& which, FragmentStages::Lanes& to) {
-  const std::span<const float> q = arrays.texture_q[which.unit];
-  const std::span<const glm::vec3> str = arrays.texture_coordinates[which.unit];
-  const bool is_q = which.k == 3;
-  if (is_q && q.empty()) return to.fill(which.kind == 0 ? 1.0F : 0.0F);
-  const auto at_vertex = [&](std::uint32_t v) { return is_q ? q[v] : str[v][static_cast<int>(which.k)]; };
+// The coordinates of a unit that stages read.
+HWY_INLINE void fill_stage_coordinates(const LaneFragments& f, const Shares& shares, const VertexArrays& arrays,
+                                       std::size_t unit, const StageLanes& to) {
+  const std::span<const float> q = arrays.texture_q[unit];
+  const std::span<const glm::vec3> str = arrays.texture_coordinates[unit];
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
-    const float a = at_vertex(v[0]), b = at_vertex(v[1]), c = at_vertex(v[2]);
+    std::array<std::array<float, 3>, 4> corner{};  // by coordinate and vertex
+    for (std::size_t n = 0; n < 3; ++n) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (to[k] != nullptr) corner[k][n] = k == 3 ? q[v[n]] : str[v[n]][static_cast<int>(k)];
+      }
+    }
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
-      hn::StoreU(ShareLanes(shares, i).interpolate(a, b, c), kDF, to.data() + i);
+      const ShareLanes at(shares, i);
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (to[k] == nullptr) continue;
+        hn::StoreU(at.interpolate(corner[k][0], corner[k][1], corner[k][2]), kDF, to[k] + i);
+      }
     }
   }
 }

@@ -51,6 +51,7 @@ class TextureStages::Batch {
   Batch(const TextureStages& stages, const StageBatch& given, std::size_t count, const StageOutputs& to)
       : stages_(stages), given_(given), count_(count), to_(to), places_(stages.needs_derivatives_ ? kPlaces : 1) {
     std::fill_n(zero_.begin(), count, 0.0F);
+    std::fill_n(one_.begin(), count, 1.0F);
     if (to.killed != nullptr) std::fill_n(to.killed, count, std::uint8_t{0});
     if (places_ == 1) return;
     neighbours_.resize(2 * kTextureStages * 4);
@@ -189,12 +190,14 @@ class TextureStages::Batch {
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] const TexelPlanes4& texel(int i) const { return texel_[index(i)]; }
 
+  [[nodiscard]] bool has_q(int unit) const { return given_.value[index(unit)][3] != nullptr; }
   [[nodiscard]] const float* given(std::size_t p, int unit, std::size_t k) const {
+    if (k == 3 && !has_q(unit)) return one_.data();
     return p == 0 ? given_.value[index(unit)][k] : neighbours_[((p - 1) * kTextureStages + index(unit)) * 4 + k].data();
   }
 
   void find_neighbours(std::size_t unit, std::size_t k) {
-    if (!stages_.reads_[unit][k]) return;
+    if (!stages_.reads_[unit][k] || given_.value[unit][k] == nullptr) return;
     const float* const value = given_.value[unit][k];
     for (std::size_t p = 1; p < kPlaces; ++p) {
       const float* const change = (p == 1 ? given_.dx : given_.dy)[unit][k];
@@ -222,6 +225,12 @@ class TextureStages::Batch {
 
   At divided(int i) {
     const std::size_t number = stages_.sampler_[index(i)]->needs_r() ? 3 : 2;
+    if (!has_q(i)) {
+      At at{};
+      for (std::size_t p = 0; p < places_; ++p)
+        at[p] = {given(p, i, 0), given(p, i, 1), number == 3 ? given(p, i, 2) : zero_.data()};
+      return at;
+    }
     return filled(number, [&](std::size_t p, std::size_t k, float* out) {
       stage_lanes::divide(given(p, i, k), given(p, i, 3), count_, out);
     });
@@ -243,7 +252,7 @@ class TextureStages::Batch {
   alignas(64) std::array<std::array<Floats, 3>, kPlaces> at_;
   alignas(64) std::array<std::array<Floats, 3>, 2> changes_;
   alignas(64) std::array<Floats, 3> eye_;
-  alignas(64) Floats zero_;
+  alignas(64) Floats zero_, one_;
 };
 
 Result<TextureStages> TextureStages::make(const HardwareProfile& profile, const TextureShaderState& state,

@@ -30,6 +30,22 @@ HWY_INLINE VU between(VU a, VU b, VU weight, int bits) {
   return hn::Add(hn::ShiftLeftSame(a, bits), hn::Mul(hn::Sub(b, a), weight));
 }
 
+// The same of two numbers side by side in each word, of at most 8 bits with weights of at most 8 bits: `weights` has
+// each weight twice. Multiplications of 16 bits are faster than those of 32.
+HWY_INLINE VU between_pairs(VU a, VU b, VU weights, int bits) {
+#if HWY_TARGET == HWY_SCALAR  // its words have no halves
+  return between(a, b, hn::And(weights, hn::Set(kDU, 0xFFFF)), bits);
+#else
+  constexpr hn::Repartition<std::uint16_t, DU> d16;
+  const auto first = hn::BitCast(d16, a);
+  const auto product = hn::Mul(hn::Sub(hn::BitCast(d16, b), first), hn::BitCast(d16, weights));
+  return hn::BitCast(kDU, hn::Add(hn::ShiftLeftSame(first, bits), product));
+#endif
+}
+HWY_INLINE VU twice(VU weight) {
+  return hn::Or(weight, hn::ShiftLeft<16>(weight));
+}
+
 // Filters that round once: the sums of the weighted texels, by component, times 2^(2 bits).
 struct SumOnce {
   VU red, green, blue, alpha;
@@ -38,10 +54,11 @@ struct SumOnce {
     const VU bytes = hn::Set(kDU, 0x00FF00FF), half = hn::Set(kDU, 0xFFFF);
     const auto even = [&](VU word) HWY_ATTR { return hn::And(word, bytes); };
     const auto odd = [&](VU word) HWY_ATTR { return hn::And(hn::ShiftRight<8>(word), bytes); };
-    const VU low_even = between(even(taps.low_left), even(taps.low_right), taps.u, bits);
-    const VU low_odd = between(odd(taps.low_left), odd(taps.low_right), taps.u, bits);
-    const VU high_even = between(even(taps.high_left), even(taps.high_right), taps.u, bits);
-    const VU high_odd = between(odd(taps.high_left), odd(taps.high_right), taps.u, bits);
+    const VU u = twice(taps.u);
+    const VU low_even = between_pairs(even(taps.low_left), even(taps.low_right), u, bits);
+    const VU low_odd = between_pairs(odd(taps.low_left), odd(taps.low_right), u, bits);
+    const VU high_even = between_pairs(even(taps.high_left), even(taps.high_right), u, bits);
+    const VU high_odd = between_pairs(odd(taps.high_left), odd(taps.high_right), u, bits);
     red = between(hn::And(low_even, half), hn::And(high_even, half), taps.v, bits);
     green = between(hn::And(low_odd, half), hn::And(high_odd, half), taps.v, bits);
     blue = between(hn::ShiftRight<16>(low_even), hn::ShiftRight<16>(high_even), taps.v, bits);
@@ -74,23 +91,24 @@ struct SumEach {
     const VU bytes = hn::Set(kDU, 0x00FF00FF);
     const auto evens = [&](VU word) HWY_ATTR { return hn::And(word, bytes); };
     const auto odds = [&](VU word) HWY_ATTR { return hn::And(hn::ShiftRight<8>(word), bytes); };
-    even = rounded(rounded(evens(taps.low_left), evens(taps.low_right), taps.u, bits),
-                   rounded(evens(taps.high_left), evens(taps.high_right), taps.u, bits), taps.v, bits);
-    odd = rounded(rounded(odds(taps.low_left), odds(taps.low_right), taps.u, bits),
-                  rounded(odds(taps.high_left), odds(taps.high_right), taps.u, bits), taps.v, bits);
+    const VU u = twice(taps.u), v = twice(taps.v);
+    even = rounded(rounded(evens(taps.low_left), evens(taps.low_right), u, bits),
+                   rounded(evens(taps.high_left), evens(taps.high_right), u, bits), v, bits);
+    odd = rounded(rounded(odds(taps.low_left), odds(taps.low_right), u, bits),
+                  rounded(odds(taps.high_left), odds(taps.high_right), u, bits), v, bits);
   }
 
   HWY_INLINE void blend(const SumEach& more, VU weight, int bits) {
-    even = rounded(even, more.even, weight, bits);
-    odd = rounded(odd, more.odd, weight, bits);
+    even = rounded(even, more.even, twice(weight), bits);
+    odd = rounded(odd, more.odd, twice(weight), bits);
   }
 
   [[nodiscard]] HWY_INLINE VU words(int, bool) const { return hn::Or(even, hn::ShiftLeft<8>(odd)); }
 
  private:
-  static HWY_INLINE VU rounded(VU a, VU b, VU weight, int bits) {
+  static HWY_INLINE VU rounded(VU a, VU b, VU weights, int bits) {
     const VU half = hn::Set(kDU, 0x00010001U << (bits - 1));
-    const VU sum = hn::Add(between(a, b, weight, bits), half);
+    const VU sum = hn::Add(between_pairs(a, b, weights, bits), half);
     return hn::And(hn::ShiftRightSame(sum, bits), hn::Set(kDU, 0x00FF00FF));
   }
 };
