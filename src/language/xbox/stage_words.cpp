@@ -135,8 +135,9 @@ Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& s
     return why("replaced depths from 0 to 1; the NV2A's are codes of the depth buffer");
   }
   std::vector<RegisterWord> words;
-  for (std::size_t i = 0; i < kStageWordNames.size(); ++i)
-    words.push_back({std::string(kStageWordNames[i]), value[i], {}});
+  for (std::size_t i = 0; i < kStageWordNames.size(); ++i) {
+    if (value[i] != 0) words.push_back({std::string(kStageWordNames[i]), value[i], {}});
+  }
   return words;
 }
 
