@@ -219,6 +219,13 @@ TEST(ShaderTextures, RulesOfDirect3D) {
   }
   EXPECT_NE(faults("tex t0\ntexm3x3pad t1, t0\ntexm3x3pad t2, t0\ntexm3x3 t3, t0").find("'texm3x3' is beyond"),
             std::string::npos);
+  EXPECT_EQ(read_shader("ps.1.4\ntexld r0, t0\nphase\ntexkill r0\nmov r0, v0\n").faults,
+            "4:9: 'texkill' of 'r0' tests a register's value; the texture shaders of the GeForce3 test coordinates "
+            "alone\n");
+  const ReadShader last = read_shader("ps.1.4\ntexcrd r0.rgb, t0\ntexld r1, t1\nmov r0, r1\n");
+  EXPECT_EQ(last.faults, "");
+  EXPECT_EQ(last.stages.stage[0].operation, TextureOperation::pass_through);
+  EXPECT_EQ(last.stages.stage[1].operation, TextureOperation::texture_2d);
   EXPECT_EQ(read_shader("ps.1.1\ntexcoord t0\nmov r0, t0\n", profiles::geforce2).faults,
             "2:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader)\n");
 }
