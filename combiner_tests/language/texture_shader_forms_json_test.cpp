@@ -104,6 +104,8 @@ TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
             "'GL_SIGNED_IDENTITY_NV'\n");
   EXPECT_EQ(gl_faults("glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_CONST_EYE_NV, (GLfloat[]){1, 2});"),
             "1:51: '(GLfloat[]){1, 2}' cannot be passed here; expected 3 values, not 2\n");
+  EXPECT_EQ(gl_faults("glTexEnvf(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_SCALE_NV, 1e39);"),
+            "1:61: '1e39' is too large for a float\n");
   EXPECT_EQ(gl_faults("glTexEnvi(GL_TEXTURE_ENV, GL_SHADER_OPERATION_NV, 0);"),
             "1:11: 'GL_TEXTURE_ENV' is another target; glTexEnvi is read with GL_TEXTURE_SHADER_NV alone\n");
   EXPECT_EQ(gl_faults("glActiveTexture(GL_TEXTURE4);"), "1:1: GL_INVALID_ENUM: profile nv2a has 4 texture units\n");

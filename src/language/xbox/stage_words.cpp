@@ -41,6 +41,7 @@ void read_float(std::span<const RegisterWord> words, const std::string& name, fl
   if (word == nullptr) return;
   into = std::bit_cast<float>(word->value);
   if (std::isnan(into)) why = name + " is not a number (NaN)";
+  if (std::isinf(into)) why = name + " is infinite";
 }
 
 void read_registers(std::span<const RegisterWord> words, StageWords& out) {
