@@ -104,6 +104,26 @@ TEST(Capi, EveryFormThereAndBack) {
   }
 }
 
+TEST(Capi, StagesGoThroughStates) {
+  const std::string text = "!!TS1.0\ntexture_2d();\ndependent_ar(tex0);\n!!RC1.0\nout.rgb = tex1;\n";
+  ninebit_state* state = nullptr;
+  char* error = nullptr;
+  ASSERT_EQ(ninebit_state_parse("nv2a", NINEBIT_FORM_RC10, text.data(), text.size(), &state, &error), NINEBIT_OK);
+  char* json = nullptr;
+  ASSERT_EQ(ninebit_state_print(state, NINEBIT_FORM_JSON, &json, &error), NINEBIT_OK);
+  EXPECT_NE(std::string(json).find("{\"operation\": \"dependent_ar\"}"), std::string::npos) << json;
+  ninebit_free_text(json);
+  ninebit_report* report = nullptr;
+  ASSERT_EQ(ninebit_validate(state, &report, &error), NINEBIT_OK);
+  EXPECT_EQ(ninebit_report_count(report), 0U);
+  ninebit_report_free(report);
+  ninebit_state_free(state);
+  ASSERT_EQ(ninebit_state_parse("geforce2", NINEBIT_FORM_RC10, text.data(), text.size(), &state, &error),
+            NINEBIT_INVALID_INPUT);
+  EXPECT_NE(std::string(error).find("GL_INVALID_ENUM: profile geforce2 has no texture shaders"), std::string::npos);
+  ninebit_free_text(error);
+}
+
 TEST(Capi, WordsByName) {
   const std::array<ninebit_word, 2> words{{{"RC_IN_RGB[0]", 0x04200000}, {"RC_OUT_RGB[0]", 0x00000C00}}};
   ninebit_state* made = nullptr;

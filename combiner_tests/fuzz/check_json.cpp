@@ -8,14 +8,18 @@ namespace ninebit::fuzz {
 namespace {
 
 std::string wrong_with_program(std::string_view text, const HardwareProfile& profile) {
-  const auto parsed = parse_json_program({text, kFile}, profile);
+  TextureShaderState stages, stages_back;
+  const auto parsed = parse_json_program({text, kFile}, profile, nullptr, &stages);
   std::string wrong = wrong_with_answer(parsed, text);
   if (!wrong.empty() || !parsed) return wrong;
-  const std::string printed = print_json_program(*parsed);
-  const auto back = parse_json_program({printed, kFile}, profile);
+  const std::string printed = print_json_program(*parsed, {}, stages);
+  const auto back = parse_json_program({printed, kFile}, profile, nullptr, &stages_back);
   if (!back) return "JSON that ninebit printed is refused: " + back.faults().front().text() + "\n" + printed;
+  if (stages_back != stages) return "JSON gives other stages:\n" + printed;
+  wrong = wrong_with_stages(stages, profile);
+  if (!wrong.empty()) return wrong;
   if (*back != *parsed) return "JSON gives another state:\n" + printed;
-  if (print_json_program(*back) != printed) return "JSON is printed in another way again:\n" + printed;
+  if (print_json_program(*back, {}, stages_back) != printed) return "JSON is printed in another way again:\n" + printed;
   return wrong_with_state(*parsed, profile);
 }
 

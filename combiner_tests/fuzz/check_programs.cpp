@@ -20,11 +20,25 @@ std::string wrong_with(const Parsed<CombinerState>& parsed, std::string_view tex
                   [&] { return parsed ? wrong_with_state(*parsed, profile) : std::string(); });
 }
 
+// The same of a parser that reads texture-shader stages, too.
+template <class Parse>
+std::string wrong_with_both(const Parse& parse, std::string_view text, const HardwareProfile& profile) {
+  TextureShaderState stages;
+  const Parsed<CombinerState> parsed = parse(&stages);
+  return first_of(wrong_with(parsed, text, profile), [&] { return wrong_with_stages(stages, profile); });
+}
+
 }  // namespace
 
 std::string check_gl(std::string_view bytes) {
   for (const HardwareProfile* const profile : kProfiles) {
-    std::string wrong = wrong_with(parse_gl_calls({bytes, kFile}, *profile), bytes, *profile);
+    std::string wrong = first_of(wrong_with(parse_gl_calls({bytes, kFile}, *profile), bytes, *profile), [&] {
+      return wrong_with_both(
+          [&](auto* stages) {
+            return parse_gl_calls({bytes, kFile}, *profile, stages);
+          },
+          bytes, *profile);
+    });
     if (!wrong.empty()) return wrong;
   }
   return {};
@@ -51,7 +65,13 @@ std::string check_source(std::string_view bytes) {
 std::string check_rc10(std::string_view bytes) {
   for (const HardwareProfile* const profile : kProfiles) {
     const auto parsed = parse_rc10({bytes, kFile}, *profile);
-    std::string wrong = wrong_with(parsed, bytes, *profile);
+    std::string wrong = first_of(wrong_with(parsed, bytes, *profile), [&] {
+      return wrong_with_both(
+          [&](auto* stages) {
+            return parse_rc10({bytes, kFile}, *profile, stages);
+          },
+          bytes, *profile);
+    });
     if (!wrong.empty()) return wrong;
     if (!parsed) continue;
     if (const auto printed = print_rc10(*parsed, *profile); !printed) {
@@ -65,9 +85,12 @@ std::string check_ps(std::string_view bytes) {
   (void)is_pixel_shader(bytes);
   for (const HardwareProfile* const profile : kProfiles) {
     const bool is_assembled = is_shader_tokens(bytes);
-    std::string wrong = wrong_with(
-        is_assembled ? parse_shader_tokens({bytes, kFile}, *profile) : parse_pixel_shader({bytes, kFile}, *profile),
-        bytes, *profile);
+    const auto parse = [&](TextureShaderState* stages) {
+      return is_assembled ? parse_shader_tokens({bytes, kFile}, *profile, stages)
+                          : parse_pixel_shader({bytes, kFile}, *profile, {}, stages);
+    };
+    std::string wrong =
+        first_of(wrong_with(parse(nullptr), bytes, *profile), [&] { return wrong_with_both(parse, bytes, *profile); });
     if (!wrong.empty()) return wrong;
   }
   return {};

@@ -12,6 +12,7 @@
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_words.h"
+#include "ninebit/texture_shader/validate_stages.h"
 
 namespace ninebit::fuzz {
 namespace {
@@ -144,6 +145,26 @@ std::string wrong_with_state(const CombinerState& read, const HardwareProfile& p
       [&] { return wrong_with_words(state, *program, ChipClass::nv10, profile); },
       [&] { return wrong_with_words(state, *program, ChipClass::nv20, profile); },
       [&] { return wrong_with_outputs(*program, profile); });
+}
+
+std::string wrong_with_stages(const TextureShaderState& stages, const HardwareProfile& profile) {
+  if (!stages.enabled) return {};
+  if (const auto found = validate(stages, profile); !found.empty()) return "GL refuses stages: " + found[0].message;
+  (void)print_stages(stages);
+  TextureShaderState expected = only_used(stages), back;
+  expected.rules = StageRules::open_gl;
+  if (const auto text = print_gl_calls({}, profile, stages)) {
+    if (const auto parsed = parse_gl_calls({*text, kFile}, profile, &back); !parsed) {
+      return refused("GL calls", parsed, *text);
+    }
+    if (back != expected) return "GL calls give other stages:\n" + *text;
+  }
+  if (const auto text = print_rc10({}, profile, stages)) {
+    if (const auto parsed = parse_rc10({*text, kFile}, profile, &back); !parsed)
+      return refused("!!TS1.0", parsed, *text);
+    if (back != expected) return "!!TS1.0 gives other stages:\n" + *text;
+  }
+  return {};
 }
 
 }  // namespace ninebit::fuzz

@@ -8,6 +8,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace ninebit::fuzz {
 
@@ -27,6 +28,9 @@ std::string wrong_with_faults(const std::vector<TextFault>& faults, std::string_
 // What is wrong with a state that a parser gave: GL must accept it, it must compile, be explained and emitted, and come
 // back from GL calls, !!RC1.0 and register words as far as they can express it.
 std::string wrong_with_state(const CombinerState& state, const HardwareProfile& profile);
+
+// The same of texture-shader stages: they must be valid, be explained, and come back from GL calls and !!TS1.0.
+std::string wrong_with_stages(const TextureShaderState& stages, const HardwareProfile& profile);
 
 // What is wrong with the faults of what a parser answered.
 template <class T>

@@ -86,10 +86,9 @@ TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
   const std::string set = "glTexEnvi(GL_TEXTURE_SHADER_NV, ";
   EXPECT_EQ(gl_faults(set + "GL_SHADER_OPERATION_NV, GL_OFFSET_TEXTURE_2D_NV);"),
             "1:1: GL_INVALID_OPERATION: texture stage 0: 'GL_OFFSET_TEXTURE_2D_NV' is for stages 1 to 3 only\n");
-  EXPECT_EQ(
-      gl_faults(kUnit + set + "GL_PREVIOUS_TEXTURE_INPUT_NV, GL_TEXTURE1_ARB);"),
-      "2:1: GL_INVALID_OPERATION: texture stage 1: the previous stage is 1, which is not before this one; expected "
-      "one from 0 to 0\n");
+  EXPECT_EQ(gl_faults(kUnit + set + "GL_PREVIOUS_TEXTURE_INPUT_NV, GL_TEXTURE1_ARB);"),
+            "2:1: GL_INVALID_OPERATION: texture stage 1: expected a texture unit before this one, such as "
+            "GL_TEXTURE0_ARB, not 'GL_TEXTURE1_ARB'\n");
   EXPECT_EQ(gl_faults(set + "GL_PREVIOUS_TEXTURE_INPUT_NV, 3);"),
             "1:1: GL_INVALID_ENUM: texture stage 0: expected a texture unit before this one, such as GL_TEXTURE0_ARB, "
             "not '3'\n");
@@ -105,6 +104,8 @@ TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
             "'GL_SIGNED_IDENTITY_NV'\n");
   EXPECT_EQ(gl_faults("glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_CONST_EYE_NV, (GLfloat[]){1, 2});"),
             "1:51: '(GLfloat[]){1, 2}' cannot be passed here; expected 3 values, not 2\n");
+  EXPECT_EQ(gl_faults("glTexEnvf(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_SCALE_NV, 1e39);"),
+            "1:61: '1e39' is too large for a float\n");
   EXPECT_EQ(gl_faults("glTexEnvi(GL_TEXTURE_ENV, GL_SHADER_OPERATION_NV, 0);"),
             "1:11: 'GL_TEXTURE_ENV' is another target; glTexEnvi is read with GL_TEXTURE_SHADER_NV alone\n");
   EXPECT_EQ(gl_faults("glActiveTexture(GL_TEXTURE4);"), "1:1: GL_INVALID_ENUM: profile nv2a has 4 texture units\n");
@@ -201,7 +202,7 @@ TEST(ShaderTextures, RulesOfDirect3D) {
   const auto faults = [](const std::string& lines, const std::string& version = "ps.1.3") {
     return read_shader(version + "\n" + lines + "\nmov r0, v0\n").faults;
   };
-  EXPECT_EQ(faults("tex t0\ntexbem t0, t0"), "3:8: 't0' is loaded already, by tex\n");
+  EXPECT_EQ(faults("tex t0\ntexbem t0, t0"), "3:1: 't0' is loaded already, by tex\n");
   EXPECT_EQ(faults("tex t1\ntexbem t0, t1"),
             "3:12: GL_INVALID_OPERATION: 'texbem' of t0 reads 't1'; expected a t register of a lower number\n");
   EXPECT_EQ(faults("texbem t1, t0"), "2:12: 'texbem' of t1 reads 't0', which no instruction before loads\n");
@@ -220,6 +221,13 @@ TEST(ShaderTextures, RulesOfDirect3D) {
   }
   EXPECT_NE(faults("tex t0\ntexm3x3pad t1, t0\ntexm3x3pad t2, t0\ntexm3x3 t3, t0").find("'texm3x3' is beyond"),
             std::string::npos);
+  EXPECT_EQ(read_shader("ps.1.4\ntexld r0, t0\nphase\ntexkill r0\nmov r0, v0\n").faults,
+            "4:9: 'texkill' of 'r0' tests a register's value; the texture shaders of the GeForce3 test coordinates "
+            "alone\n");
+  const ReadShader last = read_shader("ps.1.4\ntexcrd r0.rgb, t0\ntexld r1, t1\nmov r0, r1\n");
+  EXPECT_EQ(last.faults, "");
+  EXPECT_EQ(last.stages.stage[0].operation, TextureOperation::pass_through);
+  EXPECT_EQ(last.stages.stage[1].operation, TextureOperation::texture_2d);
   EXPECT_EQ(read_shader("ps.1.1\ntexcoord t0\nmov r0, t0\n", profiles::geforce2).faults,
             "2:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader)\n");
 }

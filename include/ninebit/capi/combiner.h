@@ -44,7 +44,7 @@ typedef enum ninebit_result {
 /* The text forms of a program; docs/languages.md describes them. */
 typedef enum ninebit_form {
   NINEBIT_FORM_GL_CALLS = 0,        /* C text: glCombinerInputNV(GL_COMBINER0_NV, …); */
-  NINEBIT_FORM_RC10 = 1,            /* !!RC1.0 */
+  NINEBIT_FORM_RC10 = 1,            /* !!RC1.0, with !!TS1.0 or without */
   NINEBIT_FORM_NV10_WORDS = 2,      /* RC_IN_RGB[0] = 0x… lines, GeForce 256 and GeForce 2 */
   NINEBIT_FORM_NV20_WORDS = 3,      /* GeForce3, NV2A */
   NINEBIT_FORM_NV10_WORDS_JSON = 4, /* {"RC_IN_RGB[0]": "0x…"} */

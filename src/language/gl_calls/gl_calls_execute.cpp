@@ -48,6 +48,10 @@ class Call {
                                                    std::string(call_.name) +
                                                    " is read with GL_TEXTURE_SHADER_NV alone");
     }
+    const auto is_finite = [](float value) { return std::isfinite(value); };
+    if (!is_finite(converted_.f) || !std::all_of(converted_.fv.begin(), converted_.fv.end(), is_finite)) {
+      return faults_.add(arguments_[2].offset, quoted(arguments_[2].text) + " is too large for a float");
+    }
     switch (call_.command) {
       case GlCommand::tex_env_i:
         gl::glTexEnvi(e[0], e[1], converted_.i);

@@ -89,8 +89,8 @@ class GlParser {
 
   // A call of a dump, which has a number before it. Those that set no combiners are skipped.
   bool dump_line(const detail::GlDumpLine& line) {
-    const GlSignature* const stage_call = reads_stages_ ? detail::find_stage_call(line.name) : nullptr;
-    if (line.sets_combiners || (stage_call != nullptr && sets_stages(*stage_call, line))) {
+    const GlSignature* const stage_call = reads_stages_ ? stage_call_of(line) : nullptr;
+    if (line.sets_combiners || stage_call != nullptr) {
       lexer_.move_to(line.call);
       dump_end_ = line.end;
       return call_statement(stage_call != nullptr ? *stage_call : *detail::find_gl_call(line.name), false, false);
@@ -104,12 +104,16 @@ class GlParser {
     return true;
   }
 
-  // Whether a line of a dump sets texture shaders. Units are followed where there may be stages.
-  [[nodiscard]] bool sets_stages(const GlSignature& call, const detail::GlDumpLine& line) const {
+  // The call of a line of a dump that sets texture shaders; nullptr: it does not. Units are followed where there may be
+  // stages.
+  [[nodiscard]] const GlSignature* stage_call_of(const detail::GlDumpLine& line) const {
+    if (!context_.profile().texture_shaders) return nullptr;
+    const GlSignature* const call = named_call(line.name);
     const std::string_view text = text_.substr(line.call, line.end - line.call);
-    if (!context_.profile().texture_shaders) return false;
-    return call.command == detail::GlCommand::active_texture ||
-           text.find("TEXTURE_SHADER_NV") != std::string_view::npos || text.find("0x86de") != std::string_view::npos;
+    const bool names_stages =
+        text.find("TEXTURE_SHADER_NV") != std::string_view::npos || text.find("0x86de") != std::string_view::npos;
+    const bool is_unit = call != nullptr && call->command == detail::GlCommand::active_texture;
+    return is_unit || names_stages ? call : nullptr;
   }
 
   void note_skipped() {
@@ -249,9 +253,9 @@ Parsed<CombinerState> parse_gl_calls(const SourceText& source, const HardwarePro
     return parsed;
   }
   std::string_view language = foreign_language(source.text);
+  const auto names = [&](std::string_view part) { return source.text.find(part) != std::string_view::npos; };
   const bool names_combiners =
-      source.text.find("ombiner") != std::string_view::npos ||
-      (texture_shader != nullptr && source.text.find("TEXTURE_SHADER_NV") != std::string_view::npos);
+      names("ombiner") || (texture_shader != nullptr && (names("TEXTURE_SHADER_NV") || names("SHADER_OPERATION_NV")));
   if (language.empty() && !names_combiners) language = foreign_calls(source.text);
   if (language.empty()) return parsed;
   faults.add(0, cannot_run(language));

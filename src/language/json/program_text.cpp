@@ -26,15 +26,16 @@ namespace ninebit {
 namespace {
 
 // The program of a parser whose further results `read` holds already.
-Parsed<TextProgram> program_with(Parsed<CombinerState> state, TextProgram read = {}) {
+Parsed<TextProgram> program_with(Parsed<CombinerState> state, TextProgram read) {
   if (!state) return {state.faults(), std::move(state.notes)};
   read.state = *state;
   return {std::move(read), std::move(state.notes)};
 }
 
 // The same, where the words of the stages are among the other words, and `registers` of a log: they become stages,
-// unless the stages do not model them.
+// unless the stages do not model them, or they only read textures, which a chip without stages does, too.
 Parsed<TextProgram> program_with_words(Parsed<CombinerState> state, TextProgram read, std::string_view file,
+                                       const HardwareProfile& profile,
                                        const std::vector<RegisterWord>& registers = {}) {
   auto program = program_with(std::move(state), std::move(read));
   if (!program || program->texture_shader.enabled) return program;
@@ -44,7 +45,7 @@ Parsed<TextProgram> program_with_words(Parsed<CombinerState> state, TextProgram 
   if (!stages.why.empty()) {
     program.notes.push_back({std::string(file), stages.place.line, stages.place.column,
                              "texture stages are skipped, and their words kept: " + stages.why});
-  } else if (stages.state.enabled) {
+  } else if (stages.state.enabled && (profile.texture_shaders || !only_reads_textures(stages.state))) {
     program->texture_shader = stages.state;
     std::erase_if(program->other_words, [](const RegisterWord& word) { return xbox::is_stage_word(word.name); });
   }
@@ -100,14 +101,14 @@ Parsed<TextProgram> parse_json_words(const SourceText& source, const HardwarePro
                                      const ReadOptions& options) {
   TextProgram read;
   auto state = parse_json_register_words(source, chip_for(options, profile), profile, &read.other_words);
-  return program_with_words(std::move(state), std::move(read), source.file);
+  return program_with_words(std::move(state), std::move(read), source.file, profile);
 }
 
 Parsed<TextProgram> parse_words(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
   if (is_json(without_heading(source.text))) return parse_json_words(source, profile, options);
   TextProgram read;
   auto state = parse_register_words(source, chip_for(options, profile), profile, &read.other_words);
-  return program_with_words(std::move(state), std::move(read), source.file);
+  return program_with_words(std::move(state), std::move(read), source.file, profile);
 }
 
 Parsed<TextProgram> parse_log(const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
@@ -118,9 +119,9 @@ Parsed<TextProgram> parse_log(const SourceText& source, const HardwareProfile& p
   return program;
 }
 
-// What a language without texture-shader stages says of a program that has some.
+// What a form of the combiners alone says of stages that do more.
 Diagnostic has_stages() {
-  return {.message = "the texture-shader stages cannot be expressed"};
+  return {.message = "it has the combiners alone, and these texture-shader stages do more than read their textures"};
 }
 
 // Stages with unsigned textures of the kinds that they read, by the chip's rules, which take any format.
@@ -216,7 +217,7 @@ const std::array kForms{
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
                TextProgram read;
                auto state = parse_xbox_pixel_shader(source, profile, &read.other_words);
-               return program_with_words(std::move(state), std::move(read), source.file);
+               return program_with_words(std::move(state), std::move(read), source.file, profile);
              },
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile& profile) {
@@ -233,7 +234,7 @@ const std::array kForms{
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
                TextProgram read;
                auto state = parse_json_program(source, profile, &read.other_words, &read.texture_shader);
-               return program_with_words(std::move(state), std::move(read), source.file);
+               return program_with_words(std::move(state), std::move(read), source.file, profile);
              },
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile&) {
@@ -276,7 +277,7 @@ const std::array kForms{
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
                TextProgram read;
                auto state = parse_source_code(source, options.source, profile, &read.other_words);
-               return program_with_words(std::move(state), std::move(read), source.file);
+               return program_with_words(std::move(state), std::move(read), source.file, profile);
              },
          .takes_definitions = true},
     Form{.name = "log",
@@ -379,7 +380,7 @@ Parsed<TextProgram> text_program_of(const RegisterLog& log, std::size_t setup, s
   auto state = program_of(log, setup, file, profile, &read.other_words);
   const std::size_t place = setup == 0 ? 0 : setup - 1;
   const std::vector<RegisterWord> none;
-  return program_with_words(std::move(state), std::move(read), file,
+  return program_with_words(std::move(state), std::move(read), file, profile,
                             place < log.setups.size() ? log.setups[place].stage_registers : none);
 }
 

@@ -89,13 +89,17 @@ class ShaderTextures {
     if (to.index >= kTextureStages) {
       return faults_.add(to.offset, quoted(to.text) + " has no texture-shader stage; there are four");
     }
-    // A kill of ps.1.4 tests coordinates that another instruction has loaded.
     const auto place = static_cast<std::size_t>(to.index);
     const auto operation = operation_named(one.row->name);
     if (!operation || *operation == brdf) {
       return faults_.add(
           one.offset,
           quoted(one.row->name) + " is beyond the texture shaders of the GeForce3, which have no such operation");
+    }
+    if (one.row->name == "texkill" && to.file == ShaderFile::temporary) {
+      return faults_.add(to.offset, "'texkill' of " + quoted(to.text) +
+                                        " tests a register's value; the texture shaders of "
+                                        "the GeForce3 test coordinates alone");
     }
     if (at_[place] != nullptr) {
       return faults_.add(one.offset, quoted(to.text) + " is loaded already, by " + name_at(at_[place]));
@@ -189,7 +193,9 @@ class ShaderTextures {
     for (std::size_t i = 0; i < at_.size(); ++i) {
       const ShaderInstruction* const one = at_[i];
       const std::string name = name_at(one), stage = "texture stage " + std::to_string(i);
-      if (name == "tex" || name == "texld") {
+      if (name == "texcrd") {
+        notes_.add(one->offset, "the coordinates of " + stage + " are clamped to 0 to 1, which ps.1.4 does not do");
+      } else if (name == "tex" || name == "texld") {
         notes_.add(one->offset, stage + " reads a texture of the kind that the application sets; a 2D one is assumed");
       } else if (name.starts_with("texbem")) {
         notes_.add(one->offset, "the application sets the bump matrix of " + stage +

@@ -73,7 +73,7 @@ class Ts10Reader {
       in_.skip_statement();
       if (in_.lexer.peek().is('}')) in_.lexer.take();
     }
-    end_chain(in_.lexer.peek().offset);
+    end_chain();
     if (in_.faults.count() > before) return state_;
     for (const TextureShaderDiagnostic& found : validate(state_, in_.profile)) {
       const std::size_t at = found.stage ? at_[static_cast<std::size_t>(*found.stage)] : header;
@@ -118,17 +118,18 @@ class Ts10Reader {
     if (goes_on && (chain_ != line.chain || next_ != line.number)) {
       in_.faults.add(name.offset, quoted(name.text) + " must stand behind " + chain_line(*line.chain, line.number - 1));
     } else if (!goes_on) {
-      end_chain(name.offset);
+      end_chain();
     }
-    if (!goes_on) first_ = count_ - 1;
+    if (!goes_on || chain_ != line.chain || next_ != line.number) first_ = count_ - 1;
     const bool has_more = line.chain != nullptr && line.number + 1 < line.chain->lines;
     chain_ = has_more ? line.chain : nullptr;
+    chain_at_ = name.offset;
     next_ = line.number + 1;
   }
 
   // nvparse accepts a chain that stops.
-  void end_chain(std::size_t offset) {
-    if (chain_ != nullptr) in_.faults.add(offset, "expected " + chain_line(*chain_, next_) + " here");
+  void end_chain() {
+    if (chain_ != nullptr) in_.faults.add(chain_at_, "expected " + chain_line(*chain_, next_) + " behind this line");
     chain_ = nullptr;
   }
 
@@ -227,6 +228,7 @@ class Ts10Reader {
   int first_ = 0;                     // the stage of the first line of the chain, or of the line
   const Ts10Chain* chain_ = nullptr;  // that is not finished
   int next_ = 0;                      // the number of its next line
+  std::size_t chain_at_ = 0;          // the offset of its last line
   std::array<float, 3> eye_{};        // of the chain
 };
 

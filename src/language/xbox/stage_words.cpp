@@ -41,6 +41,7 @@ void read_float(std::span<const RegisterWord> words, const std::string& name, fl
   if (word == nullptr) return;
   into = std::bit_cast<float>(word->value);
   if (std::isnan(into)) why = name + " is not a number (NaN)";
+  if (std::isinf(into)) why = name + " is infinite";
 }
 
 void read_registers(std::span<const RegisterWord> words, StageWords& out) {
@@ -135,8 +136,9 @@ Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& s
     return why("replaced depths from 0 to 1; the NV2A's are codes of the depth buffer");
   }
   std::vector<RegisterWord> words;
-  for (std::size_t i = 0; i < kStageWordNames.size(); ++i)
-    words.push_back({std::string(kStageWordNames[i]), value[i], {}});
+  for (std::size_t i = 0; i < kStageWordNames.size(); ++i) {
+    if (value[i] != 0) words.push_back({std::string(kStageWordNames[i]), value[i], {}});
+  }
   return words;
 }
 

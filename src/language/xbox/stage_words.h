@@ -27,7 +27,7 @@ struct StageWords {
 // Whether a word of kOtherWordNames is one of the stages'.
 [[nodiscard]] bool is_stage_word(std::string_view name);
 
-// The four words of stages that are enabled, in the order of kOtherWordNames, or a Diagnostic. What the application
+// The words of enabled stages that are not 0, in the order of kOtherWordNames, or a Diagnostic. What the application
 // sets otherwise has no place in them: see not_in_stage_words().
 [[nodiscard]] Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& state);
 
