@@ -37,7 +37,7 @@ class GlArgumentReader {
   // Skips gl., ext->, vtkgl:: and the like before a name; whether there was one.
   bool qualifier();
 
-  bool expect(char c);
+  bool expect(std::string_view mark);
   // Reports what was found instead; false.
   bool expected(const std::string& what);
 
