@@ -338,6 +338,10 @@ TEST(SourceCode, IncludedFilesAreRead) {
   ASSERT_TRUE(found) << test::all_faults(found);
   EXPECT_EQ(found->num_general_combiners, 3);
   EXPECT_FALSE(parse(text));
+  const SourceInclude itself = [](std::string_view) { return std::optional<std::string>("#include \"a.h\"\n"); };
+  EXPECT_EQ(test::all_faults(parse("#include \"a.h\"\nvoid f() { " + kSet + "2); }",
+                                   {.functions = {}, .definitions = {}, .include = itself})),
+            "s:1:2: 'a.h' includes itself\n");
 }
 
 TEST(SourceCode, AFunctionThatDrawsHasSeveralPrograms) {

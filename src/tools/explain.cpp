@@ -66,6 +66,7 @@ void add_explain(CLI::App& app, int& exit_code) {
   add_answer_flags(*verb, flags->common);
   add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
+  add_include_flag(*verb, flags->program.allow_outside);
   add_page_flag(*verb, flags->output);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

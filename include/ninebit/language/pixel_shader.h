@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
+#include "ninebit/language/source_code.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
@@ -23,9 +24,11 @@ namespace NINEBIT_PUBLIC ninebit {
 // combiners cannot express. A shader with more instructions than the profile has general combiners is
 // GL_INVALID_VALUE.
 // `definitions` are macros that replace the text's own of the same name. An #if that depends on a name that neither
-// defines is a fault; #ifdef of such a name is false.
+// defines is a fault; #ifdef of such a name is false. `include` reads the files that the text includes by names in
+// quotation marks; faults in them have the place of the #include. Without it, a note names each file, which is skipped.
 [[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
-                                                       const std::vector<Definition>& definitions = {});
+                                                       const std::vector<Definition>& definitions = {},
+                                                       const SourceInclude& include = {});
 
 // The state as a ps.1.1 text, or a Diagnostic that names what the language cannot express. parse_pixel_shader of the
 // text returns a state that computes the same for every fragment; if this one came from a ps.1.x text, it normalizes to

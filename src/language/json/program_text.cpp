@@ -104,8 +104,10 @@ const std::array kForms{
          // The compiler's header of tokens has the text before them, between #if 0 and #endif.
          .detect = [](std::string_view text,
                       std::string_view) { return is_pixel_shader(text) && !is_shader_tokens(text); },
-         .parse = [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options,
-                     Words&) { return parse_pixel_shader(source, profile, options.source.definitions); },
+         .parse =
+             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options, Words&) {
+               return parse_pixel_shader(source, profile, options.source.definitions, options.source.include);
+             },
          .takes_definitions = true},
     Form{.name = "tokens",
          .title = "Assembled pixel shader",

@@ -32,7 +32,8 @@ void check_shader_rules(const ShaderText& text, SourceFaults& faults);
 // others.
 [[nodiscard]] Parsed<CombinerState> parse_defined_shader(const SourceText& source,
                                                          const std::vector<Definition>& definitions,
-                                                         const HardwareProfile& profile, std::set<std::string>& used);
+                                                         const HardwareProfile& profile, std::set<std::string>& used,
+                                                         const SourceInclude& include = {});
 
 // The quote of the first string literal of C whose content begins with a shader's header; npos: there is none.
 [[nodiscard]] std::size_t find_shader_literal(std::string_view text);
