@@ -15,7 +15,7 @@
 #include "ninebit/study/report_files.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit::fuzz {
 namespace {

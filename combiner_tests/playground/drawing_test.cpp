@@ -7,7 +7,7 @@
 
 #include "combiner_tests/playground/support.h"
 #include "src/playground/plane_hash.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "combiner_tests/raster/fragment_support.h"
-#include "src/raster/surface/clear_values.h"
+#include "src/raster/surface/color_words.h"
 
 namespace ninebit::test {
 namespace {

@@ -161,7 +161,7 @@ TEST(Layering, NoticesWhatIsForbidden) {
   EXPECT_NE(complaint("numerics", "ninebit/combiner/state.h"), "");
   EXPECT_NE(complaint("raster", "ninebit/scene/scene.h"), "");
   EXPECT_NE(complaint("scene", "ninebit/image/image_io.h"), "");
-  EXPECT_NE(complaint("image", "src/scene/files/polygon.h"), "");
+  EXPECT_NE(complaint("image", "src/scene/files/mesh_builder.h"), "");
   EXPECT_NE(complaint("shadow", "src/tools/input/program.h"), "");
   EXPECT_NE(complaint("shadow", "assimp/scene.h"), "");
   EXPECT_NE(complaint("image", "draco/compression/decode.h"), "");

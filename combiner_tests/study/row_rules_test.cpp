@@ -11,7 +11,7 @@
 #include "combiner_tests/support/random.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "ninebit/image/image_io.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace tools_test {
 namespace {

@@ -3,7 +3,6 @@
 #ifdef NINEBIT_HAS_EGL
 #include <utility>
 
-#include "src/bench/gl_functions.h"
 #include "src/bench/gl_program.h"
 #endif
 #include "src/bench/egl_context.h"

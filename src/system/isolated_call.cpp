@@ -17,7 +17,6 @@
 #include <new>
 #include <optional>
 
-#include "src/system/descriptor.h"
 #include "src/system/process.h"
 #include "src/system/sandbox.h"
 

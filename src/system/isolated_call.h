@@ -10,11 +10,14 @@
 // - It dies with its parent.
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "src/system/answer.h"
 
@@ -50,5 +53,25 @@ struct CallResult {
 
 // The message for any end but CallEnd::answered, such as "Assimp's 3DS reader crashed"; `who` is its subject.
 [[nodiscard]] std::string describe(CallEnd end, const CallLimits& limits, const std::string& who);
+
+// A file descriptor that closes itself.
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
+  ~Descriptor() { close(); }
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+  [[nodiscard]] int get() const { return number_; }
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
 
 }  // namespace ninebit::posix

@@ -10,7 +10,6 @@
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
-#include "src/tools/input/terminal.h"
 
 namespace ninebit::tools {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ninebit/scene/scene_io.h"
-#include "src/scene/files/draco_decoder.h"
+#include "src/scene/files/draco_meshes.h"
 #include "src/scene/files/gltf_storage.h"
 
 namespace ninebit {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "src/scene/fault_of.h"
 #include "src/scene/files/gltf_storage.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {

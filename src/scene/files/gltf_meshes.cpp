@@ -6,9 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "src/scene/fault_of.h"
 #include "src/scene/files/gltf_materials.h"
-#include "src/scene/files/read_limits.h"
+#include "src/scene/files/scene_readers.h"
 #include "src/scene/scene_check.h"
 
 namespace ninebit {

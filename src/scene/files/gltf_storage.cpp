@@ -6,8 +6,8 @@
 #include <bit>
 #include <system_error>
 
-#include "src/scene/fault_of.h"
-#include "src/scene/files/read_limits.h"
+#include "src/scene/files/scene_readers.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 

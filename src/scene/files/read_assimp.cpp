@@ -6,14 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "src/scene/fault_of.h"
-#include "src/scene/files/assimp_textures.h"
+#include "src/scene/files/assimp_import.h"
+#include "src/scene/files/file_kind.h"
 #include "src/scene/files/gltf_storage.h"
 #include "src/scene/files/isolated_import.h"
 #include "src/scene/files/json_value.h"
-#include "src/scene/files/read_limits.h"
 #include "src/scene/files/scene_readers.h"
-#include "src/scene/files/up_axis.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "src/frame/weld.h"
+#include "src/frame/surface_groups.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

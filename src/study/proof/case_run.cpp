@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "src/study/proof/component_flow.h"
 #include "src/study/proof/proof_side.h"
 #include "src/system/parallel/parallel_loop.h"
 

@@ -7,7 +7,7 @@
 #include "ninebit/combiner/program.h"
 #include "src/study/vectors/vector_format.h"
 #include "src/study/vectors/vector_words.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit {
 namespace vectors {

@@ -33,4 +33,9 @@ class Sha256 {
 // The hash of a whole text, in lower-case hexadecimal.
 [[nodiscard]] std::string sha256(std::string_view text);
 
+// Base64, as data URLs use it.
+
+// The bytes in base64 (RFC 4648), padded, without line breaks.
+[[nodiscard]] std::string base64(std::string_view bytes);
+
 }  // namespace ninebit
