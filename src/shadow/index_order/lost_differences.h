@@ -13,7 +13,6 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/scene/scene.h"
 #include "src/shadow/index_order/patches.h"
-#include "src/shadow/index_order/scene_surface.h"
 
 namespace ninebit {
 

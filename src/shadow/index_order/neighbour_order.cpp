@@ -11,7 +11,6 @@
 #include "src/shadow/index_order/code_embedding.h"
 #include "src/shadow/index_order/lost_differences.h"
 #include "src/shadow/index_order/patches.h"
-#include "src/shadow/index_order/scene_surface.h"
 
 namespace ninebit {
 
