@@ -249,7 +249,7 @@ class Machine {
   void look_for_misspelling(std::string_view name, const Expression& e);
   bool argument(const Expression& e, char kind, detail::GlArgument& out);
   bool array_argument(Value value, const Expression& e, char kind, detail::GlArgument& out);
-  void note_drawing(std::string_view name, const Expression& e);
+  void note_drawing(std::string_view name);
 
   // Definitions of the Xbox: code_xbox.cpp
   std::string object_of(const Expression& e);

@@ -1,4 +1,4 @@
-// SHA-256 of raw planes, so that two runs can be compared by eye, and of a study's files on disk.
+// By OpenSSL: SHA-256 of raw planes, so that two runs can be compared by eye, and of a study's files on disk; base64.
 #pragma once
 
 #include <cstddef>
