@@ -44,7 +44,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // shaders by name, and text after the last token.
 [[nodiscard]] Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile);
 
-// What print_pixel_shader() prints, assembled: a C array of words.
+// The text of print_pixel_shader(), assembled: a C array of words.
 [[nodiscard]] Result<std::string> print_shader_tokens(const CombinerState& state, const HardwareProfile& profile);
 
 }  // namespace ninebit

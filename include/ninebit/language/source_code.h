@@ -40,7 +40,7 @@ struct SourceSelection {
   std::vector<Definition> definitions{};
   // Reads files that the source includes; without it, none is read.
   SourceInclude include{};
-  // Of a function that draws between its set-ups, the program to take, from 1; 0: the only one.
+  // The program to take of a function that draws between its set-ups, from 1; 0: the only one.
   std::size_t program = 0;
 };
 

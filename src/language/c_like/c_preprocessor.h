@@ -15,7 +15,7 @@
 
 namespace ninebit::code {
 
-// What a condition says. Names that mean nothing are 0, as C has it; then it is not sure.
+// The answer of a condition. Names that mean nothing are 0, as C has it; then it is not sure.
 struct Answer {
   bool value = false;
   bool is_sure = true;
@@ -32,7 +32,7 @@ struct PreprocessorOptions {
   std::function<const std::string*(std::string_view)> include{};
   // An #include that is not read: the directive of the text itself, the name as it is written.
   std::function<void(const Token&, const std::string&)> skipped{};
-  // What is wrong with a directive, and where in the text itself. Without this function it is ignored.
+  // Reports a fault of a directive with its place in the text itself. Without this function faults are ignored.
   std::function<void(const Token&, const std::string&)> fault{};
   // Files that include each other without an end, or too many; as `fault`, and never ignored.
   std::function<void(const Token&, const std::string&)> endless{};
