@@ -1,4 +1,4 @@
-// What is wrong with a text of GL calls, and where.
+// The faults of texts of GL calls, with their places.
 #include <gtest/gtest.h>
 
 #include <string>

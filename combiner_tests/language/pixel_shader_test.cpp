@@ -1,4 +1,4 @@
-// What pixel shaders in assembly mean: the same as !!RC1.0 texts and words of the Xbox that were made by hand.
+// Pixel shaders in assembly mean the same as !!RC1.0 texts and words of the Xbox that were made by hand.
 #include "ninebit/language/pixel_shader.h"
 
 #include <gtest/gtest.h>
@@ -114,7 +114,7 @@ TEST(PixelShader, ConstantsBelongToAStageWhereThereAreMoreThanTwo) {
                 "{ const0 = (0, 0, 1, 0); const1 = (1, 0, 0, 0);\n"
                 "  rgb { discard = const0 * spare0; discard = one * const1; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, 1, 0, 0, 0\ndef c1, 0, 1, 0, 0\ndef c2, 0, 0, 1, 0\ntex t0\n", profiles::nv2a);
-  // What is below 0 is stored as its negative.
+  // A number below 0 is stored as its negative.
   expect_same({{"add r0.rgb, t0, c0",
                 "const0 = (0.5, 0, 0.25, 0);\n{ rgb { discard = tex0; discard = -const0; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, -0.5, 0, -0.25, 0\ntex t0\n", profiles::geforce2);

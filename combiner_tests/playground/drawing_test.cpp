@@ -1,4 +1,4 @@
-// What the engine draws.
+// The engine's drawings.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -80,7 +80,7 @@ std::optional<std::string> room_of(const std::string& path) {
   return match[1].str();
 }
 
-// What is wrong with one #include of a file in `room`; empty: nothing.
+// The fault of one #include of a file in `room`; empty: none.
 std::string complaint(const std::string& room, const std::string& header) {
   if (const auto other = room_of(header)) {
     if (kRank.count(*other) == 0) return "unknown room " + *other;
@@ -109,7 +109,7 @@ std::optional<std::ptrdiff_t> floor_of(const std::string& path) {
   return folder - room->second.begin();
 }
 
-// What is wrong with the place of the file `path`, or with its #include of a header of the same room; empty: nothing.
+// The fault of the place of the file `path`, or of its #include of a header of the same room; empty: none.
 std::string complaint_within(const std::string& path, const std::string& header) {
   const auto room = room_of(path);
   if (path.rfind("src/", 0) != 0 || kFolders.count(*room) == 0) return {};

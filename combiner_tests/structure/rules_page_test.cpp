@@ -57,7 +57,7 @@ bool names_rule(const std::string& text, int number) {
   return false;
 }
 
-// What is wrong with where a rule of the page sends its readers; empty: nothing.
+// The faults of the places to which a rule of the page sends its readers; empty: none.
 std::string complaint(const fs::path& top, int number, const std::string& rule) {
   std::string places = text_of(top / "include/ninebit/combiner/arithmetic.inl") +
                        text_of(top / "include/ninebit/numerics/hardware_profile.h") +

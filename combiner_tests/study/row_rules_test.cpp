@@ -18,7 +18,7 @@ namespace {
 using namespace ninebit;
 using fuzz::small_studies;
 
-// What somebody may put in place of a value.
+// Texts that somebody may put in place of a value.
 const std::vector<StudyValue>& hostile_values() {
   static const std::vector<StudyValue> values{std::monostate(),
                                               std::int64_t{-1},

@@ -189,7 +189,7 @@ TEST_F(AlteredPart, RunsAtOnceLeaveAWholePart) {
   EXPECT_EQ(files_in(folder_ / "together"), files_in(folder_ / "alone"));
 }
 
-// What two runs at once left before there was a lock: the same lines twice.
+// The file that two runs at once left before there was a lock: the same lines twice.
 TEST_F(AlteredPart, LinesThatStandTwiceHeal) {
   const Words study{"index-steps", "--formats", "la", "--steps", "2", "--profile", "geforce2"};
   make(study);
