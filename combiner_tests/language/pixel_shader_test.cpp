@@ -334,6 +334,8 @@ TEST(PixelShader, NotesSayWhatIsLeftToOthers) {
             "4:17: c0 and c4 are not defined here; the application sets them\n");
   EXPECT_EQ(shader_notes("xps.1.1\n#include \"names.h\"\ndef c0, 2, 0, -1, 0\nmov r0, c0"),
             "2:1: skipped '\"names.h\"'; its names are not known\n3:5: c0 is clamped to 0 to 1\n");
+  EXPECT_EQ(shader_notes("#pragma once\n#include <d3d8.h>\nps.1.1\nmov r0, v0"),
+            "2:1: skipped '<d3d8.h>'; its names are not known\n");
   EXPECT_EQ(shader_notes("ps.1.1\nmov r0, v0"), "");
 }
 

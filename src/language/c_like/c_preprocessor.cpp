@@ -198,7 +198,7 @@ void Preprocessor::include(const Token& directive, const std::vector<Token>& lin
   for (const Token& token : line) written += token.text;
   const bool named = line.size() == 1 && line[0].kind == Token::Kind::text && written.size() > 2;
   const std::string_view name = named ? line[0].text.substr(1, written.size() - 2) : std::string_view();
-  if (once_.contains(name)) return;
+  if (named && once_.contains(name)) return;
   const std::string* const text = options_.include && named ? options_.include(name) : nullptr;
   if (text == nullptr) {
     if (options_.skipped) options_.skipped(outer(directive), written);
