@@ -4,7 +4,7 @@
 #include <set>
 
 #include "src/bench/generated_scene.h"
-#include "src/bench/provoking_vertices.h"
+#include "src/bench/meshes.h"
 #include "src/bench/raster_rate.h"
 #include "src/bench/timing.h"
 

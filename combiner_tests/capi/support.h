@@ -1,4 +1,4 @@
-// What the tests of the C interface share: handles that free themselves, and ways between C and C++.
+// Shared by the tests of the C interface: handles that free themselves, and ways between C and C++.
 #pragma once
 
 #include <algorithm>

@@ -138,7 +138,7 @@ TEST(Batch, AnEmptyBatchChangesNothing) {
   }
 }
 
-// What stands for zero and the constants in a register file is not read.
+// The places of zero and the constants in a register file are not read.
 TEST(Batch, ZeroAndConstantsInTheRegisterFileAreNotRead) {
   CombinerState state = silent_state(1);
   state.constant0 = color_of(10, 20, 30, 40);

@@ -51,7 +51,7 @@ std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise)
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 0);
 }
 
-// What a shard has seen: a differential test of constant outputs would prove nothing.
+// The outputs of a shard: a differential test of constant outputs would prove nothing.
 struct StatesSeen {
   Coverage coverage;
   std::vector<Rgba9> colors;

@@ -1,4 +1,4 @@
-// What texels, colours and fog put into the registers.
+// The registers' values from texels, colours and fog.
 #include "ninebit/combiner/initial_registers.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@
 namespace ninebit::test {
 namespace {
 
-// What the oracle makes of the wide values from `low` to `high`, in steps of `step`.
+// The oracle's results for the wide values from `low` to `high`, in steps of `step`.
 std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bias, int low, int high, int step) {
   std::vector<s9> outputs;
   for (int wide = low; wide <= high; wide += step) {

@@ -1,7 +1,7 @@
 // Every product of two mapped values, and every value that a sum or a dot product can reach, through every legal pair
 // of scale and bias, with all integer profiles and two with rivals of their rules.
 //
-// What is exhaustive here:
+// Exhaustive here:
 // - products: both factors over all that a mapping can give; by the oracle, a formula in integers, the reference and
 //   every SIMD target;
 // - wide values: all integers up to two dot products of largest factors, ±6 lowest²; by the oracle and the reference;
@@ -46,7 +46,7 @@ int largest_mapped(const HardwareProfile& p) {
   return std::max({p.one.value, -p.lowest, p.expand_offset.value});
 }
 
-// What the oracle says of every wide value in [-most, most].
+// The oracle's answer for every wide value in [-most, most].
 std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bias, int most) {
   std::vector<s9> outputs;
   for (int wide = -most; wide <= most; ++wide) {

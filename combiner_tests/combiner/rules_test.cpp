@@ -30,7 +30,7 @@ RegisterFile with(Register r, const Rgba9& value) {
   return registers;
 }
 
-// What the option makes of one value; all four components must agree.
+// The option's result for one value; all four components must agree.
 int option_of(const HardwareProfile& profile, Scale scale, Bias bias, int value) {
   const RegisterFile initial = with(Register::primary, codes(value, value, value, value));
   const Rgba9 out = judged(option_state(scale, bias), profile, initial).registers[Register::spare1];

@@ -1,4 +1,4 @@
-// What the combiner tests share: short names for state, a printer, and `judged`, which runs a state by every path.
+// Shared by the combiner tests: short names for state, a printer, and `judged`, which runs a state by every path.
 #pragma once
 
 #include <array>

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kTraceSeed = 0x72AC;
 constexpr std::uint64_t kTraceCases = kSlowBuild ? 400 : 3000;
 
-// What a run has met, so that one in which nothing happens fails.
+// The events of a run, so that one in which nothing happens fails.
 struct TracesSeen {
   std::uint64_t outputs = 0, dropped = 0, cut = 0, final_dropped = 0, final_cut = 0, muxes = 0, differing_muxes = 0;
   std::uint64_t dots = 0, dead_portions = 0, early = 0, halves = 0;

@@ -82,7 +82,7 @@ TEST(Validate, AllFaultsOfAStateAreReportedWithTheirPlaces) {
   EXPECT_TRUE(found(all, {}, {}, Variable::g, invalid_operation)) << "rgb in G";
 }
 
-// What the NV2A's registers can ask for, and GL cannot.
+// Features that the NV2A's registers have and GL does not.
 TEST(Validate, AProfileWithoutTheBitRefusesIt) {
   CombinerState state;
   state.mux_by_lowest_bit = true;

@@ -10,7 +10,7 @@
 #include "ninebit/effect/effect_files.h"
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/numerics/hardware_profile.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit::test {
 namespace {

@@ -15,7 +15,7 @@
 #include "ninebit/study/report_files.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit::fuzz {
 namespace {
@@ -139,7 +139,7 @@ std::string wrong_with_going_on(std::string_view text) {
     return wrong_with_diagnostic(part.error(), folder.part());
   }
   if (!part->complete || part->units.size() != study.units()) return "a run ended before its end";
-  // What stands behind the last whole line may go, and nothing else.
+  // Text behind the last whole line may go, and nothing else.
   if (!now.starts_with(text.substr(0, text.rfind('\n') + 1))) return "a run altered what was finished";
   const auto back = read_part(folder.part());
   if (!back) return "a run left what it cannot read: " + back.error().text();

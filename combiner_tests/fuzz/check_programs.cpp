@@ -87,7 +87,7 @@ std::string check_ps(std::string_view bytes) {
     const bool is_assembled = is_shader_tokens(bytes);
     const auto parse = [&](TextureShaderState* stages) {
       return is_assembled ? parse_shader_tokens({bytes, kFile}, *profile, stages)
-                          : parse_pixel_shader({bytes, kFile}, *profile, {}, stages);
+                          : parse_pixel_shader({bytes, kFile}, *profile, {}, {}, stages);
     };
     std::string wrong =
         first_of(wrong_with(parse(nullptr), bytes, *profile), [&] { return wrong_with_both(parse, bytes, *profile); });

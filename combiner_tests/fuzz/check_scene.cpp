@@ -27,7 +27,7 @@ std::string wrong_with_json(std::string_view text) {
   return back->dump(-1, ' ', false, JsonValue::error_handler_t::replace) == printed ? "" : "another JSON comes back";
 }
 
-// What was read keeps what scene.h promises, but for cameras and lights, and follows from the bytes alone.
+// A scene that was read keeps the promises of scene.h, but for cameras and lights, and follows from the bytes alone.
 std::string wrong_with(const char* format, const Result<Scene>& scene, const Result<Scene>& again,
                        std::string_view content) {
   const std::string where = std::string(format) + ": ";

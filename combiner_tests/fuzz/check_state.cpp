@@ -53,7 +53,7 @@ void spoil(Random& random, CombinerState& state) {
   }
 }
 
-// What a batch gives is wrong where it is not what the reference gave.
+// A batch's result is wrong where it differs from the reference's.
 std::string wrong_with_batch(const Program& program, const std::vector<RegisterFile>& initial,
                              const std::vector<EvaluatedFragment>& expected, const std::string& where) {
   const auto batch = std::make_unique<RegisterBatch>();

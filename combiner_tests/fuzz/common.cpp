@@ -28,7 +28,7 @@ CombinerState held_by(const HardwareProfile& profile, CombinerState state) {
     GeneralCombiner& stage = state.general[i];
     if (static_cast<int>(i) >= profile.general_combiners) stage = {};
     if (!profile.per_stage_constants) stage.constant0 = stage.constant1 = {};
-    // What OpenGL does not have is printed only where it has no effect.
+    // Features that OpenGL does not have are printed only where they have no effect.
     stage.rgb.out.ab_blue_to_alpha = stage.rgb.out.cd_blue_to_alpha = false;
   }
   state.mux_by_lowest_bit = state.color_sum_invert_spare0 = state.color_sum_invert_secondary = false;

@@ -1,4 +1,4 @@
-// What the checks share.
+// Shared by the checks.
 #pragma once
 
 #include <string>
@@ -18,11 +18,11 @@ inline constexpr std::string_view kFile = "fuzzed";
 // The profiles that programs are read for: one with the least that GL allows, and one with the most.
 inline constexpr const HardwareProfile* kProfiles[] = {&profiles::geforce2, &profiles::nv2a};
 
-// What is wrong with a message or its place in the text; empty: nothing.
+// The fault of a message or of its place in the text; empty: none.
 std::string wrong_with_message(std::string_view message);
 std::string wrong_with_place(TextPlace place, std::string_view text);
 
-// What is wrong with the faults of a text that is refused.
+// The fault of the faults of a text that is refused.
 std::string wrong_with_faults(const std::vector<TextFault>& faults, std::string_view text);
 
 // What is wrong with a state that a parser gave: GL must accept it, it must compile, be explained and emitted, and come
@@ -32,7 +32,7 @@ std::string wrong_with_state(const CombinerState& state, const HardwareProfile& 
 // The same of texture-shader stages: they must be valid, be explained, and come back from GL calls and !!TS1.0.
 std::string wrong_with_stages(const TextureShaderState& stages, const HardwareProfile& profile);
 
-// What is wrong with the faults of what a parser answered.
+// The fault of the faults in a parser's answer.
 template <class T>
 std::string wrong_with_answer(const Parsed<T>& parsed, std::string_view text) {
   if (parsed) return "";

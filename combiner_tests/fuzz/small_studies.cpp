@@ -104,7 +104,7 @@ std::vector<StudyRow> rows_by_rules(const Study& study, std::size_t unit, double
           value = std::string("tex0.r 3");
           break;
       }
-      // What says why there is no result stands where there is none.
+      // The reason why there is no result is given exactly where there is none.
       if (field.may_be_nothing && field.kind == FieldRule::Kind::text) value = std::monostate();
       row.fields.emplace_back(field.name, std::move(value));
     }

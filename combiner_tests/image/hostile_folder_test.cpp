@@ -18,7 +18,7 @@
 #include "combiner_tests/image/read_back.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/staged_files.h"
-#include "src/system/folder_lock.h"
+#include "src/system/file_lock.h"
 
 namespace {
 

@@ -89,7 +89,7 @@ TEST(IsolatedPictures, FaultsAreTheSame) {
 
 class IsolatedReader : public testing::Test {
  protected:
-  // What is said of the second of six faces, whose reader is the given one; the others are good.
+  // The fault of the second of six faces, whose reader is the given one; the others are good.
   std::string complaint(Result<FileTexture> (*read)(const PictureSource&), const std::function<bool()>& go_on = {}) {
     std::array<fs::path, 6> files;
     for (std::size_t i = 0; i < 6; ++i) {

@@ -76,7 +76,7 @@ TEST(PlainPng, OthersAreLeftToOpenImageIo) {
   }
 }
 
-// What is read here in spite of damage is what OpenImageIO reads.
+// Damaged files that are read here give the picture that OpenImageIO reads.
 TEST(PlainPng, DamagedFilesAreReadAlikeOrNot) {
   const TempFolder folder;
   const std::string bytes = image_test::read_bytes(written(folder, "a.png", 8, 8, 4));

@@ -122,7 +122,7 @@ TEST(StagedFiles, ReportsFoldersThatCannotBe) {
     ASSERT_FALSE(staged.ok()) << bad;
     expect_cannot_write(staged.error(), bad.string());
   }
-  // What was made on the way to the failure goes again.
+  // Files made on the way to the failure are removed.
   const auto staged = StagedFiles::open(folder.path() / "new" / "er" / std::string(300, 'x'));
   ASSERT_FALSE(staged.ok());
   EXPECT_EQ(folder.names(), (Names{"file", "link"}));

@@ -1,4 +1,4 @@
-// What the tests of reading textures share.
+// Shared by the tests of reading textures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ inline ninebit::Texture read_good(const std::filesystem::path& file,
   return texture.ok() ? std::move(texture).value() : ninebit::Texture{};
 }
 
-// What reading says, without the file's name, which it must begin with.
+// The fault of reading, without the file's name, which it must begin with.
 inline std::string complaint(const std::filesystem::path& file) {
   const auto texture = ninebit::read_texture(ninebit::profiles::geforce2, file);
   if (texture.ok()) return "";

@@ -67,7 +67,7 @@ namespace profiles = ninebit::profiles;
 constexpr CombinerInput kZero{Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
 constexpr PortionOutput kNothing{.ab = Register::discard, .cd = Register::discard, .sum = Register::discard};
 
-// What the calls above must leave, starting from GL's defaults.
+// The state after the calls above, starting from GL's defaults.
 constexpr CombinerState index_comparison() {
   CombinerState state;
   state.num_general_combiners = 2;

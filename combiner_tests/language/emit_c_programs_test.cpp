@@ -24,7 +24,7 @@ struct Input {
   friend bool operator==(const Input&, const Input&) = default;
 };
 
-// What an emitted function takes.
+// The arguments of an emitted function.
 std::vector<Input> inputs_of(const ComponentSet& read) {
   std::vector<Input> inputs;
   for (const Register r : {Register::primary, Register::secondary, Register::fog, Register::texture0,

@@ -28,7 +28,7 @@ std::vector<EmitCase> random_cases(std::uint64_t seed, int count);
 // Registers as an emitted function takes them: spare0's colour and spare1 are 0. Biased to edges, the extremes first.
 std::vector<RegisterFile> emit_inputs(const HardwareProfile& profile, std::uint64_t seed, std::size_t count);
 
-// What a comparison has seen, so that a run without meaning fails.
+// The values of a comparison, so that a run without meaning fails.
 class Outputs {
  public:
   void add(const Rgba9& color) {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-// Of the leak sanitizer, where the program is built with it.
+// A function of the leak sanitizer, where the program is built with it.
 extern "C" {
 __attribute__((weak)) void __lsan_disable();  // NOLINT(bugprone-reserved-identifier): its name for it
 __attribute__((weak)) void __lsan_enable();   // NOLINT(bugprone-reserved-identifier)
@@ -34,7 +34,7 @@ constexpr int kMostFragments = 1024;
 constexpr int kMostFunctions = 16;
 constexpr int kArguments = 8;  // seven registers, then spare0's alpha
 
-// What Mesa allocates in here and keeps for good is no leak of ours.
+// Memory that Mesa allocates in here and keeps for good is not a leak of ours.
 class DriverCode {
  public:
   DriverCode() {

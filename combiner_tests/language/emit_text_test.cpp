@@ -1,4 +1,4 @@
-// What the emitted text looks like, and what is refused.
+// The form of the emitted text, and the programs that are refused.
 #include <gtest/gtest.h>
 
 #include <regex>

@@ -52,7 +52,7 @@ TEST(FaultErrors, OfGlCalls) {
   EXPECT_EQ(of_gl("glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_SPARE0_PLUS_SECONDARY_COLOR_NV, "
                   "GL_UNSIGNED_IDENTITY_NV, GL_RGB);"),
             Errors{invalid_operation});
-  // What does not compile never comes to GL.
+  // A program that does not compile never reaches GL.
   EXPECT_EQ(of_gl("glEnable(GL_FOO); glFoo(); glEnable(1, 2); glEnable(1.5);"),
             (Errors{no_error, no_error, no_error, no_error}));
 }

@@ -1,4 +1,4 @@
-// What is wrong with a text of GL calls, and where.
+// The faults of texts of GL calls, with their places.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -49,7 +49,7 @@ const std::vector<GlFault> kWords{
      "f:1:10: 'GL_A' is neither an enumerant of the register combiners nor a declared array\n"
      "f:1:16: 'GL_B' is neither an enumerant of the register combiners nor a declared array\n"},
     {"glEnable 5;", "f:1:10: expected '(', found '5'\n"},
-    {"glEnable(\"GL_FOG\");", "f:1:10: expected an enumerant or a number, found '\"'\n"},
+    {"glEnable(\"GL_FOG\");", "f:1:10: expected an enumerant or a number, found '\"GL_FOG\"'\n"},
     {"glEnable();", "f:1:1: glEnable takes 1 argument, not 0\n"},
     {"glCombinerInputNV(1, 2, 3, 4, 5);", "f:1:1: glCombinerInputNV takes 6 arguments, not 5\n"},
     {"glEnable(0x1FFFFFFFF);", "f:1:10: '0x1FFFFFFFF' is not a C number, or is out of range\n"},

@@ -1,4 +1,4 @@
-// What a new context answers: the default state of both extensions.
+// The answers of a new context: the default state of both extensions.
 #include <array>
 #include <string>
 

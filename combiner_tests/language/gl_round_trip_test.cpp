@@ -13,7 +13,7 @@ namespace {
 
 using Color = std::array<GLfloat, 4>;
 
-// What was set last, as the arguments stood: knows nothing of CombinerState.
+// The arguments that were set last; independent of CombinerState.
 struct Model {
   std::array<std::array<std::array<InputArguments, 4>, 2>, 8> inputs{};
   std::array<std::array<OutputArguments, 2>, 8> outputs{};

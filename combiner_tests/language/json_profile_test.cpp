@@ -35,7 +35,7 @@ std::string faults_of(const std::string& text) {
   return test::all_faults(parsed);
 }
 
-// What a profile file may say.
+// The statements of a profile file.
 std::string names_of_keys() {
   std::string names = "ninebit, version, base, name, chip";
   for (const ProfileField& field : profile_fields()) names.append(", ").append(field.name);

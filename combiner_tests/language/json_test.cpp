@@ -192,7 +192,7 @@ const JsonFault kFaults[] = {
      "\"2\" is not a valid scale; expected one of none"},
     {with("\"general_combiners\": [{\"rgb\": {\"output\": {\"bias\": \"half\"}}}]"), 2, 51,
      "\"half\" is not a valid bias"},
-    // What GL refuses.
+    // A call that GL refuses.
     {with("\"num_general_combiners\": 3"), 2, 26, "GL_INVALID_VALUE: num_general_combiners is 3"},
     {with("\"per_stage_constants\": true"), 2, 24, "has no per-stage constants"},
     {with("\"final_combiner\": {\"e\":\n{\"input\": \"e_times_f\"}}"), 3, 1,

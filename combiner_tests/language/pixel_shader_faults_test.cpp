@@ -1,4 +1,4 @@
-// What is wrong with a pixel shader in assembly, and where.
+// The faults of pixel shaders in assembly, with their places.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -222,7 +222,7 @@ TEST(PixelShaderFaults, WhatAConditionNeedsIsAskedFor) {
   EXPECT_EQ(test::all_faults(parse_pixel_shader({both, ""}, profiles::nv2a)),
             "3:1: 'MODE' is not defined, and #if MODE == 0 depends on it; give it as in --define 'MODE=…', or by "
             "#define\n");
-  // What is read anyway hides nothing.
+  // Text that is read in spite of a fault hides no other fault.
   const std::string after = "ps.1.1\n#if MODE > 1\nmov r0, t0\n#endif\nmov r0, v0\n";
   EXPECT_EQ(parse_pixel_shader({after, ""}, profiles::nv2a).faults().size(), 1U);
   const std::string chained = "ps.1.1\n#if 0\n#elif X\nmov r0, v1\n#endif\nmov r0, v0\n";

@@ -1,12 +1,14 @@
-// What pixel shaders in assembly mean: the same as !!RC1.0 texts and words of the Xbox that were made by hand.
+// Pixel shaders in assembly mean the same as !!RC1.0 texts and words of the Xbox that were made by hand.
 #include "ninebit/language/pixel_shader.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "combiner_tests/language/all_faults.h"
@@ -112,7 +114,7 @@ TEST(PixelShader, ConstantsBelongToAStageWhereThereAreMoreThanTwo) {
                 "{ const0 = (0, 0, 1, 0); const1 = (1, 0, 0, 0);\n"
                 "  rgb { discard = const0 * spare0; discard = one * const1; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, 1, 0, 0, 0\ndef c1, 0, 1, 0, 0\ndef c2, 0, 0, 1, 0\ntex t0\n", profiles::nv2a);
-  // What is below 0 is stored as its negative.
+  // A number below 0 is stored as its negative.
   expect_same({{"add r0.rgb, t0, c0",
                 "const0 = (0.5, 0, 0.25, 0);\n{ rgb { discard = tex0; discard = -const0; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, -0.5, 0, -0.25, 0\ntex t0\n", profiles::geforce2);
@@ -280,6 +282,51 @@ TEST(PixelShader, DefinitionsOfTheCaller) {
   EXPECT_FALSE(parse_source_code({source, ""}, {}, profiles::nv2a));
 }
 
+// The equations of a shader whose included files are these, or its faults.
+std::string with_files(const std::string& shader, const std::vector<std::pair<std::string, std::string>>& files) {
+  const SourceInclude include = [&](std::string_view name) -> std::optional<std::string> {
+    for (const auto& [file, text] : files) {
+      if (file == name) return text;
+    }
+    return std::nullopt;
+  };
+  const auto parsed = parse_pixel_shader({shader, "f"}, profiles::nv2a, {}, include);
+  if (!parsed) return test::all_faults(parsed);
+  const auto expected = parse_pixel_shader({"ps.1.1\ntex t0\nmul r0, t0, v0\nadd r0, r0, v1\n", ""}, profiles::nv2a);
+  return normalize(*parsed, profiles::nv2a) == normalize(*expected, profiles::nv2a) ? "same" : "another";
+}
+
+TEST(PixelShader, IncludedFilesAreRead) {
+  const std::string whole = "ps.1.1\ntex t0\n#include \"body.h\"\n";
+  EXPECT_EQ(with_files(whole, {{"body.h", "; of two lines\nmul r0, t0, v0\nadd r0, r0, v1"}}), "same");
+  EXPECT_EQ(with_files(whole + "add r0, r0, v1\n", {{"body.h", "mul r0, t0, v0 // one"}}), "same");
+  EXPECT_EQ(with_files("ps.1.1\n#include \"names.h\"\ntex t0\nLIGHT(v0)\nadd r0, r0, v1\n",
+                       {{"names.h", "#pragma once\n#include \"more.h\"\n"},
+                        {"more.h", "#include \"names.h\"\n#define LIGHT(C) mul r0, t0, C\n"}}),
+            "same");
+  EXPECT_EQ(with_files(whole, {{"body.h",
+                                "#ifndef BODY\n#define BODY\n#define MUL mul r0, t0, v0\n#include "
+                                "\"body.h\"\nMUL\nadd r0, r0, v1\n#endif\n"}}),
+            "same");
+}
+
+TEST(PixelShader, FaultsOfIncludedFilesAreNamed) {
+  const std::string whole = "ps.1.1\ntex t0\n#include \"a.h\"\nmul r0, t0, v0\n";
+  EXPECT_EQ(with_files(whole, {}),
+            "f:3:1: '\"a.h\"' was not read; expected a text below the folder of this file, or --allow-outside\n");
+  EXPECT_EQ(with_files(whole, {{"a.h", "#include \"b.h\"\n"}}),
+            "f:3:1: '\"b.h\"' was not read; expected a text below the folder of this file, or --allow-outside\n");
+  EXPECT_EQ(with_files(whole, {{"a.h", "#include \"b.h\"\n"}, {"b.h", "#include \"a.h\"\n"}}),
+            "f:3:2: 'a.h' includes itself\n");
+  EXPECT_EQ(with_files(whole, {{"a.h", "/* open"}}), "a.h:1:1: unterminated comment; expected */\n");
+  EXPECT_EQ(with_files(whole, {{"a.h", "#iff 1\n"}}),
+            "f:3:2: 'a.h': '#iff' is not a line of the preprocessor; did you mean 'if'?\n");
+  EXPECT_EQ(with_files(whole, {{"a.h", "#if MODE\n#endif\n"}}),
+            "f:3:2: 'a.h': 'MODE' is not defined, and a condition depends on it\n");
+  EXPECT_EQ(with_files(whole, {{"a.h", "mull r0, t0, v0\n"}}),
+            "f:3:2: 'mull' is not an instruction of ps.1.1; did you mean 'mul'?\n");
+}
+
 TEST(PixelShader, NotesSayWhatIsLeftToOthers) {
   EXPECT_EQ(shader_notes("ps.1.1\ntex t0\ntexbem t1, t0\nmul r0.rgb, t1, c4\nadd r0.rgb, r0, c0\n"),
             "2:1: tex and texbem are executed before the combiners, and skipped; t0 and t1 hold the result\n"
@@ -287,6 +334,8 @@ TEST(PixelShader, NotesSayWhatIsLeftToOthers) {
             "4:17: c0 and c4 are not defined here; the application sets them\n");
   EXPECT_EQ(shader_notes("xps.1.1\n#include \"names.h\"\ndef c0, 2, 0, -1, 0\nmov r0, c0"),
             "2:1: skipped '\"names.h\"'; its names are not known\n3:5: c0 is clamped to 0 to 1\n");
+  EXPECT_EQ(shader_notes("#pragma once\n#include <d3d8.h>\nps.1.1\nmov r0, v0"),
+            "2:1: skipped '<d3d8.h>'; its names are not known\n");
   EXPECT_EQ(shader_notes("ps.1.1\nmov r0, v0"), "");
 }
 

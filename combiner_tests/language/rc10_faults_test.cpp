@@ -1,4 +1,4 @@
-// What is wrong with a program in !!RC1.0, and where.
+// The faults of programs in !!RC1.0, with their places.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// What each construct of !!RC1.0 means.
+// The meaning of each construct of !!RC1.0.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -15,7 +15,7 @@ namespace {
 
 using test::Random;
 
-// What the language lacks.
+// Features that the language does not have.
 bool is_beyond_words(const CombinerState& state) {
   const FinalCombiner& f = state.final_combiner;
   for (const CombinerInput& in : {f.b, f.c, f.d}) {
@@ -47,7 +47,7 @@ void simplify(Random& random, CombinerState& state) {
     if (random.one_in(6)) stage.rgb.out = {.sum = Register::discard};
     if (random.one_in(6)) stage.alpha.out = {.sum = Register::discard};
   }
-  // What OpenGL does not have would leave little else.
+  // Features that OpenGL does not have would leave little else.
   if (random.one_in(4)) return;
   state.mux_by_lowest_bit = state.color_sum_invert_spare0 = state.color_sum_invert_secondary = false;
   for (GeneralCombiner& stage : state.general) {

@@ -27,7 +27,7 @@ bool has_mux(const CombinerState& state) {
   return false;
 }
 
-// What of a state the chip's words can hold; general combiners that the profile lacks are not written.
+// The part of a state that the chip's words can hold; general combiners that the profile does not have are not written.
 CombinerState held_by(ChipClass chip, const HardwareProfile& profile, CombinerState state) {
   state.constant0 = byte_exact(state.constant0);
   state.constant1 = byte_exact(state.constant1);

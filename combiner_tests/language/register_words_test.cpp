@@ -334,11 +334,11 @@ const WordFault kFaults[] = {
     {k20, "RC_ENABLE = 0x100", 1, 1, "are 0; NV20 has 1 to 8"},
     {k20, "RC_ENABLE = 0x109", 1, 1, "are 9; NV20 has 1 to 8"},
     {k20, "RC_ENABLE = 0x01000101", 1, 1, "bit 24 must be 0; the mask of the word is 0x0001110f"},
-    // What the chip has and the profile has not.
+    // A feature that the chip has and the profile has not.
     {k20, "RC_OUT_ALPHA[0] = 0x00080c40", 1, 1, "bit 19 must be 0; the mask of the word is 0x0003cfff"},
     {k10, "\nRC_FINAL1 = 0x00001cc0", 2, 1, "GL_INVALID_ENUM: profile geforce2 has no 1 - x in the colour sum"},
     {k10, "RC_OUT_RGB[1] = 0x20004c00", 1, 1, "GL_INVALID_ENUM: profile geforce2 has no mux by the lowest bit"},
-    // What OpenGL refuses.
+    // A state that OpenGL refuses.
     {k10, "\nRC_IN_RGB[1] = 0x13000000", 2, 1, "GL_INVALID_OPERATION: general combiner 1, RGB portion, variable A"},
     {k10, "RC_IN_ALPHA[0] = 0x00001300", 1, 1, "variable C: fog's alpha"},
     {k10, "RC_OUT_RGB[0] = 0x00000ccc", 1, 1, "two outputs go to spare0"},

@@ -1,4 +1,4 @@
-// What is understood of a source, construct by construct, and what is asked for.
+// The constructs of a source that are understood, one by one, and the values that are asked for.
 #include "ninebit/language/source_code.h"
 
 #include <gtest/gtest.h>
@@ -246,7 +246,7 @@ TEST(SourceCode, OnlyWhatMattersIsAskedFor) {
   // Conditions under which nothing is set, and values that go nowhere.
   EXPECT_EQ(count("if (p) q[0] = 1; int z = unknown(p); glBindTexture(GL_TEXTURE_2D, z); " + kSet + "3);"), 3);
   EXPECT_EQ(count("for (int i = 0; i < p; i++) draw(i); " + kSet + "3);"), 3);
-  // What an unknown condition changes is asked for if it is used.
+  // A value that an unknown condition changes is asked for if it is used.
   const auto used = parse("void f(int p) { int n = 2; if (p) n = 3; " + kSet + "n); }");
   EXPECT_EQ(test::all_faults(used), "s:1:94: a value is not known: 'p' (line 1); give it as in --define 'p=…'\n");
   // Without one way there would be no program.
@@ -274,7 +274,7 @@ TEST(SourceCode, VariablesOfTheFileHaveTheirFirstValue) {
             "s:3:64: a value is not known: 'stages' (line 3); give it as in --define 'stages=…'\n");
 }
 
-// What is asked for, and that it is enough: the names of the fault, each defined as 1 or as four numbers.
+// The values that are asked for suffice: the names of the fault, each defined as 1 or as four numbers.
 void expect_asked(const std::string& text, const std::string& asked, const std::vector<Definition>& definitions,
                   int expected) {
   const auto found = parse(text, {{"f"}, {}});
@@ -338,6 +338,10 @@ TEST(SourceCode, IncludedFilesAreRead) {
   ASSERT_TRUE(found) << test::all_faults(found);
   EXPECT_EQ(found->num_general_combiners, 3);
   EXPECT_FALSE(parse(text));
+  const SourceInclude itself = [](std::string_view) { return std::optional<std::string>("#include \"a.h\"\n"); };
+  EXPECT_EQ(test::all_faults(parse("#include \"a.h\"\nvoid f() { " + kSet + "2); }",
+                                   {.functions = {}, .definitions = {}, .include = itself})),
+            "s:1:2: 'a.h' includes itself\n");
 }
 
 TEST(SourceCode, AFunctionThatDrawsHasSeveralPrograms) {

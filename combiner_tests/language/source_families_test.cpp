@@ -191,7 +191,7 @@ TEST(SourceFamilies, ProgramsOfNvparseInStrings) {
 }
 
 TEST(SourceFamilies, DisplayListsAreFilledUnderOneCondition) {
-  // What is assumed of the first function's condition holds for the second, too.
+  // The assumption about the first function's condition holds for the second, too.
   EXPECT_TRUE(read("display_lists.cpp", {"InitCombiners"}) == after(R"(
 count 2
 in 0 RGB A TEXTURE0 UNSIGNED_IDENTITY RGB

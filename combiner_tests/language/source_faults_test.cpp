@@ -1,4 +1,4 @@
-// What is said of sources that cannot be read, and of choices that mean nothing; what any bytes do.
+// The faults of sources that cannot be read, and of choices that mean nothing; any bytes.
 #include <gtest/gtest.h>
 
 #include <string>

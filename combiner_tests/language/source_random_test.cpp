@@ -66,7 +66,7 @@ TEST(SourceRandom, ProgramsAreReadAsACompilerRunsThem) {
     ++read;
     const auto colours = colours_of(*found);
     auto* const run = reinterpret_cast<void (*)()>(dlsym(handle, entry.c_str()));
-    // What was read holds for the first run; a static variable has other values in a second one.
+    // The values that were read hold for the first run; a static variable has others in a second one.
     const bool again = text.find("static", text.find(" h" + std::to_string(first + i))) == std::string::npos;
     for (unsigned s = 1; s <= (again ? 4U : 1U); ++s) {
       *seed = s * 7919U;

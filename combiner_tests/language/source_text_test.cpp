@@ -1,4 +1,4 @@
-// What parsers return: the words of Result, with every fault of the text.
+// The results of parsers: the words of Result, with every fault of the text.
 #include "ninebit/language/source_text.h"
 
 #include <gtest/gtest.h>

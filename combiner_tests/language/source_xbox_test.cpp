@@ -89,7 +89,7 @@ TEST(SourceXbox, APieceOfAFunction) {
       "if (SUCCEEDED(device->CreatePixelShader(&psd, &shader))) return shader;\n";
   EXPECT_TRUE(is_source_code(text));
   const ReadWords known = read_words(text, {{}, {{"psd.PSRGBInputs[0]", "0"}}});
-  // What an object had before the text is not known; its own members are 0 once one of them is set.
+  // An object's values before the text are not known; its own members are 0 once one of them is set.
   expect_words(known, "psd.PSRGBInputs[0] = 0x08040000; psd.PSRGBOutputs[0] = 0xc0; psd.PSCombinerCount = 1;");
   EXPECT_FALSE(is_source_code("psd.PSRGBInputs[0] = 0x08040000;\npsd.PSCombinerCount = 1;\n"));
 }

@@ -77,7 +77,7 @@ TEST(UnsetConstants, OfAGeneralCombinersOwn) {
   EXPECT_EQ(constant_called("const16"), std::nullopt);
 }
 
-// What is printed leaves the same constants unset, and sets those that are 0.
+// The printed text leaves the same constants unset, and sets those that are 0.
 TEST(UnsetConstants, StayUnsetInEveryPrintedForm) {
   const std::vector<std::string> bodies{
       kReadsBoth, "const0 = (0, 0, 0, 0);\n" + kReadsBoth, "const1 = (0, 0, 0, 0);\n" + kReadsBoth,

@@ -1,4 +1,4 @@
-// What the library reports with: values, faults and their text.
+// The library's results: values, faults and their text.
 #include "ninebit/numerics/result.h"
 
 #include <gtest/gtest.h>

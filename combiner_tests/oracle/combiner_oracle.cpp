@@ -38,7 +38,7 @@ int channel_read(ComponentUsage usage, int channel) {
   return channel;
 }
 
-// What a stage, or the final combiner, sees: registers, with the constants that hold there.
+// The inputs of a stage or of the final combiner: registers, with the constants that hold there.
 struct View {
   const HardwareProfile& profile;
   const Registers& registers;

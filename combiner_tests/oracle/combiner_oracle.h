@@ -37,7 +37,7 @@ using Registers = std::array<Codes, kRegisterCount>;
 // The mapping functions, from real number to real number.
 [[nodiscard]] Fraction mapped(const HardwareProfile& profile, InputMapping mapping, Fraction e);
 
-// What a general combiner writes for a product, sum or dot product, all as real numbers.
+// The value that a general combiner writes for a product, sum or dot product, all as real numbers.
 [[nodiscard]] int general_output(const HardwareProfile& profile, Scale scale, Bias bias, Fraction value);
 
 // The code of a GL colour component in [0, 1] (others are clamped) when it enters a register.

@@ -1,4 +1,5 @@
-// What OpenGL does with one fragment after its colour is known, slow and naive. Its only job is to judge the library's.
+// OpenGL's operations on one fragment after its colour is known, slow and naive. Their only job is to judge the
+// library's.
 //
 // It is written from chapter 4.1 of the OpenGL 1.3 specification, from EXT_stencil_wrap and EXT_blend_minmax, and from
 // the contracts in pipeline_state.h and surface.h (arithmetic of blending, planes). It shares no code with what it
@@ -30,7 +31,7 @@ struct Picture {
       captured;  // another: the red of the last fragment that would pass the depth test; as it was, if none
 };
 
-// What became of the fragments.
+// The fragments' fates.
 struct Tally {
   std::uint64_t fragments = 0;  // within the scissor
   std::uint64_t alpha_fail = 0;
@@ -52,10 +53,10 @@ struct Incoming {
 // Takes the fragment through scissor, alpha, stencil and depth test, blending and masks.
 void process(const PipelineState& state, const Incoming& fragment, Picture& picture, Tally& tally);
 
-// What an operation makes of a byte of memory, of which the stencil buffer has the low `bits` bits.
+// An operation's result for a byte of memory, of which the stencil buffer has the low `bits` bits.
 [[nodiscard]] int after_stencil(const StencilFace& face, StencilOperation operation, int bits, int memory);
 
-// What blending alone makes of two colours.
+// The result of blending two colours, without other operations.
 [[nodiscard]] Bytes blended(const Blend& blend, const Bytes& source, const Bytes& destination);
 
 }  // namespace ninebit::oracle

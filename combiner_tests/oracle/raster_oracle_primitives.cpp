@@ -123,7 +123,7 @@ class Drawing {
     }
     if (area == 0 || is_culled(front)) return;
     for (const auto& [from, to, triangle] : edges) {
-      // What belongs to a triangle beyond a side of the view volume is clipped with it.
+      // Parts of a triangle beyond a side of the view volume are clipped with it.
       const WindowTriangle& t = cut[triangle];
       if (beyond_sides({t[0], t[1], t[2]})) continue;
       if (mode == PolygonMode::line) {
@@ -186,7 +186,7 @@ class Drawing {
     return std::max(static_cast<int>(std::floor(static_cast<double>(size) + 0.5)), 1);
   }
 
-  // What a line has at a place along it.
+  // A line's values at a place along it.
   struct OnLine {
     std::int64_t z24;
     Bytes color;

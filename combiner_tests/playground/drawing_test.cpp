@@ -1,4 +1,4 @@
-// What the engine draws.
+// The engine's drawings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "combiner_tests/playground/support.h"
 #include "src/playground/plane_hash.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit::test {
 namespace {

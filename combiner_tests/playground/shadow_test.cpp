@@ -114,7 +114,7 @@ TEST(PlaygroundShadow, ANewJudgementReplacesTheOneThatRuns) {
   ask(engine, {{"do", "judge_rows"}, {"rows", 10}});
   EXPECT_EQ(judge_by_rows(engine, fine, 11), expected);
   EXPECT_NE(judge_by_rows(engine, coarse, 11)["errors"], expected["errors"]);
-  // What cannot be rendered leaves nothing to judge.
+  // A scene that cannot be rendered leaves nothing to judge.
   begun["map_size"] = 33;
   EXPECT_NE(fault_of_answer(ask(engine, begun)), "");
   EXPECT_NE(fault_of_answer(ask(engine, {{"do", "judge_rows"}, {"rows", 1}})), "");

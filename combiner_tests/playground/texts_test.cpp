@@ -1,4 +1,4 @@
-// What the engine answers about texts.
+// The engine's answers about texts.
 #include <gtest/gtest.h>
 
 #include <algorithm>

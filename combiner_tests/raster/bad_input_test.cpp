@@ -1,4 +1,4 @@
-// What is senseless is reported or draws nothing; nothing is undefined. Also meant to run under sanitizers.
+// Senseless input is reported or draws nothing; nothing is undefined. Also meant to run under sanitizers.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "combiner_tests/raster/fragment_support.h"
-#include "src/raster/surface/clear_values.h"
+#include "src/raster/surface/color_words.h"
 
 namespace ninebit::test {
 namespace {
@@ -85,7 +85,7 @@ TEST(Clear, UndrawnSamplesAreAPlane) {
   }
 }
 
-// What clear() should leave, sample by sample.
+// The planes that clear() should leave, sample by sample.
 oracle::Picture cleared(const PipelineState& state, ClearBuffers buffers, const ClearValues& values,
                         oracle::Picture p) {
   for (int y = 0; y < p.height; ++y) {

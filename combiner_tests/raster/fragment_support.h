@@ -47,7 +47,7 @@ struct PicturePlanes {
 // Whether two pictures have the same samples.
 bool same_samples(const oracle::Picture& a, const oracle::Picture& b);
 
-// What the fragment operations read of a state, in words.
+// The fields of a state that the fragment operations read, in words.
 std::string describe_operations(const PipelineState& state);
 
 }  // namespace ninebit::test

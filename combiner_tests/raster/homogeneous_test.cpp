@@ -126,7 +126,7 @@ TEST(Homogeneous, APlaneReachesTheHorizon) {
   EXPECT_GT(above, 100000);
 }
 
-// What lies at infinity has the depth to which the plane is cleared, to the bit, whatever the view.
+// Vertices at infinity have the depth to which the plane is cleared, to the bit, whatever the view.
 TEST(Homogeneous, InfinityHasTheDepthOne) {
   int drawn = 0;
   for (std::uint64_t index = 0; index < 300; ++index) {

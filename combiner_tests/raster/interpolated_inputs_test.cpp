@@ -113,7 +113,7 @@ TEST(InterpolatedInputs, SecondaryColorLinearInTheWindow) {
   expect_secondary_and_fog(ColorInterpolation::affine, 92);
 }
 
-// What stands in the registers where the arrays say nothing.
+// The registers' values where the arrays have none.
 TEST(InterpolatedInputs, DefaultsOfSecondaryColorAndFog) {
   const std::array<glm::vec3, 3> positions{glm::vec3(-3, -3, 0), glm::vec3(5, -3, 0), glm::vec3(-3, 5, 0)};
   const std::array<ColorBytes, 3> secondary{{{9, 8, 7, 6}, {9, 8, 7, 6}, {9, 8, 7, 6}}};

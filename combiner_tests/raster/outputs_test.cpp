@@ -41,7 +41,7 @@ class Batch {
   float values_[3];
 };
 
-// What the batch leaves in a plane of three samples that starts with `start`.
+// A plane of three samples that starts with `start`, after the batch.
 template <class T>
 std::vector<T> left_in(OutputPlane output, T start) {
   std::vector<T> samples(3, start);

@@ -202,7 +202,7 @@ TEST(PreparedDraw, ReportsWhatItWasNotPreparedFor) {
   c.arrays.primitive_colors = colors;
   EXPECT_TRUE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
   EXPECT_EQ(c.surface.color(kRed)[15 * 40 + 20], 9);
-  // What rasterize() reports is reported here, too.
+  // Faults that rasterize() reports are reported here, too.
   c.arrays.primitive_colors = std::span(colors).first(1);
   EXPECT_FALSE(rasterize(c.state, prepared, c.arrays, {}, c.target).ok());
 }

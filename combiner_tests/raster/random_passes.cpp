@@ -10,7 +10,7 @@
 namespace ninebit::test {
 namespace {
 
-// What all passes have alike.
+// Shared by all passes.
 PipelineState random_view(Random& random, const PassScene& scene) {
   PipelineState state;
   state.cull_face = random.one_in(3) ? static_cast<CullFace>(random.below(3)) : CullFace::none;

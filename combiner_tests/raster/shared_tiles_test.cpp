@@ -15,7 +15,7 @@
 namespace ninebit::test {
 namespace {
 
-// What rasterize() leaves, called once for each pass; with an output plane no vectors draw.
+// The planes after rasterize(), called once for each pass; with an output plane no vectors draw.
 oracle::Picture drawn_alone(const PassScene& scene, bool with_outputs, SampleLayout layout = SampleLayout::planes) {
   Canvas canvas(scene.width, scene.height, false, layout);
   scene.begin(canvas, with_outputs);
@@ -99,7 +99,7 @@ struct Range {
   bool is_whole;
 };
 
-// What many scenes were.
+// The kinds of many scenes.
 struct Counts {
   std::uint64_t shared = 0, cleared = 0, changed = 0, runs = 0;
 };

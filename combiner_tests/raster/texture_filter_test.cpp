@@ -321,7 +321,7 @@ TEST(TextureFilter, FloatsAreClampedForRegistersAlone) {
   EXPECT_TRUE(std::isnan(color[3]));
 }
 
-// What a format does not store reads as texel_codes has it.
+// Components that a format does not store read as texel_codes says.
 TEST(TextureFilter, ColorsInFloatsFollowTheRegisterTable) {
   Random random(73);
   for (const InternalFormat format : kInternalFormats) {

@@ -55,7 +55,7 @@ oracle::WindowTriangle window_of(const SetupPrimitive& p) {
   return t;
 }
 
-// What a triangle draws, found centre by centre.
+// A triangle's pixels, found centre by centre.
 struct Coverage {
   int pixels = 0;
   int x = 0, y = 0;  // of the last one

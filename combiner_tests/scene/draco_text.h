@@ -71,7 +71,7 @@ inline std::string draco_stream(const DracoGrid& grid) {
   return {out.data(), out.size()};
 }
 
-// What a file says of its compressed mesh; the words are JSON.
+// A file's description of its compressed mesh; the words are JSON.
 struct DracoFile {
   std::string stream;
   std::uint32_t vertices = 9;

@@ -106,7 +106,7 @@ TEST(Framing, AnAimedOrOpenedSpotStaysAsItIs) {
   EXPECT_EQ(opened->lights[0].spot_degrees, 40.0F);
 }
 
-// What lies outside the picture does not widen the pyramid.
+// Geometry outside the picture does not widen the pyramid.
 TEST(Framing, WhatTheCameraDoesNotSeeIsLeftOut) {
   Scene scene = tower();
   const auto near = complete_scene(scene,

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "combiner_tests/scene/scene_test_support.h"
-#include "src/scene/files/polygon.h"
+#include "src/scene/files/mesh_builder.h"
 
 namespace ninebit::scene_tests {
 namespace {

@@ -64,7 +64,7 @@ TEST(Hostile, MaterialsComeFromTheNamedLibrary) {
   }
 }
 
-// What is made follows what is read: each of these took minutes, or gigabytes, or both.
+// Results are no larger than their inputs allow: each of these took minutes, or gigabytes, or both.
 class Amounts : public SceneFiles {
  protected:
   void expect_quick(const std::string& name, const std::string& content, std::size_t triangles,

@@ -38,7 +38,7 @@ DracoMesh one_triangle() {
   return mesh;
 }
 
-// What is said of two meshes that the given decoder decodes; empty where they came back.
+// The fault of two meshes that the given decoder decodes; empty if they came back.
 std::string fault_from(DracoDecode decode, bool isolated = true, const std::function<bool()>& go_on = {}) {
   const std::vector<DracoRequest> requests{request(), request()};
   const auto meshes = decode_all(decode, requests, {.isolated = isolated, .go_on = go_on});

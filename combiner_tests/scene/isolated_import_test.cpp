@@ -29,7 +29,7 @@ Imported triangle() {
   return imported;
 }
 
-// What is said of a file whose importer is the given one; empty where a scene came back.
+// The fault of a file whose importer is the given one; empty if a scene came back.
 std::string complaint(GeometryImport import, const std::function<bool()>& go_on = {}) {
   const auto imported = import_isolated(import, "a.3ds", "content", go_on);
   return imported ? "" : imported.error().message;

@@ -1,4 +1,4 @@
-// What OBJ files and their material libraries say.
+// The statements of OBJ files and of their material libraries.
 #include "combiner_tests/scene/scene_test_support.h"
 
 namespace ninebit::scene_tests {

@@ -30,7 +30,7 @@ class BrokenScene : public ::testing::TestWithParam<Broken> {};
 
 TEST(Validate, AWholeScene) {
   EXPECT_TRUE(validate(two_boxes()));
-  // What a kind of light does not use may be anything.
+  // Fields that a kind of light does not use may have any value.
   Scene unused = two_boxes();
   unused.lights[0].direction = {kNan, 0, 0};
   unused.lights[0].spot_degrees = unused.lights[2].spot_degrees = -1.0F;

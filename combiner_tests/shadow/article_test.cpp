@@ -1,4 +1,4 @@
-// What the article claims, through the very state that the render uses.
+// The article's claims, through the very state that the render uses.
 #include <gtest/gtest.h>
 
 #include <fstream>

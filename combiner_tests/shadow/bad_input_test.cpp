@@ -1,4 +1,4 @@
-// What cannot be rendered is said; what is odd but harmless is rendered.
+// Scenes that cannot be rendered are reported; odd but harmless ones are rendered.
 #include <gtest/gtest.h>
 
 #include <string>

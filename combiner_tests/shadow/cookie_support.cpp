@@ -101,7 +101,7 @@ CubePlace cube_place(const glm::dvec3& r) {
 }
 
 glm::dvec3 in_light_space(glm::dvec3 d, const glm::dvec3& degrees) {
-  // What was turned last is turned back first: z, y, x.
+  // The last rotation is undone first: z, y, x.
   for (const int axis : {2, 1, 0}) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const double angle = -degrees[axis] * kPi / 180.0;

@@ -1,4 +1,4 @@
-// What the depth cube hands out: distances as codes, layers, the watched pixel, facts.
+// The depth cube's outputs: distances as codes, layers, the watched pixel, facts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -186,7 +186,7 @@ TEST(DepthCubeProbe, KeepsThePassesOfThePixelsFace) {
   }
 }
 
-// What lies in shadow met another triangle in the map, nearer to the light; the judge asks for it.
+// A fragment in shadow met another triangle in the map, nearer to the light; the judge asks for it.
 TEST(DepthCubeEvidence, NamesTheTriangleThatTheMapHolds) {
   const Scene scene = shadow_test::square_over_floor();
   RenderSettings settings = tiny_settings_of(DepthCubeBits::sixteen);

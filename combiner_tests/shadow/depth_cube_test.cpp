@@ -152,7 +152,7 @@ TEST(DepthCube, MoreBitsLoseLessOfACloseShadow) {
       }
     }
     for (std::size_t i = 0; i < stencil[2].size(); ++i) {
-      // What a code shadows, the floats shadow.
+      // Each pixel that a code shadows is shadowed by the floats, too.
       ASSERT_LE(stencil[0][i], stencil[2][i]) << i;
       ASSERT_LE(stencil[1][i], stencil[2][i]) << i;
     }

@@ -1,4 +1,4 @@
-// What techniques say that they draw: passes, texture units, memory of maps.
+// The techniques' own account of their drawing: passes, texture units, memory of maps.
 #include "src/frame/drawn_passes.h"
 
 #include <algorithm>

@@ -1,6 +1,4 @@
 // Gathering from pixel lights: patterns, and the sum itself against a naive one in doubles on every SIMD target.
-#include "src/shadow/reflective/gather.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <random>
 
 #include "combiner_tests/combiner/simd_targets.h"
+#include "src/shadow/reflective/gather_pattern.h"
 #include "src/shadow/reflective/reflective_reference.h"
 
 namespace {

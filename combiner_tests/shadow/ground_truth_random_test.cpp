@@ -1,4 +1,4 @@
-// What each pixel should be, against every triangle tried in turn by another formula and in longer numbers.
+// Each pixel's truth, against every triangle tried in turn by another formula and in longer numbers.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,4 +1,4 @@
-// What the tests of ground truth share.
+// Shared by the tests of ground truth.
 #pragma once
 
 #include <gtest/gtest.h>

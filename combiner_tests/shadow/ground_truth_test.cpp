@@ -1,4 +1,4 @@
-// What each pixel should be, against formulas.
+// Each pixel's truth, against formulas.
 #include "ninebit/shadow/ground_truth.h"
 
 #include <oneapi/tbb/global_control.h>

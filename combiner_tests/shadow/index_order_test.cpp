@@ -10,13 +10,10 @@
 
 #include "combiner_tests/shadow/support.h"
 #include "src/shadow/index_order/borders.h"
-#include "src/shadow/index_order/code_lattice.h"
+#include "src/shadow/index_order/code_embedding.h"
 #include "src/shadow/index_order/lost_differences.h"
 #include "src/shadow/index_order/neighbour_order.h"
-#include "src/shadow/index_order/order_check.h"
 #include "src/shadow/index_order/patches.h"
-#include "src/shadow/index_order/scene_surface.h"
-#include "src/shadow/index_order/shadow_relation.h"
 
 namespace {
 

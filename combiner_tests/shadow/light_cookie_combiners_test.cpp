@@ -1,4 +1,4 @@
-// What the lit pass computes, over all colours and texels, against the formula in real numbers.
+// The lit pass, over all colours and texels, against the formula in real numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>

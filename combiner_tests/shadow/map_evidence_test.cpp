@@ -1,4 +1,4 @@
-// What each fragment met in the light's map, against the texels that the combiners read and against a formula.
+// Each fragment's texel in the light's map, against the texels that the combiners read and against a formula.
 #include "src/frame/map_evidence.h"
 
 #include <cmath>

@@ -110,7 +110,7 @@ TEST(ProbedPasses, APixelOutsideIsAFault) {
   EXPECT_NE(r.error().message.find("(60, 0)"), std::string::npos);
 }
 
-// Of fragments that meet in one pixel, the one that was written outranks later ones that only pass the depth test.
+// The fragment that was written outranks later ones in the same pixel that only pass the depth test.
 TEST(DecidingFragment, WrittenOutranksPassing) {
   const auto fragment = [](std::uint32_t number, FragmentFate fate, bool depth_passes) {
     ProbedFragment f;

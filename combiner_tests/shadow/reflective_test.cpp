@@ -543,7 +543,7 @@ TEST(Reflective, EvidenceComparesWithTheWholeMap) {
   EXPECT_LT(fact<double>(r, "position_max_difference"), 0.03);
 }
 
-// What the published weight costs on a whole picture, where the kernel covers the whole map.
+// The cost of the published weight on a whole picture, where the kernel covers the whole map.
 TEST(Reflective, BiasOfThePublishedWeight) {
   const Scene scene = cornell_box();
   RenderSettings settings = reflective_settings();

@@ -111,7 +111,7 @@ bool arrives(const Light& light, const Hit& hit, const glm::dvec3& p) {
   return in_beam(light, p) && hit.sign * (static_cast<double>(light.position[hit.axis]) - p[hit.axis]) > 0.0;
 }
 
-// What the pixel's centre shows, if snapping cannot make it show another surface.
+// The surface at the pixel's centre, if snapping cannot make it show another one.
 std::optional<Hit> hit_of_pixel(const ninebit::Camera& camera, const ninebit::RenderSettings& settings, int x, int y) {
   const auto hit_at = [&](double dx, double dy) { return hit_of(camera_ray(camera, settings, x + dx, y + dy)); };
   const auto hit = hit_at(0.5, 0.5);

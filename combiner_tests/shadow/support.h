@@ -51,7 +51,7 @@ const std::vector<Sample>& samples_of(const std::deque<ninebit::Layer>& layers, 
   throw std::runtime_error("no layer " + part + "." + channel);
 }
 
-// What a rendering counted or measured, of that type; throws where it is missing.
+// A fact of that type that a rendering counted or measured; throws if it is missing.
 template <class T>
 const T& fact(const ninebit::Rendering& rendering, const std::string& name) {
   for (const ninebit::Fact& f : rendering.facts) {

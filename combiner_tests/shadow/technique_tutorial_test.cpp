@@ -7,7 +7,7 @@
 
 #include "combiner_tests/shadow/support.h"
 #include "src/frame/camera_frame.h"
-#include "src/frame/pass_timer.h"
+#include "src/frame/drawn_passes.h"
 
 namespace ninebit {
 namespace {

@@ -1,4 +1,4 @@
-// What shadow volumes are made of, and what a rendering with them holds besides the picture.
+// The meshes of shadow volumes, and the parts of a rendering with them besides the picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -136,7 +136,7 @@ TEST(VolumePasses, EdgeOnTrianglesCastNothing) {
   EXPECT_EQ(facing_of(mesh, homogeneous_light(scene.lights[0])), (std::vector<std::int8_t>{0, 0, 1, 1}));
 }
 
-// What the camera does not draw does not hide what a volume does there either.
+// A surface that the camera does not draw does not hide a volume either.
 TEST(VolumePasses, CulledSheetsCastNothing) {
   Scene scene = square_over_floor();
   RenderSettings settings = volume_settings();

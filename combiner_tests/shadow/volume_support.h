@@ -54,7 +54,7 @@ class Rays {
   std::vector<Triangle> triangles_;
 };
 
-// What a camera's pixel should show, and whether that is beyond doubt.
+// The surface that a camera's pixel should show, and whether that is beyond doubt.
 enum class Seen { background, lit, shadowed, near_a_border };
 
 // The answer of rays from the eye, then from what they meet to the light (or, of a directional one, from far away).

@@ -1,11 +1,11 @@
 // Vertices at the same position, as meshoptimizer's library finds them.
-#include "src/frame/weld.h"
-
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
 #include <random>
 #include <vector>
+
+#include "src/frame/surface_groups.h"
 
 namespace ninebit {
 namespace {

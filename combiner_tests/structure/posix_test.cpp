@@ -1,4 +1,4 @@
-// What is not in the standard library of every system stands in one room.
+// One room holds all calls that are not in the standard library of every system.
 #include <gtest/gtest.h>
 
 #include <filesystem>

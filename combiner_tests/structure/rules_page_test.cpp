@@ -57,7 +57,7 @@ bool names_rule(const std::string& text, int number) {
   return false;
 }
 
-// What is wrong with where a rule of the page sends its readers; empty: nothing.
+// The faults of the places to which a rule of the page sends its readers; empty: none.
 std::string complaint(const fs::path& top, int number, const std::string& rule) {
   std::string places = text_of(top / "include/ninebit/combiner/arithmetic.inl") +
                        text_of(top / "include/ninebit/numerics/hardware_profile.h") +
@@ -101,7 +101,7 @@ TEST(RulesPage, TheArithmeticNamesItsRules) {
 TEST(RulesPage, NoticesAWrongPlace) {
   const fs::path top = NINEBIT_SOURCE_DIR;
   EXPECT_NE(complaint(top, 21, "[tile.cpp](../src/raster/setup/no_such_file.cpp)"), "");
-  EXPECT_NE(complaint(top, 21, "[wide_number.h](../src/raster/setup/wide_number.h)"), "");
+  EXPECT_NE(complaint(top, 21, "[polygon_offset.h](../src/raster/setup/polygon_offset.h)"), "");
   EXPECT_NE(complaint(top, 8, "`no_such_field`"), "");
   EXPECT_EQ(complaint(top, 21, "`subpixel_bits`, [window_transform.h](../src/raster/setup/window_transform.h)"), "");
   EXPECT_TRUE(names_rule("// Rules 3 to 8 and 22: returns", 5));

@@ -15,7 +15,7 @@ const ChipKit& kit_of(const HardwareProfile& family) {
   return family.name == profiles::nv2a.name ? *nv2a : *geforce2;
 }
 
-// What a card with this profile shows.
+// The picture of a card with this profile.
 std::vector<int> play(const ChipKit& kit, const HardwareProfile& card) {
   std::vector<int> shown;
   for (const Discriminator& program : kit.programs) shown.push_back(shown_by(program, card));

@@ -14,7 +14,7 @@
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/study/report_files.h"
 #include "src/study/datapath/operations.h"
-#include "src/study/digits/wide_counts.h"
+#include "src/study/digits/digits.h"
 
 namespace {
 

@@ -109,7 +109,7 @@ TEST(Discriminate, NoSingleFieldIsUnknown) {
       {"general_narrowing", [](P& p) { p.general_narrowing.value = Narrowing::nearest_halves_up; }, true},
       {"narrowing_point", [](P& p) { p.narrowing_point.value = NarrowingPoint::before_scale; }, true},
       {"final_narrowing", [](P& p) { p.final_narrowing.value = Narrowing::toward_zero; }, true},
-      // What one of them alone has is no part of a program for both.
+      // Features of one chip alone are not part of a program for both.
       {"general_combiners", byte(&P::general_combiners, 8), false},
       {"texture_units", byte(&P::texture_units, 4), false},
       {"per_stage_constants", [](P& p) { p.per_stage_constants.value = true; }, false},

@@ -82,7 +82,7 @@ TEST(IndexStepsStudy, TheLadderOfTheDocumentsComesOut) {
     lost[{row.text("profile"), row.text("variant"), static_cast<std::int64_t>(row.count("step"))}] =
         row.count("false_matches");
   }
-  // What the columns of the table say, by the names of profile and variant.
+  // The values of the table's columns, by the names of profile and variant.
   const std::map<std::string, std::vector<std::pair<std::string, std::string>>> columns{
       {"geforce2", {{"geforce2", "both-x4"}}},
       {"early to nearest", {{"early, to nearest", "both-x4"}}},
@@ -141,7 +141,7 @@ TEST(IndexStepsStudy, UnitsRowsAndQuestion) {
   EXPECT_EQ(stopped.error().fault, Fault::cancelled);
 }
 
-// What a reader of the report is told, shown and can look up.
+// The report's text, pictures and tables.
 TEST(IndexStepsStudy, TheReportAnswersInWordsTablesAndPictures) {
   const auto made = index_steps_study({.profiles = {profiles::geforce2, profiles::geforce2_early_truncation},
                                        .formats = {StudyFormat::channel, StudyFormat::rgb},

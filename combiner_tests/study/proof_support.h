@@ -1,4 +1,4 @@
-// What the tests of proofs share.
+// Shared by the tests of proofs.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ inline RegisterFile registers_of(const HardwareProfile& profile, const std::vect
   return initial_registers(profile, fragment);
 }
 
-// What a program of a search shows, from its text alone, by the library's own table of initial registers.
+// The result of a search's program, from its text alone, by the library's own table of initial registers.
 inline int shown_by(const Discriminator& program, const HardwareProfile& profile) {
   const auto parsed = parse_rc10({program.rc10, "test"}, profile);
   if (!parsed) throw std::runtime_error(parsed.faults().front().text());

@@ -14,8 +14,7 @@
 #include "ninebit/study/report_files.h"
 #include "src/study/report/page_data.h"
 #include "src/study/report/report_colors.h"
-#include "src/system/hashing/base64.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace {
 

@@ -11,14 +11,14 @@
 #include "combiner_tests/support/random.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace {
 
 using namespace ninebit;
 using fuzz::small_studies;
 
-// What somebody may put in place of a value.
+// Texts that somebody may put in place of a value.
 const std::vector<StudyValue>& hostile_values() {
   static const std::vector<StudyValue> values{std::monostate(),
                                               std::int64_t{-1},

@@ -1,4 +1,4 @@
-// What changes if a field that nobody has measured has another value.
+// The changes if a field that nobody has measured has another value.
 #include "ninebit/study/stability.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the tests of studies share.
+// Shared by the tests of studies.
 #pragma once
 
 #include <memory>

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "combiner_tests/support/picture_functions.h"
-#include "src/system/shared_library.h"
+#include "src/system/process.h"
 
 namespace ninebit::test {
 namespace {

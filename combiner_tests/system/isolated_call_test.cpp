@@ -37,7 +37,7 @@ CallEnd end_of(const Work& work) {
   return call_isolated(kLimits, {}, work).end;
 }
 
-// What the work has returned: errno of a call that must fail, 0 where it succeeded.
+// The work's result: errno of a call that must fail, 0 if it succeeded.
 int number_from(const std::function<int()>& work, std::span<const fs::path> readable = {}) {
   CallResult result = call_isolated(kLimits, readable, [&](AnswerWriter& answer) { answer.value(work()); });
   int number = -1;

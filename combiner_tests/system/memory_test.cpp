@@ -1,6 +1,4 @@
 // Memory that runs out.
-#include "src/system/memory.h"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>

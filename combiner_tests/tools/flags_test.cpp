@@ -18,7 +18,7 @@ using Words = std::vector<std::string>;
 const Words kValues{"nan", "inf", "-inf", "-1", "0", "1e308", "", "1000000000000000000000000000000", "1e-320"};
 const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl";
 
-// What a flag may be, of all those values.
+// The values that a flag may have.
 const std::map<std::string, std::set<std::string>> kRight{
     {"--threads", {"0"}},     {"--floor", {"-1", "0"}},       {"--bias", {"0"}},
     {"--biases", {"0"}},      {"--budget", {"0", "1e-320"}},  {"--most", {"0"}},

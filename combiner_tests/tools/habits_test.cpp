@@ -55,7 +55,7 @@ TEST(Habits, VersionWithTheBuildsFacts) {
   EXPECT_NE(text.find("\nbuild: " + info["build"].get<std::string>() + "\n"), std::string::npos);
 }
 
-// What the program writes to a terminal as its stderr.
+// The program's stderr on a terminal.
 std::string seen_on_a_terminal(const std::vector<std::string>& arguments) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
   if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";

@@ -110,7 +110,7 @@ TEST_F(Interrupt, WhileDrawingRemovesTheFolderThatWasMade) {
   }
 }
 
-// What cannot be cleaned up after: temporary files may stay, but every file of an output's name is whole.
+// Ends that cannot be cleaned up after: temporary files may stay, but every file of an output's name is whole.
 TEST_F(Interrupt, NothingEndsInAHalfWrittenFile) {
   int killed = 0;
   for (const std::vector<int>& signals : std::vector<std::vector<int>>{{SIGKILL}, {SIGINT, SIGINT}}) {

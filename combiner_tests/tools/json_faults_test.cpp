@@ -67,7 +67,7 @@ TEST(JsonFaults, CannotWrite) {
   EXPECT_NE(faults["error"]["message"], "");
 }
 
-// What was answered is all that stdout has.
+// The answer is all that stdout has.
 TEST(JsonFaults, AnAnswerIsTheOnlyObject) {
   const TempFolder folder;
   const std::string table = write_bytes(folder / "t.csv", "primary.r,tex0.r,out.a\n102,100,0\n9,1,0\n");

@@ -13,7 +13,7 @@
 #include "ninebit/image/image_io.h"
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace tools_test {
 namespace {
@@ -24,7 +24,7 @@ constexpr const char* kTex0 = "!!RC1.0\nout.rgb = tex0; # TOPSECRET\nout.a = tex
 constexpr const char* kSquareMesh =
     "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3 4/4\n";
 
-// What reads a file whose name stands in another file.
+// The readers of files whose names stand in other files.
 struct Reader {
   std::string what;
   std::string extension;  // of the file that is read

@@ -42,7 +42,7 @@ std::string being(const std::string& kind) {
   return (kind == "GL calls" ? "these are " : "this is ") + kind;
 }
 
-// What follows the kind: its reader, or what was expected.
+// The text behind the kind: its reader, or the kinds that were expected.
 std::string use_of(const std::string& kind, const std::string& expected) {
   const auto is = [&](const char* word) { return kind.find(word) != std::string::npos; };
   if (is("scene") || is("mesh")) return "`ninebit render` draws it";

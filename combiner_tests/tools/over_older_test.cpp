@@ -128,7 +128,7 @@ class OverOlder : public testing::TestWithParam<const char*> {
         EXPECT_EQ(outcome.code, 128 + signal);
         ++ended;
       }
-      // What says that it was interrupted has cleaned up.
+      // A program that reports an interruption has cleaned up.
       if (!outcome.err.empty()) {
         EXPECT_EQ(files_in(out_), older_) << outcome.err;
       }

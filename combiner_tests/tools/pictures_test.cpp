@@ -47,7 +47,7 @@ double code_number(const std::vector<double>& channels, int step) {
   return number;
 }
 
-// What holds an index of a format: the channels of a register, and those of index_cube.exr.
+// The channels that hold an index of a format: those of a register, and those of index_cube.exr.
 std::vector<std::string> register_channels(const std::string& format) {
   if (format == "rgb") return {"R", "G", "B"};
   if (format == "la") return {"B", "A"};
@@ -154,7 +154,7 @@ TEST_P(Pictures, FilesHaveTheirShapes) {
   }
 }
 
-// What the article's stages make of the two indices, pixel by pixel.
+// The result of the article's stages for the two indices, pixel by pixel.
 TEST_P(Pictures, LayersAgreeWithEachOther) {
   const auto& stencil = plane("stencil", "stencil");
   const auto& depth = plane("depth", "depth");

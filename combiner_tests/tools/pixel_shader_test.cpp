@@ -51,6 +51,36 @@ TEST_F(PixelShaderTool, SaysWhatTheApplicationSets) {
   EXPECT_NE(older.err.find("GL_INVALID_ENUM: profile geforce2 has no texture shaders"), std::string::npos) << older.err;
 }
 
+// Every verb that reads programs reads the files that a shader includes, and none outside of its folder unless allowed.
+TEST_F(PixelShaderTool, IncludedFilesLieInTheShadersFolder) {
+  std::filesystem::create_directory(std::string(folder_ / "inner"));
+  const std::string shader = file("ps.1.1\n#include \"../body.h\"\n", "inner/outside.psh");
+  (void)file("mov r0, v0\n", "body.h");
+  const std::string beside = file("ps.1.1\n#include \"body.h\"\n");
+  const std::string table = file("primary.r,out.r\n101,101\n", "rows.csv"), out = folder_ / "out.png";
+  for (std::vector<std::string> verb : std::vector<std::vector<std::string>>{
+           {"validate", shader},
+           {"explain", shader},
+           {"convert", shader, "--to", "rc10"},
+           {"trace", shader},
+           {"eval", shader, "--inputs", file("primary.r\n1\n", "inputs.csv")},
+           {"draw",
+            file(R"({"ninebit": "effect", "version": 1, "size": [4, 4], "passes": [{"program": "outside.psh"}]})",
+                 "inner/effect.json"),
+            "-o", out},
+           {"prove", "stable", shader},
+           {"prove", "equivalent", shader, beside},
+           {"verify", table, "--program", shader}}) {
+    SCOPED_TRACE(verb[0] + " " + verb[1]);
+    expect_error(ninebit(verb), 3,
+                 {"outside.psh:2:", "'\"../body.h\"' was not read; expected a text below the folder"});
+    verb.emplace_back("--allow-outside");
+    const Outcome outcome = ninebit(verb);
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  }
+  EXPECT_EQ(ninebit({"validate", beside}).code, 0);
+}
+
 // Every verb that reads programs takes the values that a shader's conditions need.
 TEST_F(PixelShaderTool, DefinitionsAreTakenByEveryVerb) {
   const std::string body = "mov r0.rgb, v1\n+mov r0.a, v0\n";

@@ -55,7 +55,7 @@ TEST(Printable, LongMessagesLoseTheirMiddle) {
   }
 }
 
-// What a terminal would not show as it stands, but for the end of a line.
+// Bytes that a terminal would not show as they are, but for the end of a line.
 bool is_clean(const std::string& text) {
   return printable_lines(text) == text && text.find('\t') == std::string::npos;
 }

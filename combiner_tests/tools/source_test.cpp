@@ -58,7 +58,7 @@ TEST(Source, FunctionsAreListed) {
   EXPECT_EQ(functions[0]["calls_read"], 13);
   EXPECT_EQ(functions[1]["calls_not_read"], 1);
   EXPECT_EQ(functions[1]["needs"], (Json{"first", "light.color", "r_lists.integer"}));
-  // What GL refuses is a finding, as in every form.
+  // A call that GL refuses is a finding, as in every form.
   const Outcome refused = ninebit({"validate", kLights, "--json"});
   EXPECT_EQ(refused.code, 1);
   const Json rows = Json::parse(refused.out)["rows"];

@@ -63,7 +63,7 @@ TEST_F(SourceValidate, ValuesThatAreNotKnownAreNoFaults) {
   EXPECT_NE(wrong.out.find("GL_INVALID_ENUM"), std::string::npos) << wrong.out;
 }
 
-// Such strings are compared with, or are the beginning of a program.
+// The source compares with these strings, or they are the beginning of a program.
 TEST_F(SourceValidate, PartsOfProgramsAreNoFaults) {
   const Outcome outcome = validate(
       "int is_program(const char *s) { return strncmp(s, \"!!RC1.0\", 7) == 0; }\n"

@@ -1,4 +1,4 @@
-// What the program needs to start: few libraries, and no file beside it.
+// The program starts with few libraries and no file beside it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace tools_test {
 namespace {
 
-// What a shell command writes to stdout; empty if it fails.
+// A shell command's stdout; empty if it fails.
 std::string output_of(const std::string& command) {
   std::FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return {};

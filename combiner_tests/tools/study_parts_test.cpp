@@ -8,7 +8,7 @@
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
 #include "src/system/file_lock.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace tools_test {
 namespace {
@@ -189,7 +189,7 @@ TEST_F(AlteredPart, RunsAtOnceLeaveAWholePart) {
   EXPECT_EQ(files_in(folder_ / "together"), files_in(folder_ / "alone"));
 }
 
-// What two runs at once left before there was a lock: the same lines twice.
+// The file that two runs at once left before there was a lock: the same lines twice.
 TEST_F(AlteredPart, LinesThatStandTwiceHeal) {
   const Words study{"index-steps", "--formats", "la", "--steps", "2", "--profile", "geforce2"};
   make(study);

@@ -108,7 +108,7 @@ TEST_F(StudyParts, DamageIsRefused) {
   // Nor does a run go on in it, or touch it.
   expect_error(ninebit(small_study(parts_, {"--shard", "2/3"})), 3, {part_[1] + ":", "SHA-256"});
   EXPECT_EQ(read_bytes(part_[1]), damaged);
-  // What was cut off is another matter: merging tells how much there is, and the run goes on to the same bytes.
+  // A part that was cut off is read: merging prints how much there is, and the run goes on to the same bytes.
   write_bytes(part_[1], bytes.substr(0, bytes.size() / 2));
   expect_refused(part_, {part_[1], "not complete"});
   ASSERT_EQ(ninebit(small_study(parts_, {"--shard", "2/3"})).code, 0);

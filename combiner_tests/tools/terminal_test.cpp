@@ -45,7 +45,7 @@ std::size_t expect_fit(const Outcome& outcome, std::size_t columns) {
   return lines.size();
 }
 
-// What the program writes to a terminal of this width as its stdout.
+// The program's stdout on a terminal of this width.
 std::string shown_on(unsigned short columns, const std::vector<std::string>& arguments) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
   if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";

@@ -112,7 +112,7 @@ TEST_F(Validate, TooManyCombinersAreARefusalInEveryForm) {
   expect_error(validate(begin + R"("num_general_combiners":1.5})"), 3, {"whole number"});
 }
 
-// What one profile has the other has not.
+// Each profile has a feature that the other has not.
 TEST_F(Validate, ByProfile) {
   CombinerState state;
   state.num_general_combiners = 5;

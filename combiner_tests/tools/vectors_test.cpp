@@ -41,7 +41,7 @@ class Vectors : public testing::Test {
     return folder;
   }
 
-  // What the runner prints with the emulator that is compiled with these flags.
+  // The runner's output with the emulator that is compiled with these flags.
   std::pair<std::string, int> check(const std::string& pack, const std::string& flags) {
     const std::string program = folder_ / "check";
     const auto [messages, status] = in_shell("cc -std=c99 -O1 -pedantic -Wall -Wextra -Werror " + flags + " '" + pack +

@@ -1,4 +1,4 @@
-// What every verb has: help with an example, JSON and nothing else on stdout, streams that may be full or closed.
+// Every verb has help with an example, JSON and nothing else on stdout, streams that may be full or closed.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -18,7 +18,7 @@ const std::string kMuxHeader =
 
 class Verify : public testing::Test {
  protected:
-  // Of a table whose rows run a program that halves the primary colour, then squares it.
+  // The rows of this table run a program that halves the primary colour, then squares it.
   Outcome verify(const std::string& table, const std::vector<std::string>& more = {}) {
     write_bytes(folder_ / "square.rc", kSquare);
     std::vector<std::string> arguments{"verify", write_bytes(folder_ / "rows.csv", table)};

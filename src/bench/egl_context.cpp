@@ -8,7 +8,6 @@
 #include <array>
 
 #include "src/system/process.h"
-#include "src/system/shared_library.h"
 
 // Functions of the leak sanitizer, if the program is built with it.
 extern "C" {

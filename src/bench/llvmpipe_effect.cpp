@@ -4,7 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "src/bench/gl_functions.h"
 #include "src/bench/gl_program.h"
 #endif
 #include "src/bench/egl_context.h"

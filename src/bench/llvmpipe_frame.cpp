@@ -6,10 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "src/bench/gl_functions.h"
 #include "src/bench/gl_program.h"
 #include "src/bench/llvmpipe_shaders.h"
-#include "src/bench/provoking_vertices.h"
+#include "src/bench/meshes.h"
 #endif
 #include "src/bench/egl_context.h"
 

@@ -3,9 +3,8 @@
 #ifdef NINEBIT_HAS_EGL
 #include <utility>
 
-#include "src/bench/gl_functions.h"
 #include "src/bench/gl_program.h"
-#include "src/bench/provoking_vertices.h"
+#include "src/bench/meshes.h"
 #endif
 #include "src/bench/egl_context.h"
 

@@ -1,7 +1,9 @@
 // Triangles of one size for rasterizer benchmarks.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "ninebit/raster/rasterizer.h"
@@ -31,5 +33,19 @@ struct Mesh {
 // 64 triangles, two for each of 32 tilted rectangles that cover the whole window, ordered from back to front: with the
 // depth test LESS every fragment passes.
 [[nodiscard]] Mesh large_triangles();
+
+// Flat colours for OpenGL, which takes a triangle's colour from its provoking vertex.
+
+// Triangles rotated, not mirrored, so that the last vertex of each carries only this triangle's colour. If none of its
+// vertices is free, one is duplicated: this needs about as many vertices as triangles, instead of three times as many.
+struct ProvokingVertices {
+  std::vector<std::uint32_t> source;  // for each vertex, its number in the input, also if it is a duplicate
+  std::vector<ColorBytes> colors;     // for each vertex; black if it provokes no triangle
+  std::vector<glm::uvec3> triangles;  // in the order of the input
+};
+
+// `colors` has one colour per triangle; vertex numbers are below `vertices`.
+[[nodiscard]] ProvokingVertices provoking_vertices(std::span<const glm::uvec3> triangles,
+                                                   std::span<const ColorBytes> colors, std::size_t vertices);
 
 }  // namespace ninebit::bench

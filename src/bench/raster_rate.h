@@ -1,6 +1,7 @@
 // The rasterizer's rate of triangles and pixels.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "ninebit/raster/surface.h"
@@ -21,5 +22,11 @@ namespace ninebit::bench {
 
 // The same for prepare() and drawing the prepared mesh. The memory is kept for the next call.
 [[nodiscard]] Result<double> seconds_to_prepare_and_draw(const Mesh& mesh, Surface& surface, double seconds);
+
+// How fast memory is written, as a measure for filled pixels.
+
+// GB/s at which `threads` threads together fill `bytes` with memset, in the shortest run of those that fit into
+// `seconds`.
+[[nodiscard]] double memset_rate(std::size_t bytes, int threads, double seconds);
 
 }  // namespace ninebit::bench

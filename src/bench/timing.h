@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <vector>
 
 namespace ninebit::bench {
@@ -28,5 +29,14 @@ struct Spread {
 
 // Takes at least one sample. For an even number of samples, the median is the mean of the two in the middle.
 [[nodiscard]] Spread spread_of(std::vector<double> samples);
+
+// The resident memory of this process, as counted by Linux.
+
+// Bytes of resident pages, including the program's own; 0 if the system does not report them.
+[[nodiscard]] std::uint64_t resident_bytes();
+
+// The maximum of resident_bytes() since the process began or since the last forget_peak().
+[[nodiscard]] std::uint64_t peak_resident_bytes();
+void forget_peak();
 
 }  // namespace ninebit::bench

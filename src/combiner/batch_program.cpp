@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "src/combiner/batch_compiler.h"
 #include "src/combiner/batch_kernels.h"
+#include "src/combiner/batch_plan.h"
 #include "src/combiner/real_batch.h"
 
 namespace ninebit {

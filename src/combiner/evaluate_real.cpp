@@ -1,7 +1,6 @@
 #include "ninebit/combiner/evaluate_real.h"
 
 #include "src/combiner/exact_field.h"
-#include "src/combiner/float_field.h"
 #include "src/combiner/real_rules.h"
 
 namespace ninebit {

@@ -5,7 +5,6 @@
 
 #include "ninebit/combiner/portion_walk.h"
 #include "src/combiner/exact_field.h"
-#include "src/combiner/float_field.h"
 #include "src/combiner/real_rules.h"
 
 namespace ninebit {

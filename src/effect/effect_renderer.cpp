@@ -14,7 +14,7 @@
 #include "src/effect/effect_words.h"
 #include "src/effect/tangents.h"
 #include "src/effect/vertex_sources.h"
-#include "src/frame/pass_timer.h"
+#include "src/frame/drawn_passes.h"
 #include "src/frame/views.h"
 
 namespace ninebit {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "src/frame/drawn_passes.h"
-#include "src/frame/pass_timer.h"
 #include "src/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 

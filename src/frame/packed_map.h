@@ -1,7 +1,9 @@
 // A shadow map packed into bytes and read as floats, as three.js' shaders did it; beyond the hardware.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -9,6 +11,7 @@
 
 #include "ninebit/frame/depth_packing.h"
 #include "ninebit/frame/rendering.h"
+#include "ninebit/image/image_io.h"
 
 namespace ninebit {
 
@@ -38,5 +41,39 @@ class PackedMap {
   std::array<std::span<std::uint8_t>, 4> bytes_;
   double largest_error_ = 0.0;
 };
+
+// Cube maps as pictures.
+
+// Six faces of size × size texels as a cross of 4 × 3 faces: +Y on top, then -X +Z +X -Z, -Y below; texel t = 0 on top
+// as the extension's faces have it. color(face, texel) returns the three bytes of a texel, numbered row by row, of a
+// face in the order of CubeFace. Faces above 1,024 texels a side show only every second, fourth, … texel.
+template <class Color>
+[[nodiscard]] Image8 cube_cross(int size, const Color& color) {
+  constexpr std::size_t kLargestFace = 1024;
+  constexpr std::uint8_t kAround = 24;
+  constexpr std::array<std::array<std::size_t, 2>, 6> kPlace{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
+  const auto texels = static_cast<std::size_t>(size);
+  const std::size_t n = std::min(texels, kLargestFace), stride = texels / n;
+  Image8 image{static_cast<int>(4 * n), static_cast<int>(3 * n), 3, {}};
+  image.pixels.assign(12 * n * n * 3, kAround);
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t left = kPlace[face][0] * n, top = kPlace[face][1] * n;
+    for (std::size_t y = 0; y < n; ++y) {
+      std::uint8_t* to = &image.pixels[((top + y) * 4 * n + left) * 3];
+      for (std::size_t x = 0; x < n; ++x) {
+        for (const std::uint8_t byte : color(face, (y * texels + x) * stride)) *to++ = byte;
+      }
+    }
+  }
+  return image;
+}
+
+// Surfaces store their lowest row first, pictures their highest.
+
+// The index in a picture of sample i of a plane of the same size.
+[[nodiscard]] inline std::size_t upright_index(std::size_t i, int width, int height) {
+  const auto row = static_cast<std::size_t>(width);
+  return (static_cast<std::size_t>(height) - 1 - i / row) * row + i % row;
+}
 
 }  // namespace ninebit

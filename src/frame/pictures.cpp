@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "src/frame/cube_cross.h"
+#include "src/frame/packed_map.h"
 
 namespace ninebit {
 namespace {

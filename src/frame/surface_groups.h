@@ -1,6 +1,7 @@
 // The scene's triangles by texture and alpha test, and the pipeline states that draw them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -69,5 +70,43 @@ class SurfaceGroups {
   std::shared_ptr<const Texture> white_;  // for masks without a texture
   bool textured_ = false, masked_ = false;
 };
+
+// Position, normal and colour of surfaces as attributes of vertices and as output planes.
+
+struct SurfaceAttributes {
+  static constexpr int kPosition = 0, kNormal = 1, kColor = 2;
+  std::array<std::vector<glm::vec4>, 3> values{};
+
+  // Arrays that hold only these attributes, which must outlive them.
+  [[nodiscard]] VertexArrays arrays() const;
+};
+
+// The world position, the normal, and base colour × `color` of every vertex.
+[[nodiscard]] SurfaceAttributes surface_attributes(const Scene& scene, const glm::vec3& color);
+
+// Adds an output plane for the first three components of an attribute.
+template <class Sample>
+void capture_surface(std::array<std::vector<Sample>, 3>& planes, int attribute, int width, RenderTarget& target) {
+  for (int c = 0; c < 3; ++c) {
+    target.outputs.push_back({.source = OutputSource::attribute,
+                              .attribute = attribute,
+                              .component = c,
+                              .plane = Plane<Sample>{planes[static_cast<std::size_t>(c)].data(), width}});
+  }
+}
+
+// The vector at unit length; zero stays zero.
+[[nodiscard]] glm::vec3 unit_or_zero(const glm::vec3& v);
+
+// Vertices at the same position.
+
+// For each vertex its place: places are numbered in the order in which the triangles first use them, and vertices whose
+// positions have the same bits share one. `of_vertex` is kNoPlace for vertices that no triangle uses.
+inline constexpr unsigned int kNoPlace = ~0U;
+struct WeldedVertices {
+  std::vector<unsigned int> of_vertex{};
+  std::size_t places = 0;
+};
+[[nodiscard]] WeldedVertices weld_vertices(std::span<const glm::uvec3> triangles, std::span<const glm::vec3> positions);
 
 }  // namespace ninebit

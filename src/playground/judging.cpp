@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ninebit/shadow/index_cube.h"
-#include "src/shadow/ground_truth/cause_plane.h"
+#include "src/shadow/ground_truth/judge.h"
 
 namespace ninebit::playground {
 namespace {

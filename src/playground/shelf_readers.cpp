@@ -7,7 +7,7 @@
 #include "src/playground/drawing.h"
 #include "src/playground/texts.h"
 #include "src/raster/texture/resample.h"
-#include "src/scene/files/scene_bytes.h"
+#include "src/scene/files/named_files.h"
 
 namespace ninebit::playground {
 namespace {

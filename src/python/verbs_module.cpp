@@ -23,7 +23,6 @@
 #include "ninebit/image/image_io.h"
 #include "src/image/texture/picture_loader.h"
 #include "src/python/waiting.h"
-#include "src/tools/input/fault_log.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/program.h"
 #include "src/tools/verbs.h"

@@ -30,4 +30,10 @@ namespace ninebit {
 // surface counts as on the surface, which is in the open.
 [[nodiscard]] Status check_light_in_the_open(const Scene& scene, const Light& light, const Camera& camera);
 
+// Diagnostics for faults of a scene file; the reader adds the file's name.
+
+inline Diagnostic fault_of(std::string message) {
+  return {std::move(message), "", 0, Fault::invalid_input};
+}
+
 }  // namespace ninebit

@@ -12,7 +12,7 @@
 #include <csignal>
 #include <optional>
 
-#include "src/system/descriptor.h"
+#include "src/system/isolated_call.h"
 
 extern char** environ;
 

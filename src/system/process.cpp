@@ -1,14 +1,18 @@
 #include "src/system/process.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <new>
 
-#include "src/system/last_error.h"
+#include "src/system/files.h"
 
 namespace ninebit::posix {
 
@@ -64,6 +68,50 @@ std::error_code become_program(const std::vector<std::string>& arguments) {
   words.push_back(nullptr);
   ::execvp(words.front(), words.data());
   return last_error();
+}
+
+namespace {
+
+constexpr std::size_t kKept = std::size_t{1} << 20U;
+
+std::atomic<void*> kept = nullptr;
+
+// Mapped, not allocated: the heap may not give freed memory back.
+void* map_memory(std::size_t bytes) {
+  void* const memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? nullptr : memory;
+}
+
+[[noreturn]] void free_kept_and_throw() {
+  if (void* const memory = kept.exchange(nullptr)) ::munmap(memory, kKept);
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void keep_memory_for_errors() {
+  if (void* const older = kept.exchange(map_memory(kKept))) ::munmap(older, kKept);
+  std::set_new_handler(free_kept_and_throw);
+}
+
+bool has_room(std::uint64_t bytes) {
+  void* const memory = map_memory(bytes);
+  if (memory == nullptr) return false;
+  ::munmap(memory, bytes);
+  return true;
+}
+
+void* load_library(const std::filesystem::path& file) {
+  return ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+}
+
+void* find_symbol(void* library, const char* name) {
+  return ::dlsym(library, name);
+}
+
+std::string library_error() {
+  const char* const why = ::dlerror();
+  return why == nullptr ? "" : why;
 }
 
 }  // namespace ninebit::posix

@@ -1,6 +1,7 @@
 // This process: its limits, its signals, its environment.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -36,5 +37,23 @@ void set_environment(const char* name, const std::string& value);
 
 // Becomes another program, found as a shell finds it. Returns only if that fails.
 [[nodiscard]] std::error_code become_program(const std::vector<std::string>& arguments);
+
+// Support for running out of memory safely.
+
+// Reserves some memory and frees it when operator new fails for the first time, before std::bad_alloc is thrown. The
+// cleanup then has memory: messages, the removal of temporary files, destructors that allocate (nlohmann-json's do).
+void keep_memory_for_errors();
+
+// True if the address space has room for `bytes` more contiguous bytes. Check this before calling a library that
+// crashes when memory runs out.
+[[nodiscard]] bool has_room(std::uint64_t bytes);
+
+// Shared libraries loaded at run time.
+
+// Loads a shared library, which stays loaded until the program ends; on failure it returns nullptr, and library_error()
+// returns the reason. find_symbol() returns nullptr for a symbol that the library does not have.
+[[nodiscard]] void* load_library(const std::filesystem::path& file);
+[[nodiscard]] void* find_symbol(void* library, const char* name);
+[[nodiscard]] std::string library_error();
 
 }  // namespace ninebit::posix

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "src/system/last_error.h"
+#include "src/system/files.h"
 
 namespace ninebit::posix {
 

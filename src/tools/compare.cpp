@@ -7,7 +7,7 @@
 #include "ninebit/image/staged_files.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_textures.h"
-#include "src/tools/compare/compare_rows.h"
+#include "src/tools/compare/compare_points.h"
 #include "src/tools/input/host.h"
 
 namespace ninebit::tools {

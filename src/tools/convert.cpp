@@ -155,6 +155,7 @@ void add_convert(CLI::App& app, int& exit_code) {
   add_answer_flags(*verb, flags->common);
   add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
+  add_include_flag(*verb, flags->program.allow_outside);
   verb->add_option("--to", flags->to, "Form to write; without it, list the set-ups of a log")
       ->check(CLI::IsMember(written_form_names()));
   verb->add_option("--frame", flags->frame, "Only the draws of this frame of a log, counted from 1")

@@ -12,7 +12,7 @@
 #include "ninebit/image/staged_files.h"
 #include "ninebit/numerics/profile_fields.h"
 #include "ninebit/shadow/picture_files.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/draw/draw_files.h"

@@ -254,6 +254,7 @@ void add_eval(CLI::App& app, int& exit_code) {
   add_answer_flags(*verb, flags->common);
   add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
+  add_include_flag(*verb, flags->program.allow_outside);
   verb->add_option("--inputs", flags->inputs, "Table of register codes; - reads standard input")
       ->required()
       ->type_name("FILE.csv");

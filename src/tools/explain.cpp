@@ -10,7 +10,6 @@
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
-#include "src/tools/input/terminal.h"
 
 namespace ninebit::tools {
 namespace {
@@ -66,6 +65,7 @@ void add_explain(CLI::App& app, int& exit_code) {
   add_answer_flags(*verb, flags->common);
   add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
+  add_include_flag(*verb, flags->program.allow_outside);
   add_page_flag(*verb, flags->output);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }

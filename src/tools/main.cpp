@@ -1,7 +1,6 @@
 // The ninebit program. Each verb is a file of its own; verbs.cpp dispatches to them.
 #include <new>
 
-#include "src/system/memory.h"
 #include "src/system/process.h"
 #include "src/tools/common/usage.h"
 #include "src/tools/input/program.h"

@@ -8,13 +8,11 @@
 #include "ninebit/shadow/picture_files.h"
 #include "src/tools/common/flag_values.h"
 #include "src/tools/common/given_pictures.h"
-#include "src/tools/common/index_order.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/common/technique_flags.h"
 #include "src/tools/input/host.h"
 #include "src/tools/render/render_answer.h"
-#include "src/tools/render/render_files.h"
 
 namespace ninebit::tools {
 namespace {

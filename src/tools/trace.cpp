@@ -11,12 +11,11 @@
 #include "src/system/process.h"
 #include "src/system/stream.h"
 #include "src/tools/common/flag_values.h"
-#include "src/tools/common/index_order.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/program_file.h"
+#include "src/tools/common/technique_flags.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
-#include "src/tools/input/terminal.h"
 #include "src/tools/trace/trace_inputs.h"
 #include "src/tools/trace/trace_page.h"
 #include "src/tools/trace/trace_pixel.h"
@@ -145,14 +144,13 @@ int run(const TraceFlags& flags) {
     return wrong_usage("--threads requires --scene or --effect: a trace of given registers has one thread");
   }
   if (flags.scene.file.empty() && !flags.pixel.empty()) return wrong_usage("--pixel requires --scene or --effect");
-  if (flags.scene.file.empty() && flags.scene.allow_outside) {
-    return wrong_usage("--allow-outside requires --scene or --effect");
-  }
   if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene requires --pixel X,Y");
   std::optional<Program> program;
   if (!flags.program.file.empty()) {
     int exit_code = kDone;
-    const auto state = load_program(flags.program, profile, flags.common.quiet, exit_code);
+    ProgramFlags named = flags.program;
+    named.allow_outside = flags.scene.allow_outside;
+    const auto state = load_program(named, profile, flags.common.quiet, exit_code);
     if (!state) return exit_code;
     program = normalize(*state, profile);
   }
@@ -192,7 +190,7 @@ void add_trace(CLI::App& app, int& exit_code) {
   add_page_flag(*verb, flags->output);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->get_option("--allow-outside")
-      ->description("Also read files that the scene or effect names outside of its folder");
+      ->description("Also read files that the program, scene or effect names outside of its folder");
   verb->get_option("--up")->needs(scene);
   for (const char* flag : {"--from", "--chip", "--function"}) {
     verb->get_option(flag)->needs(verb->get_option("program"));

@@ -105,7 +105,7 @@ std::vector<TextFault> faults_of(const std::vector<SourceFunction>& functions) {
 // A source whose functions were not chosen from: what there is.
 int list_functions(const ValidateFlags& flags, const ProgramFile& file, const HardwareProfile& profile) {
   const auto functions = find_source_functions({file.text, file.name}, selection_of(flags.program).definitions, profile,
-                                               include_beside(file.name));
+                                               include_beside(file.name, flags.program.allow_outside));
   if (functions.empty() && !file.parsed) return report(file.parsed.faults(), file.text);
   const std::vector<TextFault> faults = faults_of(functions);
   const bool refused_only = std::all_of(faults.begin(), faults.end(), is_refusal);
@@ -183,6 +183,7 @@ void add_validate(CLI::App& app, int& exit_code) {
   add_answer_flags(*verb, flags->common);
   add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
+  add_include_flag(*verb, flags->program.allow_outside);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

@@ -11,7 +11,6 @@
 
 #include "src/tools/common/build_facts.h"
 #include "src/tools/common/usage.h"
-#include "src/tools/input/fault_log.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {

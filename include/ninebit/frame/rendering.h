@@ -1,4 +1,4 @@
-// What a drawing reports and returns: progress, layers, passes, times; and the rendering of a shadow technique.
+// The results of a drawing: progress, layers, passes, times; and the rendering of a shadow technique.
 #pragma once
 
 #include <array>

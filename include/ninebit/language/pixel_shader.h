@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
+#include "ninebit/language/source_code.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
@@ -25,9 +26,11 @@ namespace NINEBIT_PUBLIC ninebit {
 // the syntax, of Direct3D's rules for the version, and what register combiners cannot express. A shader with more
 // instructions than the profile has general combiners is GL_INVALID_VALUE. `definitions` are macros that replace the
 // text's own of the same name. An #if that depends on a name that neither defines is a fault; #ifdef of such a name is
-// false.
+// false. `include` reads the files that the text includes by names in quotation marks; faults in them have the place of
+// the #include. Without it, a note names each file, which is skipped.
 [[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
                                                        const std::vector<Definition>& definitions = {},
+                                                       const SourceInclude& include = {},
                                                        TextureShaderState* texture_shader = nullptr);
 
 // The state as a ps.1.1 text, or a Diagnostic that names what the language cannot express. parse_pixel_shader of the
@@ -47,7 +50,7 @@ namespace NINEBIT_PUBLIC ninebit {
 [[nodiscard]] Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const HardwareProfile& profile,
                                                         TextureShaderState* texture_shader = nullptr);
 
-// What print_pixel_shader() prints, assembled: a C array of words.
+// The text of print_pixel_shader(), assembled: a C array of words.
 [[nodiscard]] Result<std::string> print_shader_tokens(const CombinerState& state, const HardwareProfile& profile,
                                                       const TextureShaderState& texture_shader = {});
 

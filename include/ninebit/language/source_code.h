@@ -28,8 +28,8 @@ struct SourceFunction {
   std::vector<std::string> needs{};  // names of values that are not known, for Definition::name
 };
 
-// The text of a file that a source includes by its name in quotation marks; empty: it is not there, and what it
-// declares is not known.
+// The text of a file that a source or a pixel shader includes by its name in quotation marks; empty: it is not there. A
+// source goes on then, and what the file declares is not known; of a shader that is a fault.
 using SourceInclude = std::function<std::optional<std::string>(std::string_view)>;
 
 // The part of a source to read.
@@ -40,7 +40,7 @@ struct SourceSelection {
   std::vector<Definition> definitions{};
   // Reads files that the source includes; without it, none is read.
   SourceInclude include{};
-  // Of a function that draws between its set-ups, the program to take, from 1; 0: the only one.
+  // The program to take of a function that draws between its set-ups, from 1; 0: the only one.
   std::size_t program = 0;
 };
 

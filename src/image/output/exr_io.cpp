@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "ninebit/image/image_io.h"
-#include "src/image/output/exr_blocks.h"
 #include "src/image/output/exr_file.h"
 #include "src/image/output/faults.h"
-#include "src/system/checked_file.h"
+#include "src/system/files.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ninebit/numerics/result.h"
-#include "src/system/checked_file.h"
+#include "src/system/files.h"
 
 namespace ninebit::image_detail {
 

@@ -11,7 +11,7 @@
 
 #include "src/image/output/deflate.h"
 #include "src/image/output/faults.h"
-#include "src/system/checked_file.h"
+#include "src/system/files.h"
 
 namespace ninebit {
 

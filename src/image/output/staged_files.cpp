@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "src/image/output/faults.h"
+#include "src/system/file_lock.h"
 #include "src/system/files.h"
-#include "src/system/folder_lock.h"
 
 namespace ninebit {
 

@@ -9,7 +9,6 @@
 #include "src/image/output/faults.h"
 #include "src/image/texture/picture_module.h"
 #include "src/system/process.h"
-#include "src/system/shared_library.h"
 
 namespace ninebit::image_detail {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "src/language/source/source_faults.h"
 
@@ -47,6 +48,7 @@ bool Lexer::skip_comment() {
   }
   if (!starts("/*")) return false;
   const std::size_t found = text_.find("*/", at_ + 2);
+  if (found == std::string_view::npos) unterminated_ = at_;
   at_ = found == std::string_view::npos ? text_.size() : found + 2;
   return true;
 }
@@ -110,7 +112,16 @@ std::size_t Lexer::punctuation_size() const {
   for (const std::string_view known : kLongPunctuation) {
     if (starts(known)) return known.size();
   }
-  return 1;
+  // Bytes beyond ASCII stay together, as those of a character do.
+  const auto is_beyond = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+  std::size_t size = 1;
+  while (is_beyond(text_[at_]) && at_ + size < text_.size() && is_beyond(text_[at_ + size])) ++size;
+  return size;
+}
+
+void Lexer::move_to(std::size_t at) {
+  at_ = std::min(at, text_.size());
+  line_begins_ = at_ == 0 || text_[at_ - 1] == '\n';
 }
 
 Token Lexer::next() {
@@ -144,6 +155,17 @@ Token Lexer::next() {
   at_ = end;
   token.end = static_cast<std::uint32_t>(at_);
   return token;
+}
+
+Token TokenReader::take() {
+  end_of_last_ = next_.end;
+  return std::exchange(next_, lexer_.next());
+}
+
+void TokenReader::move_to(std::size_t at) {
+  lexer_.move_to(at);
+  end_of_last_ = at;
+  next_ = lexer_.next();
 }
 
 }  // namespace ninebit::code

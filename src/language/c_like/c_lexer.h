@@ -3,9 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
-
-// The tokens of a C-like text: C, C++, Java and the like.
 
 namespace ninebit::code {
 
@@ -34,6 +33,10 @@ class Lexer {
   explicit Lexer(std::string_view text) : text_(text) {}
 
   Token next();
+  // Goes on at a byte.
+  void move_to(std::size_t at);
+  // Where a comment begins that does not end; it ended the text.
+  [[nodiscard]] std::optional<std::size_t> unterminated() const { return unterminated_; }
 
  private:
   bool skip_comment();
@@ -47,6 +50,30 @@ class Lexer {
   std::string_view text_;
   std::size_t at_ = 0;
   bool line_begins_ = true;
+  std::optional<std::size_t> unterminated_{};
+};
+
+// A lexer with one token of lookahead; a copy goes on from the same place.
+class TokenReader {
+ public:
+  explicit TokenReader(std::string_view text) : text_(text), lexer_(text), next_(lexer_.next()) {}
+
+  [[nodiscard]] const Token& peek() const { return next_; }
+  [[nodiscard]] bool at_end() const { return next_.kind == Token::Kind::end; }
+  Token take();
+  // Goes on at a byte.
+  void move_to(std::size_t at);
+  // Skips the rest of the line in which the next token begins.
+  void skip_line() { move_to(text_.find('\n', next_.offset)); }
+  // Where the token ends that was taken last.
+  [[nodiscard]] std::size_t end_of_last() const { return end_of_last_; }
+  [[nodiscard]] std::optional<std::size_t> unterminated() const { return lexer_.unterminated(); }
+
+ private:
+  std::string_view text_;
+  Lexer lexer_;
+  Token next_;
+  std::size_t end_of_last_ = 0;
 };
 
 }  // namespace ninebit::code

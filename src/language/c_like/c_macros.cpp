@@ -183,6 +183,7 @@ std::vector<Token> MacroExpander::substituted(const Macro& macro, const Argument
     }
     pastes = false;
   }
+  if (!out.empty()) out[0].begins_line = name.begins_line;
   return out;
 }
 

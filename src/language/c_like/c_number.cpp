@@ -141,7 +141,7 @@ std::optional<Number> shift(bool left, const Number& value, const Number& by, Ki
   return Number{kind, from >> count, 0};
 }
 
-// Of operands of one type each.
+// For operands of one type each.
 std::optional<Number> apply_one(std::string_view op, const Number& left, const Number& right) {
   if (op == "<<" || op == ">>") {
     if (is_real(left.kinds) || is_real(right.kinds)) return std::nullopt;
@@ -278,7 +278,7 @@ std::optional<Number> calculate(std::string_view op, Number operand) {
 }
 
 std::optional<Number> calculate(std::string_view op, Number left, Number right) {
-  // Of the types that an operand may have, those for integers alone.
+  // Operands of these operators have integer types alone.
   const bool is_of_integers = op == "&" || op == "|" || op == "^" || op == "%" || op == "<<" || op == ">>";
   for (Number* const one : {&left, &right}) {
     if (is_of_integers && (one->kinds & ~kReals) != 0) one->kinds = static_cast<Kinds>(one->kinds & ~kReals);

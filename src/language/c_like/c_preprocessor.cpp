@@ -6,6 +6,7 @@
 
 #include "src/language/c_like/c_condition.h"
 #include "src/language/source/nearest_name.h"
+#include "src/language/source/source_faults.h"
 
 namespace ninebit::code {
 namespace {
@@ -27,7 +28,7 @@ bool is_too_long(const std::vector<Token>& condition) {
 
 Preprocessor::Preprocessor(std::string_view text, Macros& macros, PreprocessorOptions options)
     : macros_(macros), options_(std::move(options)), expander_(macros, [this] { return next(); }) {
-  texts_.push_back({Lexer(text), {}, {}});
+  texts_.push_back({.lexer = Lexer(text)});
 }
 
 // The next token that is neither in a directive nor in a part that is left out.
@@ -73,6 +74,9 @@ void Preprocessor::obey(const Token& directive, const std::vector<Token>& line) 
     const Answer said = answer(directive, line);
     if (!said.fault.empty()) fault(hash_, "#" + std::string(directive.text) + ": " + said.fault);
     const bool is_included = texts_.size() > 1;
+    if (is_included && !said.unknown.empty()) {
+      fault(hash_, detail::quoted(said.unknown) + " is not defined, and a condition depends on it");
+    }
     return options_.reads && !is_included ? options_.reads(directive, line, said) : said.value;
   };
   if (directive.is("if") || directive.is("ifdef") || directive.is("ifndef")) {
@@ -97,6 +101,8 @@ void Preprocessor::obey(const Token& directive, const std::vector<Token>& line) 
     if (names_macro(directive, line)) macros_.all.erase(line[0].text);
   } else if (directive.is("include")) {
     include(directive, line);
+  } else if (directive.is("pragma") && !line.empty() && line[0].is("once")) {
+    once_.insert(texts_.back().name);
   } else if (directive.is("error")) {
     fault(hash_, "the text ends itself with #error");
   } else if (constexpr std::array<std::string_view, 12> kKnown{"define", "undef", "include", "if", "ifdef", "ifndef",
@@ -108,7 +114,8 @@ void Preprocessor::obey(const Token& directive, const std::vector<Token>& line) 
 }
 
 void Preprocessor::fault(const Token& at, const std::string& message) const {
-  if (options_.fault && texts_.size() == 1) options_.fault(at, message);
+  if (!options_.fault) return;
+  options_.fault(outer(at), (texts_.size() == 1 ? "" : detail::quoted(texts_.back().name) + ": ") + message);
 }
 
 void Preprocessor::finish() {
@@ -186,15 +193,27 @@ void Preprocessor::define(const std::vector<Token>& line) {
 }
 
 void Preprocessor::include(const Token& directive, const std::vector<Token>& line) {
-  constexpr std::size_t kMostIncluded = 16, kMostFiles = 200;
-  const bool named = line.size() == 1 && line[0].kind == Token::Kind::text && line[0].text.size() > 2;
-  const bool reads = options_.include && named && texts_.size() <= kMostIncluded && ++included_ <= kMostFiles;
-  const std::string* const text = reads ? options_.include(line[0].text.substr(1, line[0].text.size() - 2)) : nullptr;
+  constexpr std::size_t kMostIncluded = 16, kMostFiles = 200;  // inside of each other, and in all
+  std::string written;
+  for (const Token& token : line) written += token.text;
+  const bool named = line.size() == 1 && line[0].kind == Token::Kind::text && written.size() > 2;
+  const std::string_view name = named ? line[0].text.substr(1, written.size() - 2) : std::string_view();
+  if (named && once_.contains(name)) return;
+  const std::string* const text = options_.include && named ? options_.include(name) : nullptr;
   if (text == nullptr) {
-    if (options_.skipped) options_.skipped(directive, line);
+    if (options_.skipped) options_.skipped(outer(directive), written);
     return;
   }
-  texts_.push_back({Lexer(*text), {}, texts_.back().include ? texts_.back().include : directive});
+  if (texts_.size() > kMostIncluded || ++included_ > kMostFiles) {
+    const bool repeats =
+        std::any_of(texts_.begin(), texts_.end(), [&](const Text& one) { return one.include && one.name == name; });
+    const std::string why = repeats ? " includes itself"
+                                    : " is one included file too many; expected at most 16 inside "
+                                      "of each other, and 200 in all";
+    if (options_.endless) options_.endless(outer(directive), detail::quoted(name) + why);
+    return;
+  }
+  texts_.push_back({Lexer(*text), {}, outer(directive), name});
 }
 
 }  // namespace ninebit::code

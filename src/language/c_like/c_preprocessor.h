@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,7 @@
 
 namespace ninebit::code {
 
-// What a condition says. Names that mean nothing are 0, as C has it; then it is not sure.
+// The answer of a condition. Names that mean nothing are 0, as C has it; then it is not sure.
 struct Answer {
   bool value = false;
   bool is_sure = true;
@@ -29,10 +30,12 @@ struct PreprocessorOptions {
   std::function<bool(const Token&, const std::vector<Token>&, Answer)> reads{};
   // The text of an included file; null: it is not there.
   std::function<const std::string*(std::string_view)> include{};
-  // An #include that is not read: the directive, its line.
-  std::function<void(const Token&, const std::vector<Token>&)> skipped{};
-  // What is wrong with a directive of the text itself, and where. Without this function it is ignored.
+  // An #include that is not read: the directive of the text itself, the name as it is written.
+  std::function<void(const Token&, const std::string&)> skipped{};
+  // Reports a fault of a directive with its place in the text itself. Without this function faults are ignored.
   std::function<void(const Token&, const std::string&)> fault{};
+  // Files that include each other without an end, or too many; as `fault`, and never ignored.
+  std::function<void(const Token&, const std::string&)> endless{};
 };
 
 class Preprocessor {
@@ -56,7 +59,8 @@ class Preprocessor {
   struct Text {
     Lexer lexer;
     std::optional<Token> held{};     // the first token of the next line
-    std::optional<Token> include{};  // of an included text: the directive that includes it
+    std::optional<Token> include{};  // of an included text: the directive of the text itself
+    std::string_view name{};         // of an included text
   };
 
   Token next();
@@ -66,6 +70,7 @@ class Preprocessor {
   bool names_macro(const Token& directive, const std::vector<Token>& line);
   void define(const std::vector<Token>& line);
   void include(const Token& directive, const std::vector<Token>& line);
+  [[nodiscard]] Token outer(const Token& at) const { return texts_.back().include.value_or(at); }
   [[nodiscard]] Answer answer(const Token& directive, const std::vector<Token>& line);
   [[nodiscard]] bool reads() const { return open_.empty() || open_.back().reads; }
 
@@ -74,7 +79,8 @@ class Preprocessor {
   std::vector<Text> texts_;  // the file, and those included now
   std::vector<OpenGroup> open_;
   std::size_t included_ = 0;
-  Token hash_{};  // of the directive that is obeyed
+  std::set<std::string_view> once_;  // files that are not read again
+  Token hash_{};                     // of the directive that is obeyed
   MacroExpander expander_;
 };
 

@@ -12,23 +12,25 @@
 namespace ninebit::detail {
 namespace {
 
+using code::Token;
+
 constexpr std::size_t kReadValues = 4;     // the most that GL reads of an array
 constexpr int kMostNestedParentheses = 8;  // around one argument
 
 }  // namespace
 
 bool GlArgumentReader::expected(const std::string& what) {
-  const GlToken& token = lexer_.peek();
-  if (token.kind != GlToken::Kind::end) {
+  const Token& token = lexer_.peek();
+  if (!lexer_.at_end()) {
     faults_.add(token.offset, "expected " + what + ", found " + quoted(token.text));
-  } else if (!lexer_.cut_short()) {
+  } else if (!lexer_.unterminated()) {
     faults_.add(token.offset, "expected " + what + ", but the text ends");
   }
   return false;
 }
 
-bool GlArgumentReader::expect(char c) {
-  if (!lexer_.peek().is(c)) return expected(quoted({&c, 1}));
+bool GlArgumentReader::expect(std::string_view mark) {
+  if (!lexer_.peek().is(mark)) return expected(quoted(mark));
   lexer_.take();
   return true;
 }
@@ -45,7 +47,7 @@ void GlArgumentReader::place(GlArgument& out, std::size_t offset) const {
 bool GlArgumentReader::qualifier() {
   bool found = false;
   if (lexer_.peek().text == "::") lexer_.take();
-  while (lexer_.peek().kind == GlToken::Kind::name && lexer_.next_is_member()) {
+  while (lexer_.peek().is_name() && lexer_.next_is_member()) {
     lexer_.take();
     lexer_.take();
     found = true;
@@ -54,10 +56,10 @@ bool GlArgumentReader::qualifier() {
 }
 
 bool GlArgumentReader::bounds(std::optional<std::size_t>& size) {
-  if (!expect('[')) return false;
-  if (lexer_.peek().kind == GlToken::Kind::number) {
+  if (!expect("[")) return false;
+  if (lexer_.peek().kind == Token::Kind::number) {
     GlArgument number;
-    const GlToken token = lexer_.take();
+    const Token token = lexer_.take();
     if (!read_gl_number(token.text, number) || !number.is_integer || number.integer < 1 ||
         number.integer > std::int64_t{kMostGlValues}) {
       faults_.add(token.offset, "an array has 1 to 1024 elements, not " + quoted(token.text));
@@ -65,16 +67,16 @@ bool GlArgumentReader::bounds(std::optional<std::size_t>& size) {
     }
     size = static_cast<std::size_t>(number.integer);
   }
-  return expect(']');
+  return expect("]");
 }
 
 bool GlArgumentReader::braces(GlArgument& array, std::optional<std::size_t> size) {
   array.is_array = true;
-  const char close = lexer_.peek().is('[') ? ']' : '}';
-  if (close == ']') lexer_.take();
-  if (close == '}' && !expect('{')) return false;
+  const std::string_view close = lexer_.peek().is("[") ? "]" : "}";
+  if (close == "]") lexer_.take();
+  if (close == "}" && !expect("{")) return false;
   while (!lexer_.peek().is(close)) {
-    if (array.count > 0 && !expect(',')) return false;
+    if (array.count > 0 && !expect(",")) return false;
     if (lexer_.peek().is(close)) break;  // after a trailing comma
     const std::size_t offset = lexer_.peek().offset;
     GlArgument value;
@@ -97,24 +99,25 @@ bool GlArgumentReader::braces(GlArgument& array, std::optional<std::size_t> size
 
 // "(GLenum)", "(const GLfloat*)": the value behind them is what matters.
 void GlArgumentReader::skip_casts() {
-  for (std::size_t end = lexer_.cast_end(); end != 0; end = lexer_.cast_end()) lexer_.move_to(end);
+  while (lexer_.skip_cast()) {
+  }
 }
 
 GlArgumentReader::Read GlArgumentReader::argument(GlArgument& out) {
-  if (lexer_.peek().kind == GlToken::Kind::name && lexer_.next_is_assignment()) {  // "pname = " of a dump
+  if (lexer_.peek().is_name() && lexer_.next_is_assignment()) {  // "pname = " of a dump
     lexer_.take();
     lexer_.take();
   }
   const std::size_t offset = lexer_.peek().offset;
   Read read = Read::done;
   skip_casts();
-  if (lexer_.peek().is('{') || lexer_.peek().is('[')) {
+  if (lexer_.peek().is("{") || lexer_.peek().is("[")) {
     read = braces(out, std::nullopt) ? Read::done : Read::broken;
-  } else if (lexer_.peek().is('(') && lexer_.begins_array_type()) {
+  } else if (lexer_.peek().is("(") && lexer_.begins_array_type()) {
     read = compound_literal(out) ? Read::done : Read::broken;
   } else if (lexer_.peek().is("new")) {
     read = new_array(out);
-  } else if (lexer_.peek().is('&') || lexer_.peek().is('@')) {
+  } else if (lexer_.peek().is("&") || lexer_.peek().is("@")) {
     read = address(out);
   } else if (const auto array = arrays_.find(lexer_.peek().text); array != arrays_.end()) {
     lexer_.take();
@@ -148,7 +151,7 @@ bool GlArgumentReader::compound_literal(GlArgument& out) {
   lexer_.take();
   out.element = *element;
   std::optional<std::size_t> size;
-  return bounds(size) && expect(')') && braces(out, size);
+  return bounds(size) && expect(")") && braces(out, size);
 }
 
 // "&name[0]", "&name" or Pascal's "@name", which are the array itself.
@@ -158,24 +161,24 @@ GlArgumentReader::Read GlArgumentReader::address(GlArgument& out) {
   if (array == arrays_.end()) return expected("an array declared above") ? Read::done : Read::broken;
   lexer_.take();
   out = array->second;
-  if (!lexer_.peek().is('[')) return Read::done;
+  if (!lexer_.peek().is("[")) return Read::done;
   lexer_.take();
   if (lexer_.peek().text != "0") return expected("0") ? Read::done : Read::broken;
   lexer_.take();
-  return expect(']') ? Read::done : Read::broken;
+  return expect("]") ? Read::done : Read::broken;
 }
 
 // "GLenum(…)", "static_cast<GLenum>(…)", "FloatBuffer.wrap(…)": what stands between the parentheses.
 GlArgumentReader::Read GlArgumentReader::converted(GlArgument& out) {
   if (depth_ >= kMostNestedParentheses) return expected("an enumerant or a number") ? Read::done : Read::broken;
   lexer_.take();
-  while (lexer_.peek().kind != GlToken::Kind::end && !lexer_.peek().is('(')) lexer_.take();
-  if (!expect('(')) return Read::broken;
+  while (!lexer_.at_end() && !lexer_.peek().is("(")) lexer_.take();
+  if (!expect("(")) return Read::broken;
   ++depth_;
   const Read read = argument(out);
   --depth_;
   if (read == Read::broken) return read;
-  return expect(')') ? read : Read::broken;
+  return expect(")") ? read : Read::broken;
 }
 
 // A number or an enumerant, or a sum of them such as GL_COMBINER0_NV + 1.
@@ -183,9 +186,9 @@ GlArgumentReader::Read GlArgumentReader::scalar(GlArgument& out) {
   const std::size_t offset = lexer_.peek().offset;
   Read read = Read::done;
   bool first = true;
-  while (first || lexer_.peek().is('+') || lexer_.peek().is('-')) {
-    const bool negative = lexer_.peek().is('-');
-    if (negative || lexer_.peek().is('+')) lexer_.take();
+  while (first || lexer_.peek().is("+") || lexer_.peek().is("-")) {
+    const bool negative = lexer_.peek().is("-");
+    if (negative || lexer_.peek().is("+")) lexer_.take();
     GlArgument term;
     const Read one = this->term(term);
     if (one == Read::broken) return one;
@@ -205,23 +208,28 @@ GlArgumentReader::Read GlArgumentReader::scalar(GlArgument& out) {
 
 GlArgumentReader::Read GlArgumentReader::term(GlArgument& out) {
   skip_casts();
-  const GlToken& token = lexer_.peek();
-  if (token.kind == GlToken::Kind::number) {
-    const GlToken number = lexer_.take();
-    if (read_gl_number(number.text, out)) return Read::done;
-    faults_.add(number.offset, quoted(number.text) + " is not a C number, or is out of range");
+  const Token& token = lexer_.peek();
+  if (token.kind == Token::Kind::number || token.is("$")) {  // $8523 in Pascal
+    const std::size_t offset = token.offset;
+    const bool is_pascals = lexer_.take().is("$");
+    const Token& digits = lexer_.peek();
+    const bool follows = digits.is_name() || digits.kind == Token::Kind::number;
+    if (is_pascals && follows && !digits.after_blank) lexer_.take();
+    const std::string_view number = source_.text.substr(offset, lexer_.end_of_last() - offset);
+    if (read_gl_number(number, out)) return Read::done;
+    faults_.add(offset, quoted(number) + " is not a C number, or is out of range");
     return Read::unknown;
   }
-  if (token.is('(') && depth_ < kMostNestedParentheses) {
+  if (token.is("(") && depth_ < kMostNestedParentheses) {
     lexer_.take();
     ++depth_;
     const Read read = scalar(out);
     --depth_;
     if (read == Read::broken) return read;
-    return expect(')') ? read : Read::broken;
+    return expect(")") ? read : Read::broken;
   }
-  if (token.kind == GlToken::Kind::name && is_conversion(token.text) && lexer_.next_is_call()) return converted(out);
-  if (token.kind != GlToken::Kind::name && token.text != "::") {
+  if (token.is_name() && is_conversion(token.text) && lexer_.next_is_call()) return converted(out);
+  if (!token.is_name() && token.text != "::") {
     return expected("an enumerant or a number") ? Read::done : Read::broken;
   }
   return enumerant(out);
@@ -230,7 +238,7 @@ GlArgumentReader::Read GlArgumentReader::term(GlArgument& out) {
 GlArgumentReader::Read GlArgumentReader::enumerant(GlArgument& out) {
   const bool qualified = qualifier();
   if (is_conversion(lexer_.peek().text) && lexer_.next_is_call()) return converted(out);
-  const GlToken name = lexer_.take();
+  const Token name = lexer_.take();
   auto value = value_of_name(name.text);
   if (!value && reads_stage_names_) value = stage_value_of_name(name.text);
   if (!value) value = value_of_spelling(name.text, qualified);

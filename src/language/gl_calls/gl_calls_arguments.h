@@ -37,7 +37,7 @@ class GlArgumentReader {
   // Skips gl., ext->, vtkgl:: and the like before a name; whether there was one.
   bool qualifier();
 
-  bool expect(char c);
+  bool expect(std::string_view mark);
   // From now on, enumerants of texture shaders are known, too.
   void read_stage_names(bool reads) { reads_stage_names_ = reads; }
   // Reports what was found instead; false.

@@ -8,169 +8,80 @@
 namespace ninebit::detail {
 namespace {
 
-constexpr std::string_view kPunctuation = "(){}[],;=+-&*.:@";
-constexpr std::size_t kLongestLook = 128;  // bytes ahead
+constexpr int kMostLooked = 16;  // tokens ahead
 
-// The first byte from `at` on that is not a blank.
-std::size_t behind_blanks(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_blank(text[at])) ++at;
-  return at;
+bool is_separator(const code::Token& token) {
+  return token.is("::") || token.is("->") || token.is(".");
 }
 
-// The word that begins at a byte, with the qualifiers before it; empty: none does. `at` goes behind it.
-std::string_view qualified_word(std::string_view text, std::size_t& at) {
-  std::string_view word;
-  while (at < text.size()) {
-    const std::size_t begin = at;
-    while (at < text.size() && is_word(text[at])) ++at;
-    word = text.substr(begin, at - begin);
-    const bool scope = text.substr(at, 2) == "::" || text.substr(at, 2) == "->";
-    if (!scope && text.substr(at, 1) != ".") break;
-    at += scope ? 2 : 1;
+// Takes a name with the qualifiers before it; empty: there is none.
+std::string_view take_qualified(code::TokenReader& tokens) {
+  std::string_view name;
+  for (int i = 0; i < kMostLooked; ++i) {
+    name = tokens.peek().is_name() ? tokens.take().text : std::string_view();
+    if (!is_separator(tokens.peek())) break;
+    tokens.take();
   }
-  return word;
+  return name;
 }
 
 }  // namespace
 
-GlLexer::GlLexer(std::string_view text, SourceFaults& faults) : text_(text), faults_(faults) {
-  if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-  advance();
-}
-
-GlToken GlLexer::take() {
-  const GlToken taken = token_;
-  end_of_last_ = at_;
-  advance();
-  return taken;
+code::TokenReader GlLexer::behind_next() const {
+  code::TokenReader ahead = *this;
+  ahead.take();
+  return ahead;
 }
 
 bool GlLexer::next_is_member() const {
-  std::string_view rest = text_.substr(at_);
-  for (const std::string_view separator : {"::", "->", "."}) {
-    if (rest.starts_with(separator)) {
-      rest.remove_prefix(separator.size());
-      return !rest.empty() && is_word(rest.front()) && !is_digit(rest.front());
-    }
-  }
-  return false;
+  code::TokenReader ahead = behind_next();
+  const code::Token separator = ahead.take();
+  return is_separator(separator) && !separator.after_blank && ahead.peek().is_name() && !ahead.peek().after_blank;
 }
 
 bool GlLexer::next_is_call() const {
-  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
-  std::size_t at = behind_blanks(text, at_);
-  if (token_.text.ends_with("_cast") && text.substr(at, 1) == "<") {
-    at = text.find('>', at);
-    if (at == std::string_view::npos) return false;
-    at = behind_blanks(text, at + 1);
+  code::TokenReader ahead = behind_next();
+  if (peek().text.ends_with("_cast") && ahead.peek().is("<")) {
+    for (int i = 0; i < kMostLooked && !ahead.peek().is(">"); ++i) ahead.take();
+    ahead.take();
   }
-  return text.substr(at, 1) == "(";
+  return ahead.peek().is("(");
 }
 
 bool GlLexer::next_is_assignment() const {
-  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
-  const std::size_t at = behind_blanks(text, at_);
-  return text.substr(at, 1) == "=" && text.substr(at, 2) != "==";
+  return behind_next().peek().is("=");
 }
 
 bool GlLexer::begins_array_type() const {
-  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
-  std::size_t at = behind_blanks(text, at_);
-  while (at < text.size() && (is_word(text[at]) || is_blank(text[at]))) ++at;
-  return text.substr(at, 1) == "[";
+  code::TokenReader ahead = behind_next();
+  for (int i = 0; i < kMostLooked && ahead.peek().is_name(); ++i) ahead.take();
+  return ahead.peek().is("[");
 }
 
 bool GlLexer::begins_pointer_call() const {
-  std::size_t at = behind_blanks(text_, at_);
-  if (!token_.is('(') || text_.substr(at, 1) != "*") return false;
-  at = behind_blanks(text_, at + 1);
-  return at < text_.size() && is_word(text_[at]) && !is_digit(text_[at]);
+  code::TokenReader ahead = behind_next();
+  return peek().is("(") && ahead.take().is("*") && ahead.peek().is_name();
 }
 
 bool GlLexer::wraps_call() const {
-  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
-  std::size_t at = behind_blanks(text, at_);
-  if (text.substr(at, 1) != "(") return false;
-  at = behind_blanks(text, at + 1);
-  return find_gl_call(qualified_word(text, at)) != nullptr;
+  code::TokenReader ahead = behind_next();
+  return ahead.take().is("(") && find_gl_call(take_qualified(ahead)) != nullptr;
 }
 
-std::size_t GlLexer::cast_end() const {
-  if (!token_.is('(')) return 0;
-  const std::string_view text = text_.substr(0, std::min(text_.size(), at_ + kLongestLook));
-  std::size_t at = behind_blanks(text, at_);
+bool GlLexer::skip_cast() {
+  if (!peek().is("(")) return false;
+  code::TokenReader ahead = behind_next();
   std::string_view type;
-  while (at < text.size() && is_word(text[at]) && !is_digit(text[at])) {
-    type = qualified_word(text, at);
-    at = behind_blanks(text, at);
-  }
+  for (int i = 0; i < kMostLooked && ahead.peek().is_name(); ++i) type = take_qualified(ahead);
   // (GL_RGB) is not a type.
-  if (type.empty() || value_of_name(type) || value_of_spelling(type, true)) return 0;
-  while (at < text.size() && (text[at] == '*' || is_blank(text[at]))) ++at;
-  if (text.substr(at, 1) != ")") return 0;
-  const std::size_t end = at + 1;
-  const std::size_t operand = behind_blanks(text, end);
-  const bool follows = operand < text.size() && (is_word(text[operand]) || text[operand] == '(' ||
-                                                 text[operand] == '&' || text[operand] == '$' || text[operand] == '@');
-  return follows ? end : 0;
-}
-
-void GlLexer::move_to(std::size_t at) {
-  end_of_last_ = at;
-  at_ = at;
-  advance();
-}
-
-void GlLexer::skip_line() {
-  at_ = std::min(text_.find('\n', token_.offset), text_.size());
-  advance();
-}
-
-// The end of a C preprocessing number: digits, letters and dots, and a sign after a decimal exponent's e.
-std::size_t GlLexer::number_end() const {
-  const bool hex = text_.substr(at_, 2) == "0x" || text_.substr(at_, 2) == "0X";
-  std::size_t end = at_ + 1;
-  while (end < text_.size()) {
-    const char c = text_[end];
-    const char before = text_[end - 1];
-    const bool exponent_sign = (c == '+' || c == '-') && (before == 'e' || before == 'E') && !hex;
-    if (!is_word(c) && c != '.' && !exponent_sign) break;
-    ++end;
-  }
-  return end;
-}
-
-std::size_t GlLexer::unknown_end() const {
-  std::size_t end = at_ + 1;
-  while (end < text_.size() && !is_word(text_[end]) && !is_blank(text_[end]) && text_[end] != '/' &&
-         kPunctuation.find(text_[end]) == std::string_view::npos) {
-    ++end;
-  }
-  return end;
-}
-
-void GlLexer::advance() {
-  if (!skip_blanks(text_, at_, {}, faults_)) cut_short_ = true;
-  token_ = {GlToken::Kind::end, at_, {}};
-  if (at_ >= text_.size()) return;
-  const char c = text_[at_];
-  std::size_t end = at_ + 1;
-  const bool pascals_hex = c == '$' && end < text_.size() && is_word(text_[end]);
-  if (pascals_hex || is_digit(c) || (c == '.' && end < text_.size() && is_digit(text_[end]))) {
-    token_.kind = GlToken::Kind::number;
-    end = number_end();
-  } else if (is_word(c)) {
-    token_.kind = GlToken::Kind::name;
-    while (end < text_.size() && is_word(text_[end])) ++end;
-  } else if (kPunctuation.find(c) != std::string_view::npos) {
-    token_.kind = GlToken::Kind::punctuation;
-    if (text_.substr(at_).starts_with("->") || text_.substr(at_).starts_with("::")) ++end;
-  } else {
-    token_.kind = GlToken::Kind::unknown;
-    end = unknown_end();
-  }
-  token_.text = text_.substr(at_, end - at_);
-  at_ = end;
+  if (type.empty() || value_of_name(type) || value_of_spelling(type, true)) return false;
+  for (int i = 0; i < kMostLooked && ahead.peek().is("*"); ++i) ahead.take();
+  if (!ahead.take().is(")")) return false;
+  const code::Token& operand = ahead.peek();
+  const bool follows = operand.is_name() || operand.kind == code::Token::Kind::number || operand.is("(") ||
+                       operand.is("&") || operand.is("$") || operand.is("@");
+  if (follows) code::TokenReader::operator=(ahead);
+  return follows;
 }
 
 namespace {

@@ -15,12 +15,12 @@
 namespace ninebit {
 namespace {
 
+using code::Token;
 using detail::element_type;
 using detail::GlArgument;
 using detail::GlArgumentReader;
 using detail::GlLexer;
 using detail::GlSignature;
-using detail::GlToken;
 using detail::quoted;
 
 // Reads statements and executes each as soon as it is read. A faulty statement is skipped up to its semicolon or the
@@ -32,7 +32,7 @@ class GlParser {
       : text_(source.text),
         faults_(source),
         notes_(source),
-        lexer_(source.text, faults_),
+        lexer_(source.text),
         values_(source, lexer_, faults_),
         context_(profile),
         has_semicolons_(source.text.find(';') != std::string_view::npos),
@@ -41,10 +41,11 @@ class GlParser {
   }
 
   Parsed<CombinerState> parse() {
-    while (lexer_.peek().kind != GlToken::Kind::end && !faults_.full()) {
+    while (!lexer_.at_end() && !faults_.full()) {
       dump_end_ = 0;
       if (!statement()) recover();
     }
+    if (const auto comment = lexer_.unterminated()) faults_.add(*comment, "unterminated comment; expected */");
     note_skipped();
     if (!faults_.empty()) return {faults_.take(), notes_.take()};
     CombinerState state = context_.state();
@@ -60,8 +61,8 @@ class GlParser {
  private:
   // Returns false if the rest of the statement must be skipped.
   bool statement() {
-    const GlToken& token = lexer_.peek();
-    if (token.is(';')) {
+    const Token& token = lexer_.peek();
+    if (token.is(";")) {
       lexer_.take();
       return true;
     }
@@ -70,7 +71,7 @@ class GlParser {
       lexer_.skip_line();
       return true;
     }
-    if (token.kind == GlToken::Kind::number) {
+    if (token.kind == Token::Kind::number) {
       if (const auto line = detail::gl_dump_line(text_, token.offset)) return dump_line(*line);
     }
     const bool pointer = lexer_.begins_pointer_call();  // (*glEnable)(…)
@@ -78,7 +79,7 @@ class GlParser {
       lexer_.take();
       lexer_.take();
     }
-    if (token.kind != GlToken::Kind::name && token.text != "::") return values_.expected("a GL call");
+    if (!token.is_name() && token.text != "::") return values_.expected("a GL call");
     const bool qualified = values_.qualifier();
     if (const GlSignature* const call = called(qualified)) return call_statement(*call, pointer, false);
     if (qualified) return unknown_call(lexer_.take());
@@ -139,9 +140,9 @@ class GlParser {
     return reads_stages_ ? detail::find_stage_call(name) : nullptr;
   }
 
-  bool unknown_call(const GlToken& name) {
+  bool unknown_call(const Token& name) {
     const std::string meant = detail::meant_call(name.text);
-    faults_.add(name.offset, (lexer_.peek().is('(') ? quoted(name.text) + " is not a call of the register combiners"
+    faults_.add(name.offset, (lexer_.peek().is("(") ? quoted(name.text) + " is not a call of the register combiners"
                                                     : "expected a GL call, found " + quoted(name.text)) +
                                  meant);
     return false;
@@ -163,10 +164,10 @@ class GlParser {
     called_ = true;
     std::vector<GlArgument> arguments;
     bool good = true;
-    if (closes_name && !values_.expect(')')) return false;
-    if (!values_.expect('(')) return false;
-    while (!lexer_.peek().is(')')) {
-      if (!arguments.empty() && !values_.expect(',')) return false;
+    if (closes_name && !values_.expect(")")) return false;
+    if (!values_.expect("(")) return false;
+    while (!lexer_.peek().is(")")) {
+      if (!arguments.empty() && !values_.expect(",")) return false;
       GlArgument argument;
       const GlArgumentReader::Read read = values_.argument(argument);
       if (read == GlArgumentReader::Read::broken) return false;
@@ -177,10 +178,10 @@ class GlParser {
     lexer_.take();
     if (good) detail::execute_gl_call(call, arguments, offset, context_, faults_);
     if (closes_call) {
-      while (lexer_.peek().kind != GlToken::Kind::end && !lexer_.peek().is(')') && !lexer_.peek().is(';')) {
+      while (!lexer_.at_end() && !lexer_.peek().is(")") && !lexer_.peek().is(";")) {
         lexer_.take();
       }
-      if (!values_.expect(')')) return false;
+      if (!values_.expect(")")) return false;
     }
     return end_of_statement();
   }
@@ -193,38 +194,38 @@ class GlParser {
     lexer_.take();
     while (lexer_.peek().is("const")) lexer_.take();
     while (true) {
-      if (lexer_.peek().kind != GlToken::Kind::name) return values_.expected("the name of an array");
-      const GlToken name = lexer_.take();
+      if (!lexer_.peek().is_name()) return values_.expected("the name of an array");
+      const Token name = lexer_.take();
       GlArgument array;
       array.element = *element;
       std::optional<std::size_t> size;
-      if (!values_.bounds(size) || !values_.expect('=') || !values_.braces(array, size)) return false;
+      if (!values_.bounds(size) || !values_.expect("=") || !values_.braces(array, size)) return false;
       if (!values_.declare(name.text, std::move(array))) {
         faults_.add(name.offset, quoted(name.text) + " is already declared");
       }
-      if (!lexer_.peek().is(',')) return end_of_statement();
+      if (!lexer_.peek().is(",")) return end_of_statement();
       lexer_.take();
     }
   }
 
   // If only the semicolon is missing, nothing is skipped. A text without any is of a language without them.
   bool end_of_statement() {
-    if (lexer_.peek().is('=')) {  // what a dump says that the call returned
+    if (lexer_.peek().is("=")) {  // what a dump says that the call returned
       lexer_.take();
-      if (lexer_.peek().is('-')) lexer_.take();
+      if (lexer_.peek().is("-")) lexer_.take();
       lexer_.take();
     }
     if (dump_end_ != 0) return true;
-    if (!has_semicolons_ && !lexer_.cut_short()) return true;
-    if (!values_.expect(';')) return named_call(lexer_.peek().text) != nullptr;
+    if (!has_semicolons_ && !lexer_.unterminated()) return true;
+    if (!values_.expect(";")) return named_call(lexer_.peek().text) != nullptr;
     return true;
   }
 
   void recover() {
     if (dump_end_ != 0) return lexer_.move_to(dump_end_);
-    while (lexer_.peek().kind != GlToken::Kind::end) {
-      if (lexer_.peek().kind == GlToken::Kind::name && named_call(lexer_.peek().text) != nullptr) return;
-      if (lexer_.take().is(';')) return;
+    while (!lexer_.at_end()) {
+      if (lexer_.peek().is_name() && named_call(lexer_.peek().text) != nullptr) return;
+      if (lexer_.take().is(";")) return;
     }
   }
 

@@ -194,7 +194,8 @@ const std::array kForms{
          .parse =
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
                TextProgram read;
-               auto state = parse_pixel_shader(source, profile, options.source.definitions, &read.texture_shader);
+               auto state = parse_pixel_shader(source, profile, options.source.definitions, options.source.include,
+                                               &read.texture_shader);
                return program_with(std::move(state), std::move(read));
              },
          .takes_definitions = true},

@@ -142,21 +142,21 @@ bool is_pixel_shader(std::string_view text) {
 
 Parsed<CombinerState> detail::parse_defined_shader(const SourceText& source, const std::vector<Definition>& definitions,
                                                    const HardwareProfile& profile, std::set<std::string>& used,
-                                                   TextureShaderState* texture_shader) {
+                                                   const SourceInclude& include, TextureShaderState* texture_shader) {
   detail::SourceFaults faults(source), notes(source);
   if (detail::too_long(source, faults)) return faults.take();
   if (detail::shader_version_length(source.text.substr(shader_begin(source.text))) == 0) {
     const std::size_t quote = detail::find_shader_literal(source.text);
     if (quote != std::string_view::npos) {
       const LiteralText shader(source, quote, end_of_literals(source.text, quote));
-      return parse_defined_shader(shader.source(), definitions, profile, used, texture_shader);
+      return parse_defined_shader(shader.source(), definitions, profile, used, include, texture_shader);
     }
   }
   if (const std::string_view language = foreign_language(source.text); !language.empty()) {
     faults.add(shader_begin(source.text), cannot_run(language));
     return faults.take();
   }
-  const auto tokens = detail::preprocess_shader(source.text, definitions, faults, notes);
+  const auto tokens = detail::preprocess_shader(source.text, definitions, include, faults, notes);
   used.insert(tokens.used.begin(), tokens.used.end());
   if (!tokens.is_whole) return {faults.take(), notes.take()};
   const ShaderText text = detail::parse_shader(tokens, faults);
@@ -180,10 +180,10 @@ Parsed<CombinerState> detail::program_of_shader(const ShaderText& text, const Ha
 }
 
 Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
-                                         const std::vector<Definition>& definitions,
+                                         const std::vector<Definition>& definitions, const SourceInclude& include,
                                          TextureShaderState* texture_shader) {
   std::set<std::string> used;
-  auto parsed = detail::parse_defined_shader(source, definitions, profile, used, texture_shader);
+  auto parsed = detail::parse_defined_shader(source, definitions, profile, used, include, texture_shader);
   detail::SourceFaults notes(source);
   for (const Definition& one : definitions) {
     if (!used.contains(one.name)) notes.add(0, detail::not_needed(one));

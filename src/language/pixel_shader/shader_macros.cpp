@@ -99,9 +99,9 @@ class PlainShader {
 
 class ShaderReader {
  public:
-  ShaderReader(std::string_view text, const std::vector<Definition>& definitions, SourceFaults& faults,
-               SourceFaults& notes)
-      : faults_(faults), notes_(notes), macros_(std::make_shared<code::Macros>()) {
+  ShaderReader(std::string_view text, const std::vector<Definition>& definitions, const SourceInclude& include,
+               SourceFaults& faults, SourceFaults& notes)
+      : include_(include), faults_(faults), notes_(notes), macros_(std::make_shared<code::Macros>()) {
     auto plain = std::make_shared<std::string>(PlainShader(text, faults).take());
     text_ = *plain;
     out_.written = std::move(plain);
@@ -130,6 +130,8 @@ class ShaderReader {
           token.offset > end ? text_.substr(end, token.offset - end).find('\n') : std::string_view::npos;
       if (line_end != std::string_view::npos) {
         out_.tokens.push_back({ShaderToken::Kind::end_of_line, end + line_end, {}});
+      } else if (token.is_made && token.begins_line) {  // of an included file
+        out_.tokens.push_back({ShaderToken::Kind::end_of_line, token.offset, {}});
       }
       add(token);
       end = std::max<std::size_t>(end, token.is_made ? token.end : token.offset + length_);
@@ -151,15 +153,33 @@ class ShaderReader {
  private:
   code::PreprocessorOptions options() {
     code::PreprocessorOptions options;
-    options.fault = [this](const code::Token& at, const std::string& message) { faults_.add(at.offset, message); };
+    options.fault = options.endless = [this](const code::Token& at, const std::string& message) {
+      faults_.add(at.offset, message);
+    };
     options.reads = [this](const code::Token& directive, const std::vector<code::Token>& line,
                            const code::Answer& answer) { return reads(directive, line, answer); };
-    options.skipped = [this](const code::Token& directive, const std::vector<code::Token>& line) {
+    if (include_) options.include = [this](std::string_view name) { return included(name); };
+    options.skipped = [this](const code::Token& directive, const std::string& name) {
+      const std::string file = name.empty() ? "a file" : quoted(name);
       out_.includes = true;
-      notes_.add(hash_of(directive),
-                 "skipped " + (line.empty() ? "a file" : quoted(between(line))) + "; its names are not known");
+      if (include_ && name.starts_with('"')) {
+        faults_.add(hash_of(directive),
+                    file + " was not read; expected a text below the folder of this file, or --allow-outside");
+      } else {
+        notes_.add(hash_of(directive), "skipped " + file + "; its names are not known");
+      }
     };
     return options;
+  }
+
+  // The text of an included file as C has it; null: it is not there.
+  const std::string* included(std::string_view name) {
+    const auto text = include_(name);
+    if (!text) return nullptr;
+    SourceFaults wrong({.text = *text, .file = name});
+    const std::string& plain = macros_->kept.emplace_back(PlainShader(*text, wrong).take());
+    for (TextFault& fault : wrong.take()) faults_.add(std::move(fault));
+    return &plain;
   }
 
   // The text of a line's tokens.
@@ -205,6 +225,7 @@ class ShaderReader {
   }
 
   std::string_view text_;
+  const SourceInclude& include_;
   SourceFaults& faults_;
   SourceFaults& notes_;
   std::shared_ptr<code::Macros> macros_;
@@ -236,9 +257,9 @@ std::size_t shader_version_length(std::string_view text) {
   return length;
 }
 
-ShaderTokens preprocess_shader(std::string_view text, const std::vector<Definition>& definitions, SourceFaults& faults,
-                               SourceFaults& notes) {
-  return ShaderReader(text, definitions, faults, notes).run();
+ShaderTokens preprocess_shader(std::string_view text, const std::vector<Definition>& definitions,
+                               const SourceInclude& include, SourceFaults& faults, SourceFaults& notes) {
+  return ShaderReader(text, definitions, include, faults, notes).run();
 }
 
 }  // namespace ninebit::detail

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/language/source_code.h"
 #include "src/language/c_like/c_macros.h"
 #include "src/language/source/source_faults.h"
 
@@ -49,11 +50,11 @@ struct ShaderTokens {
   std::shared_ptr<const code::Macros> macros{};
 };
 
-// Splits a text into tokens and executes the preprocessor's lines: C's, with comments from ; to the end of the line. A
-// note names each #include, which is skipped. Faults are an unterminated comment, lines of the preprocessor that are
-// not complete or not known, a condition that depends on a name without a value, and more than kMostShaderTokens.
-// `definitions`, which must outlive the tokens, replace those of the text.
+// Splits a text into tokens and executes the preprocessor's lines: C's, with comments from ; to the end of the line.
+// Without `include`, a note names each #include, which is skipped. Faults are a file that is not there, an unterminated
+// comment, lines of the preprocessor that are not complete or not known, a condition that depends on a name without a
+// value, and more than kMostShaderTokens. `definitions`, which must outlive the tokens, replace those of the text.
 [[nodiscard]] ShaderTokens preprocess_shader(std::string_view text, const std::vector<Definition>& definitions,
-                                             SourceFaults& faults, SourceFaults& notes);
+                                             const SourceInclude& include, SourceFaults& faults, SourceFaults& notes);
 
 }  // namespace ninebit::detail

@@ -42,6 +42,7 @@ void check_shader_rules(const ShaderText& text, SourceFaults& faults);
 [[nodiscard]] Parsed<CombinerState> parse_defined_shader(const SourceText& source,
                                                          const std::vector<Definition>& definitions,
                                                          const HardwareProfile& profile, std::set<std::string>& used,
+                                                         const SourceInclude& include = {},
                                                          TextureShaderState* texture_shader = nullptr);
 
 // The quote of the first string literal of C whose content begins with a shader's header; npos: there is none.

@@ -312,7 +312,7 @@ Result<std::string> print_shader_tokens(const CombinerState& state, const Hardwa
   const auto assembly = print_pixel_shader(state, profile, texture_shader);
   if (!assembly) return assembly.error();
   detail::SourceFaults none({*assembly, {}});
-  const auto tokens = detail::preprocess_shader(*assembly, {}, none, none);
+  const auto tokens = detail::preprocess_shader(*assembly, {}, {}, none, none);
   const detail::ShaderText shader = detail::parse_shader(tokens, none);
   std::string text = "static const DWORD shader[] = {\n";
   detail::add_line(text, {0xffff'0101});

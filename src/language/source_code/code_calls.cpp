@@ -177,7 +177,7 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
     forget_shared();
   }
   if (wraps || name.empty()) return out;
-  note_drawing(name, e);
+  note_drawing(name);
   if (skips_++ == 0) first_skipped_ = e.offset;
   last_skipped_ = e.offset;
   constexpr std::size_t kMostNames = 1000;
@@ -202,8 +202,7 @@ void Machine::assume_unchanged(const Place& at, std::string_view function, const
 }
 
 // A program that something is drawn with is one by itself.
-void Machine::note_drawing(std::string_view name, const Expression& e) {
-  (void)e;
+void Machine::note_drawing(std::string_view name) {
   if (!draws(name) || !set_since_drawing_) return;
   if (drawn_.empty() || !(drawn_.back() == state())) drawn_.push_back(state());
   set_since_drawing_ = false;

@@ -77,7 +77,7 @@ const Type* Parser::suffixes(const Type* base, Function* function) {
   return base;
 }
 
-// What stands between the parentheses, whose first one is the next token.
+// Reads the parameters between the parentheses, whose first one is the next token.
 void Parser::parameters(Function& out) {
   const std::size_t close = std::min<std::size_t>(file_.closing[at_], end_);
   if (++depth_ >= kMostNestedStatements) {

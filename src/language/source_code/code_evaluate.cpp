@@ -319,7 +319,7 @@ Value Machine::evaluate_conditional(const Expression& e) {
   const auto is_true = truth(condition);
   Value yes, no;
   if (is_true) {
-    // What is not evaluated gives the result its type.
+    // The operand that is not evaluated still gives the result its type.
     yes = *is_true ? evaluate(e.parts[1]) : quietly([&] { return evaluate(e.parts[1]); });
     no = *is_true ? quietly([&] { return evaluate(e.parts[2]); }) : evaluate(e.parts[2]);
   } else {

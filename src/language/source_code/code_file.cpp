@@ -206,6 +206,7 @@ void read_file(File& file, const SourceText& source, const SourceSelection& sele
     auto text = selection.include ? selection.include(name) : std::nullopt;
     return text && text->size() <= kMaxSourceBytes ? &file.included.emplace_back(*std::move(text)) : nullptr;
   };
+  options.endless = [&](const Token& at, const std::string& message) { faults.add(at.offset, message); };
   Preprocessor preprocessor(source.text, file.macros, std::move(options));
   while (true) {
     Token token = preprocessor.take();

@@ -42,7 +42,7 @@ bool Machine::spend(std::size_t steps) {
   return !out_of_steps_;
 }
 
-// What to say where the steps are used up.
+// The fault where the steps are used up.
 std::string Machine::too_many_steps() const {
   return steps_ > kMostSteps ? "the function runs for too long; loops of more than 200,000 steps are not executed"
                              : "the functions run for too long; a source's take at most 2,000,000 steps together";
@@ -132,7 +132,7 @@ Machine::Flow Machine::execute(const Statement& s) {
       const Flow flow = execute(s.body);
       tries_ -= s.message == "try" ? 1 : 0;
       if (s.message != "try" || !is_thrown_) return flow;
-      // What catches it is not executed.
+      // The handler that catches it is not executed.
       is_thrown_ = false;
       forget_all();
       add_exit(Flow::give_back, {}, {}, nullptr);
@@ -182,7 +182,7 @@ Machine::Flow Machine::branch(const Statement& s) {
   const bool yes = program_.sets(s.body), no = program_.sets(s.otherwise);
   if (yes || no) use(condition);
   if (const auto is_true = truth(condition)) {
-    // What a condition assumes, all that it leads to assumes, too.
+    // All that a condition leads to shares the condition's assumptions.
     if (condition.origins) used_origins_.insert(condition.origins->begin(), condition.origins->end());
     return execute(*is_true ? s.body : s.otherwise);
   }

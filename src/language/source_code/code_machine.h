@@ -208,7 +208,7 @@ class Machine {
   Value combine(std::string_view op, const Value& left, const Value& right);
   Value compare_pointers(std::string_view op, const Value& left, const Value& right) const;
   Value cast(const Value& value, const Type* type, const std::string& path) const;
-  // What an expression would give; nothing is changed and nothing is reported.
+  // The value that an expression would give; nothing is changed and nothing is reported.
   template <class Evaluate>
   auto quietly(const Evaluate& evaluate) {
     const std::size_t mark = log_.size();
@@ -249,7 +249,7 @@ class Machine {
   void look_for_misspelling(std::string_view name, const Expression& e);
   bool argument(const Expression& e, char kind, detail::GlArgument& out);
   bool array_argument(Value value, const Expression& e, char kind, detail::GlArgument& out);
-  void note_drawing(std::string_view name, const Expression& e);
+  void note_drawing(std::string_view name);
 
   // Definitions of the Xbox: code_xbox.cpp
   std::string object_of(const Expression& e);

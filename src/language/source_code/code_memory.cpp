@@ -181,7 +181,7 @@ void Machine::store(const Place& place, Value value) {
     value = converted(std::move(value), program_.parser->unknown_type(), place.path);
     std::vector<std::string> others;
     for (const auto& [name, one] : outside_) {
-      // What was known of the old value's parts; and the same part of another object, which may be the same one.
+      // Forgets the old value's parts, and the same part of another object, which may be the same one.
       const bool part = name != place.outside && begins_with_name(name, place.outside);
       const bool alias = !own.empty() && name != place.outside && place.outside[0] != '#' && name[0] != '#' &&
                          behind_root(name) == own;
@@ -222,7 +222,7 @@ void Machine::forget_object(int object) {
   }
 }
 
-// What a function of another file may change through a value that it is given, now or later.
+// Forgets what a function of another file may change through a value that it is given, now or later.
 void Machine::forget_pointed(const Value& value) {
   if (value.cells) {
     for (const Value& one : *value.cells) forget_pointed(one);
@@ -252,7 +252,7 @@ void Machine::forget_outside(const std::string& prefix) {
   }
 }
 
-// What code of other files may change.
+// Forgets what code of other files may change.
 void Machine::forget_shared() {
   (void)spend(objects_.size() / 16);
   for (std::size_t i = 0; i < objects_.size(); ++i) {
@@ -266,7 +266,7 @@ void Machine::forget_all() {
   for (std::size_t i = 0; i < objects_.size(); ++i) forget_object(static_cast<int>(i));
 }
 
-// What a pointer and an index lead to.
+// The place that a pointer and an index lead to.
 Place Machine::deref(const Value& pointer, const Value& index, const std::string& path) {
   Place out{.path = path};
   if (!index.is_known()) out.needs = index.needs;

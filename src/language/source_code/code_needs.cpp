@@ -101,7 +101,7 @@ void Machine::read_definitions() {
   for (auto& [name, value] : all) definitions_[name] = std::move(value);
 }
 
-// What is defined for a path, or for the array that it is an element of; nullptr: nothing.
+// The definition for a path, or for the array that it is an element of; nullptr: there is none.
 const Value* Machine::defined(const std::string& path) {
   if (definitions_.empty() || path.empty()) return nullptr;
   if (const auto found = definitions_.find(path); found != definitions_.end()) {
@@ -144,7 +144,7 @@ Value Machine::definition_for(const Value& given, const Type* type, const std::s
   return out;
 }
 
-// What is stored in a place; where that is not known, what is defined for it.
+// The value that is stored in a place; where it is not known, the value that is defined for it.
 Value Machine::read(const Place& place) {
   Value out = load(place);
   if (out.is_known()) return out;
@@ -182,7 +182,7 @@ void Machine::need_conditions(const Function* function) {
   }
 }
 
-// What decides whether a call is reached at all.
+// The values that decide whether a call is reached at all.
 void Machine::need_guards(const Expression& e) {
   bool is_named = true;
   for (const Guard& one : guards_) {

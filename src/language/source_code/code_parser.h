@@ -35,7 +35,7 @@ class Parser {
   const Type* array_of(const Type* of, std::int64_t count);
 
  private:
-  // What a name means; of a name without a type and a constant: a variable.
+  // The meaning of a name; a name without a type and a constant is a variable.
   struct Symbol {
     const Type* type = nullptr;
     std::optional<Number> constant{};
@@ -46,7 +46,7 @@ class Parser {
     bool is_volatile = false;
     std::vector<Declared> enumerators{};
   };
-  // What stands before a brace or a semicolon at the outermost level of the file or of a class.
+  // Reads the text before a brace or a semicolon at the outermost level of the file or of a class.
   struct Head {
     std::size_t begin = 0, stop = 0;
     std::size_t parenthesis = 0, assignment = 0;  // the first ones outside of brackets; 0: none

@@ -1,4 +1,4 @@
-// What names mean, and where values are stored.
+// The meaning of names, and the places of values.
 #include <algorithm>
 #include <utility>
 
@@ -48,14 +48,14 @@ std::string Machine::text_of(const Expression& e) const {
     }
     const bool words = blank && !out.empty() && detail::is_word(out.back()) && detail::is_word(c);
     if (words) out += ' ';
-    // What is not a letter of C has no place in a message.
+    // Messages show letters of C alone.
     out += c < ' ' || c > '~' ? '?' : c;
     blank = false;
   }
   return out;
 }
 
-// What a name is where nothing is stored under it: an enumerant, a function of OpenGL, a word of the language.
+// The value of a name that has no place: an enumerant, a function of OpenGL, a word of the language.
 std::optional<Value> Machine::constant(const Expression& e) const {
   if (const auto exact = detail::value_of_name(e.text)) return integer_value(*exact);
   if (e.text.starts_with("PS_")) {
@@ -128,7 +128,7 @@ Place Machine::place(const Expression& e) {
         whole = deref(evaluate(object), integer_value(0), path);
       } else {
         whole = place(object);
-        // What another language calls an object is a pointer.
+        // Another language's object is a pointer.
         const bool may_point = whole.kind == PlaceKind::outside || whole.kind == PlaceKind::cell;
         const bool is_struct = whole.type != nullptr && whole.type->is(TypeKind::structure);
         if (may_point && !is_struct && (whole.kind == PlaceKind::outside || is_inside(whole))) {

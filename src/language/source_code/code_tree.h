@@ -1,4 +1,4 @@
-// What the parser makes of a source: types, expressions, statements, functions.
+// The parser's result: types, expressions, statements, functions.
 #pragma once
 
 #include <cstdint>

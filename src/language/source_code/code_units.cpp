@@ -205,7 +205,7 @@ SourceFunction Units::describe(const Unit& unit) {
   if (machine.is_out_of_steps()) faults.add(unit.offset, machine.too_many_steps());
   out.faults = faults.take();
   if (!unit.is_part || out.faults.empty()) return out;
-  // What is wrong with a part of a text need not be wrong with the whole, which is not read.
+  // A fault of a part need not be one of the whole text, which is not read.
   out.faults.clear();
   std::swap(out.calls_read, out.calls_not_read);
   out.calls_refused = 0;

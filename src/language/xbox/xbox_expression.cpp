@@ -1,10 +1,8 @@
 #include "src/language/xbox/xbox_expression.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 
-#include "src/language/c_like/c_lexer.h"
 #include "src/language/c_like/c_number.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/source/nearest_name.h"
@@ -176,24 +174,10 @@ namespace {
 constexpr int kDeepest = 32;  // brackets in brackets
 constexpr std::int64_t kBeyondWords = std::int64_t{1} << 32;
 
-int rank_of(const Token& token) {
-  return code::precedence(
-      {.kind = token.kind == TokenKind::mark ? code::Token::Kind::punctuation : code::Token::Kind::end,
-       .text = token.text});
-}
-
 bool is_type(const Token& token) {
   constexpr std::string_view kTypes[] = {"DWORD",    "ULONG",  "UINT", "BYTE", "WORD",     "D3DCOLOR", "dword",
                                          "unsigned", "signed", "long", "int",  "uint32_t", "int32_t"};
-  return token.kind == TokenKind::name &&
-         std::find(std::begin(kTypes), std::end(kTypes), token.text) != std::end(kTypes);
-}
-
-std::string_view without_suffix(std::string_view digits) {
-  while (!digits.empty() && std::string_view("uUlL").find(digits.back()) != std::string_view::npos) {
-    digits.remove_suffix(1);
-  }
-  return digits;
+  return token.is_name() && std::find(std::begin(kTypes), std::end(kTypes), token.text) != std::end(kTypes);
 }
 
 std::string hex(std::int64_t value) {
@@ -215,22 +199,15 @@ std::optional<std::uint32_t> Expressions::read() {
 }
 
 std::uint32_t Expressions::number(const Token& token) {
-  std::string_view digits = without_suffix(token.text);
-  int base = 10;
-  if (digits.starts_with("0x") || digits.starts_with("0X")) {
-    base = 16;
-    digits.remove_prefix(2);
-  } else if (digits.size() > 1 && digits.front() == '0') {
-    base = 8;
-  }
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
-  if (error == std::errc::result_out_of_range && end == digits.data() + digits.size()) {
-    faults_.add(token.place, "the value does not fit in 32 bits");
-  } else if (error != std::errc{} || end != digits.data() + digits.size()) {
+  const auto value = code::read_number(token.text);
+  if (!value || value->may_be_real()) {
     faults_.add(token.place, shown(token) + " is not a number; expected one such as 0x08040000, 15 or 017");
+  } else if (value->integer < 0 || value->integer >= kBeyondWords) {
+    faults_.add(token.place, "the value does not fit in 32 bits");
+  } else {
+    return static_cast<std::uint32_t>(value->integer);
   }
-  return value;
+  return 0;
 }
 
 Expressions::Value Expressions::fail(const std::string& expected) {
@@ -242,7 +219,7 @@ Expressions::Value Expressions::binary(int lowest, int depth) {
   Value left = unary(depth);
   while (left) {
     const Token mark = lexer_.peek();
-    const int rank = rank_of(mark);
+    const int rank = code::precedence(mark);
     if (rank < lowest) return left;
     (void)lexer_.take();
     const Value right = binary(rank + 1, depth);
@@ -302,8 +279,8 @@ bool Expressions::skip_cast() {
 Expressions::Value Expressions::primary(int depth) {
   if (depth > kDeepest) return fail("at most " + std::to_string(kDeepest) + " brackets in each other");
   const Token token = lexer_.peek();
-  if (token.kind == TokenKind::number) return number(lexer_.take());
-  if (token.kind == TokenKind::name) return named(lexer_.take(), depth);
+  if (token.kind == Token::Kind::number) return number(lexer_.take());
+  if (token.is_name()) return named(lexer_.take(), depth);
   if (!token.is("(")) return fail("a value");
   (void)lexer_.take();
   const Value value = binary(1, depth + 1);

@@ -182,7 +182,7 @@ bool skip_brackets(Lexer& lexer) {
   int depth = 1;
   for (int i = 0; i < kFewTokens && depth > 0; ++i) {
     const Token token = lexer.take();
-    if (token.kind == TokenKind::end || token.is(";") || token.is("{")) return false;
+    if (token.kind == Token::Kind::end || token.is(";") || token.is("{")) return false;
     if (token.is("(") || token.is("[")) ++depth;
     if (token.is(")") || token.is("]")) --depth;
   }
@@ -199,7 +199,7 @@ std::optional<ArrayHead> take_head(Lexer& lexer) {
     const Token token = lexer.take();
     if (token.is("#") && head.names == 0) {
       lexer.skip_line();
-    } else if (token.kind == TokenKind::name) {
+    } else if (token.is_name()) {
       if (head.names > 0) head.add_type(last);
       last = token.text;
       ++head.names;
@@ -214,7 +214,7 @@ std::optional<ArrayHead> take_head(Lexer& lexer) {
     } else if (token.is("=") && has_index && head.integers && lexer.peek().is("{")) {
       head.place = lexer.take().place;
       return head;
-    } else if (!token.is(":")) {
+    } else if (!token.is("::")) {
       return std::nullopt;
     }
   }
@@ -225,7 +225,7 @@ std::optional<ArrayHead> take_head(Lexer& lexer) {
 std::optional<std::size_t> count_elements(Lexer lexer) {
   for (std::size_t count = 0; count <= kMostNumbers;) {
     if (lexer.peek().is("}")) return count;
-    if (lexer.take().kind != TokenKind::number) return std::nullopt;
+    if (lexer.take().kind != Token::Kind::number) return std::nullopt;
     ++count;
     if (lexer.peek().is(",")) {
       (void)lexer.take();
@@ -263,18 +263,18 @@ std::vector<Element> take_elements(Lexer& lexer, TextFaults& faults) {
 
 // Text that may follow the array: declarations of single numbers.
 void check_rest(Lexer& lexer, const ArrayHead& head, TextFaults& faults) {
-  while (lexer.peek().kind != TokenKind::end) {
+  while (lexer.peek().kind != Token::Kind::end) {
     const Token first = lexer.take();
     if (first.is(";")) continue;
     if (first.is("#")) {
       lexer.skip_line();
       continue;
     }
-    std::size_t names = first.kind == TokenKind::name ? 1 : 0;
-    for (; names > 0 && lexer.peek().kind == TokenKind::name; ++names) (void)lexer.take();
+    std::size_t names = first.is_name() ? 1 : 0;
+    for (; names > 0 && lexer.peek().is_name(); ++names) (void)lexer.take();
     if (names > 1 && lexer.peek().is("=")) {
       (void)lexer.take();
-      if (lexer.take().kind == TokenKind::number && lexer.peek().is(";")) continue;
+      if (lexer.take().kind == Token::Kind::number && lexer.peek().is(";")) continue;
     }
     if (names > 1 && lexer.peek().is("[")) {
       return faults.add(first.place, "a second array; the first is in line " + std::to_string(head.place.line) +

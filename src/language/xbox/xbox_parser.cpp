@@ -15,8 +15,8 @@ constexpr std::string_view kExpected =
 }  // namespace
 
 Definition Parser::parse() {
-  if (lexer_.peek().kind == TokenKind::end) fault_here(std::string(kExpected));
-  while (lexer_.peek().kind != TokenKind::end && !faults_.full()) statement();
+  if (lexer_.peek().kind == Token::Kind::end) fault_here(std::string(kExpected));
+  while (lexer_.peek().kind != Token::Kind::end && !faults_.full()) statement();
   const bool any = std::any_of(definition_.places.begin(), definition_.places.end(),
                                [](const std::optional<TextPlace>& place) { return place.has_value(); });
   if (faults_.empty() && !any && !first_initializer_) faults_.add({}, "expected " + std::string(kExpected));
@@ -33,7 +33,7 @@ void Parser::statement() {
   } else if (token.is("#")) {
     faults_.add(token.place, "lines of the preprocessor are not read; expected " + std::string(kExpected));
     lexer_.skip_line();
-  } else if (token.kind != TokenKind::name) {
+  } else if (!token.is_name()) {
     fault_here(std::string(kExpected));
     (void)lexer_.take();
     skip_statement(token.place.line);
@@ -41,7 +41,7 @@ void Parser::statement() {
     (void)lexer_.take();
     if (clears_memory(token.text) && lexer_.peek().is("(")) {
       clear(token);
-    } else if (lexer_.peek().kind == TokenKind::name) {
+    } else if (lexer_.peek().is_name()) {
       declaration();
     } else {
       assignment(token);
@@ -52,7 +52,7 @@ void Parser::statement() {
 // After the first word of "static const D3DPIXELSHADERDEF psd = {…};".
 void Parser::declaration() {
   const int line = lexer_.peek().place.line;
-  while (lexer_.peek().kind == TokenKind::name) (void)lexer_.take();
+  while (lexer_.peek().is_name()) (void)lexer_.take();
   if (lexer_.peek().is(";")) return;
   if (!expect("=", "after the name of the definition")) return skip_statement(line);
   if (!lexer_.peek().is("{")) {
@@ -92,7 +92,7 @@ std::optional<Parser::Target> Parser::target(const Token& first) {
       found.object += std::string(found.object.empty() ? "" : ".") + std::string(found.member.text);
       if (found.index) found.object += '[' + std::to_string(*found.index) + ']';
       (void)lexer_.take();
-      if (lexer_.peek().kind != TokenKind::name) {
+      if (!lexer_.peek().is_name()) {
         fault_here("a member of D3DPIXELSHADERDEF");
         return std::nullopt;
       }
@@ -110,7 +110,7 @@ void Parser::assign(const Field& field, const Target& target, bool adds_bits) {
   if (lexer_.peek().is("{") && !target.index && field.count > 1) return elements(field);
   const std::optional<std::uint32_t> value = values_.read();
   if (!value) return skip_statement(place.line);
-  if (field.count > 1 && target.index == field.count && lexer_.peek().kind == TokenKind::number) {
+  if (field.count > 1 && target.index == field.count && lexer_.peek().kind == Token::Kind::number) {
     return all_elements(field, *value, place);
   }
   if (const std::string fault = index_fault(field, target.index); !fault.empty()) {
@@ -200,7 +200,7 @@ void Parser::clear(const Token& name) {
     for (int i = 0; i < kFewTokens && !ahead.peek().is(","); ++i) (void)ahead.take();
     (void)ahead.take();
     const Token& value = ahead.peek();
-    if (value.kind != TokenKind::number || values_.number(value) != 0) {
+    if (value.kind != Token::Kind::number || values_.number(value) != 0) {
       faults_.add(value.place, "expected 0, as " + std::string(name.text) +
                                    " is read only to clear a definition; found " + shown(value));
     }
@@ -212,7 +212,7 @@ void Parser::skip_call() {
   int depth = 0;
   do {
     const Token token = lexer_.peek();
-    if (token.kind == TokenKind::end) return fault_here("')'");
+    if (token.kind == Token::Kind::end) return fault_here("')'");
     if (token.is("(")) ++depth;
     if (token.is(")")) --depth;
     (void)lexer_.take();
@@ -221,9 +221,9 @@ void Parser::skip_call() {
 
 // To the next semicolon or to a name at a later line, where a statement may begin.
 void Parser::skip_statement(int line) {
-  while (lexer_.peek().kind != TokenKind::end) {
+  while (lexer_.peek().kind != Token::Kind::end) {
     const Token token = lexer_.peek();
-    if (token.kind == TokenKind::name && token.place.line > line) return;
+    if (token.is_name() && token.place.line > line) return;
     (void)lexer_.take();
     if (token.is(";")) return;
   }
@@ -232,7 +232,7 @@ void Parser::skip_statement(int line) {
 // To the comma or bracket that ends a word in braces.
 void Parser::skip_value() {
   int depth = 0;
-  while (lexer_.peek().kind != TokenKind::end) {
+  while (lexer_.peek().kind != Token::Kind::end) {
     const Token token = lexer_.peek();
     if (depth == 0 && (token.is(",") || token.is("}") || token.is(";"))) return;
     if (token.is("(") || token.is("{")) ++depth;
@@ -292,7 +292,7 @@ void Parser::members(Positional& found, bool& designated) {
       store(at++, *value, token.place);
     } else if (!token.is("}")) {
       skip_value();
-      if (lexer_.peek().kind == TokenKind::end) return;
+      if (lexer_.peek().kind == Token::Kind::end) return;
       ++at;
     }
     if (lexer_.peek().is(",")) {
@@ -308,7 +308,7 @@ void Parser::members(Positional& found, bool& designated) {
 // ".PSRGBInputs =" and ".PSRGBInputs[1] =".
 std::optional<std::size_t> Parser::designator() {
   (void)lexer_.take();
-  if (lexer_.peek().kind != TokenKind::name) {
+  if (!lexer_.peek().is_name()) {
     fault_here("a member of D3DPIXELSHADERDEF after '.'");
     return std::nullopt;
   }
@@ -343,7 +343,7 @@ void Parser::elements(const Field& field) {
     if (at >= field.count) {
       faults_.add(token.place, std::string(field.name) + " has " + std::to_string(field.count) +
                                    (field.count == 1 ? " word" : " words") + "; found more: " + shown(token));
-      while (!lexer_.peek().is("}") && lexer_.peek().kind != TokenKind::end) {
+      while (!lexer_.peek().is("}") && lexer_.peek().kind != Token::Kind::end) {
         skip_value();
         if (lexer_.peek().is(",") || lexer_.peek().is(";")) (void)lexer_.take();
       }
@@ -353,7 +353,7 @@ void Parser::elements(const Field& field) {
       store(field.first + at, *value, token.place);
     } else {
       skip_value();
-      if (lexer_.peek().kind == TokenKind::end) return;
+      if (lexer_.peek().kind == Token::Kind::end) return;
     }
     ++at;
     if (lexer_.peek().is(",")) {

@@ -28,14 +28,14 @@ bool begins_with_definition(std::string_view text) {
   bool begins = true;  // a statement, or a member of an object
   for (int i = 0; i < kTokens; ++i) {
     const Token token = lexer.take();
-    if (token.kind == TokenKind::end) return false;
+    if (token.kind == Token::Kind::end) return false;
     if (token.is("#")) {
       lexer.skip_line();
     } else if (i == 0 && token.is("{")) {
       const Token& next = lexer.peek();
-      return next.kind == TokenKind::number || next.is(".") || next.is("{") || next.is("(") ||
-             (next.kind == TokenKind::name && next.text.starts_with("PS_"));
-    } else if (token.kind == TokenKind::name && names_the_struct(token.text)) {
+      return next.kind == Token::Kind::number || next.is(".") || next.is("{") || next.is("(") ||
+             (next.kind == Token::Kind::name && next.text.starts_with("PS_"));
+    } else if (token.is_name() && names_the_struct(token.text)) {
       return true;
     } else if (begins && token.text.starts_with("PS") && !token.text.starts_with("PS_")) {
       // A member, or one that is misspelled.

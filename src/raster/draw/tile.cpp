@@ -4,9 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "src/raster/setup/line_rectangle.h"
-#include "src/raster/setup/line_walk.h"
-#include "src/raster/setup/primitive_size.h"
+#include "src/raster/setup/line_setup.h"
+#include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/triangle_edges.h"
 #include "src/raster/surface/floor_divider.h"
 

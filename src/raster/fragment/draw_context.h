@@ -16,7 +16,7 @@
 #include "src/raster/fragment/fragment_operations.h"
 #include "src/raster/fragment/output_planes.h"
 #include "src/raster/setup/primitive_assembly.h"
-#include "src/raster/setup/window_depth.h"
+#include "src/raster/setup/window_transform.h"
 
 namespace ninebit {
 

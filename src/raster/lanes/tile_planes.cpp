@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "src/raster/lanes/tile_row.h"
-#include "src/raster/surface/clear_values.h"
 #include "src/raster/surface/color_words.h"
 
 #undef HWY_TARGET_INCLUDE

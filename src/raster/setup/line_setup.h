@@ -40,4 +40,67 @@ void set_up_line(const SetupContext& context, const std::array<glm::vec4, 2>& cl
 void set_up_point(const SetupContext& context, const glm::vec4& clip, std::uint32_t vertex, std::uint32_t primitive,
                   SetupBlock& block);
 
+// Which pixels a line draws as a rectangle (rule 30), in integers.
+
+// The rectangle around the line d = Q - P has the corners P ± h and Q ± h. h is perpendicular to d, and its length is
+// half the width × (max(|dx|, |dy|) + min(|dx|, |dy|) / 2) / |d|: the chip's estimate of |d|, divided by |d|. So a
+// diagonal line is up to 1.118 times too wide. A centre c lies within it if
+//
+//   |d × (c - P)| <= |d| |h|   and   0 <= d · (c - P) <= |d|²
+//
+// All of these are whole numbers if they are doubled and the width is in eighths of a pixel: |h| has no root left when
+// it is multiplied by |d|. None is larger than 2^40.
+class LineRectangle {
+ public:
+  // How far at most the rectangle reaches beyond the line's ends in x and y, in sixteenths of a pixel.
+  [[nodiscard]] static constexpr int reach_q4(int width_eighths) { return width_eighths + width_eighths / 8 + 1; }
+
+  // The line has a length, and its width is not 0.
+  LineRectangle(const SetupPrimitive& line, int width_eighths);
+
+  // Narrows [first, last] to the pixels of row y that the line draws; false: there are none.
+  [[nodiscard]] bool span(int y, int& first, int& last) const;
+
+ private:
+  // value + step_x · x + step_y · y, for the centre of pixel (x, y), is not negative on the inner side.
+  struct Side {
+    std::int64_t value, step_x, step_y;
+  };
+  std::array<Side, 4> sides_;  // counter-clockwise, with d first
+};
+
+// Which pixels a line draws: the diamond-exit rule of OpenGL 1.3, 3.4.1, in integers.
+
+// A pixel's diamond is |x - xc| + |y - yc| < 1/2 around its centre. A line draws the pixels whose diamonds it meets,
+// but for one that holds its end, both ends being moved by (-e, -e²) for an e smaller than any that makes a difference.
+// For ends on the grid of 1/16 pixel this means:
+//
+// - A line meets the diamonds of the column (or row, of a line steeper than 45 degrees) through whose middle it passes
+//   within half a pixel; halfway between two centres, a line that rises to the right passes above, all others below or
+//   to the left.
+// - An end on a diamond's border is inside when it is to the right of the centre, else outside.
+class LineWalk {
+ public:
+  explicit LineWalk(const SetupPrimitive& line);
+
+  // Whether the line goes along x, a pixel a column at most; else along y, a pixel a row.
+  [[nodiscard]] bool is_x_major() const { return x_major_; }
+  // Columns (rows) that may have a pixel lie from first() to last().
+  [[nodiscard]] int first() const { return first_; }
+  [[nodiscard]] int last() const { return last_; }
+  // Whether the line draws a pixel of this column (row), and the pixel's row (column).
+  [[nodiscard]] bool pixel_at(int major, int& minor) const;
+
+ private:
+  // Whether an end, 0 or 1, has left the diamond around a centre that the line meets.
+  [[nodiscard]] bool is_past(std::size_t end, std::int64_t centre_major, std::int64_t centre_minor) const;
+
+  bool x_major_;
+  bool forward_;  // along the major axis
+  std::array<std::int64_t, 2> major_, minor_;
+  std::int64_t length_;  // along the major axis, > 0
+  std::int64_t rise_;    // of the minor axis while the major one grows by length_
+  int first_, last_;
+};
+
 }  // namespace ninebit

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "src/raster/setup/wide_number.h"
-
 namespace ninebit {
 namespace {
 

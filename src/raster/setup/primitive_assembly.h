@@ -1,6 +1,7 @@
 // Which vertices make which primitive (OpenGL 1.3, 2.6.1 and 2.13.7).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -48,5 +49,17 @@ class PrimitiveAssembly {
   std::size_t primitives_ = 0;
   std::size_t triangles_each_ = 1;
 };
+
+// The sizes of points and lines in whole numbers.
+
+// A size in pixels that is a multiple of 1/8.
+[[nodiscard]] inline int eighths_of(float size) {
+  return static_cast<int>(8.0F * size);
+}
+
+// OpenGL's sizes (1.3, 3.3 and 3.4.2): rounded to whole pixels, halves up, at least one.
+[[nodiscard]] inline int whole_pixels(int eighths) {
+  return std::max(1, (eighths + 4) / 8);
+}
 
 }  // namespace ninebit

@@ -6,7 +6,7 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "src/raster/setup/clip.h"
-#include "src/raster/setup/primitive_size.h"
+#include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 

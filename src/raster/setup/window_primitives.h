@@ -55,7 +55,7 @@ struct alignas(16) SetupPrimitive {
   SetupKind kind;
   bool front_facing;
   bool cuts_depth;                   // depths on its plane are cut, not rounded (rule 28)
-  std::array<std::uint32_t, 3> z24;  // window depth, see window_depth.h; of a `pixel` three times the one there
+  std::array<std::uint32_t, 3> z24;  // window depth, see window_transform.h; of a `pixel` three times the one there
   std::int32_t offset_z24;           // polygon offset
   PackedPositions position;          // of a wide line of diamonds: moved to its lowest line; of a point not read
 

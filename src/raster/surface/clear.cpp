@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "ninebit/raster/rasterizer.h"
-#include "src/raster/surface/clear_values.h"
+#include "src/raster/surface/color_words.h"
 #include "src/raster/surface/target_check.h"
 
 namespace ninebit {

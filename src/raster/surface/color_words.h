@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 
 #include "ninebit/raster/surface.h"
 
@@ -19,5 +20,13 @@ bool are_words(const std::array<Plane<T>, 4>& planes) {
   }
   return words;
 }
+
+// Clear values as the planes hold them.
+
+// A window depth clamped to [0, 1], as the nearest code, halves up. NaN becomes 0.
+[[nodiscard]] std::uint32_t depth_code(DepthStencilFormat format, double depth);
+
+// The low bits of a stencil value.
+[[nodiscard]] std::uint8_t stencil_value(DepthStencilFormat format, int stencil);
 
 }  // namespace ninebit

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <string>
 
-#include "src/raster/surface/clear_values.h"
+#include "src/raster/surface/color_words.h"
 
 namespace ninebit {
 namespace {

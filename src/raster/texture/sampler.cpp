@@ -262,7 +262,7 @@ double TextureSampler::weigh_reals(const Taps& taps, const Read& read) const {
   return std::ldexp(sum, -((taps.linear ? 2 * bits : 0) + (taps.layers ? bits : 0) + (taps.two_levels ? bits : 0)));
 }
 
-// Of formats with words of 16 bits: two of them, whose bytes are the texel's.
+// The texel's bytes lie in two words where a format has words of 16 bits.
 void TextureSampler::weigh_words(const Taps& taps, Filtered& to) const {
   const auto word = [&](std::size_t high, std::size_t low) {
     const std::uint32_t flip = is_signed_[high] ? 0x8000 : 0;

@@ -1,7 +1,7 @@
 // Stand-ins for the functions that scene/files takes from Draco and Assimp, for a build without them.
-#include "src/scene/fault_of.h"
 #include "src/scene/files/draco_meshes.h"
 #include "src/scene/files/scene_readers.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 

@@ -11,10 +11,11 @@
 #include <exception>
 #include <initializer_list>
 #include <new>
+#include <string>
+#include <system_error>
 #include <unordered_map>
 #include <utility>
 
-#include "src/scene/fault_of.h"
 #include "src/scene/files/mesh_builder.h"
 #include "src/scene/scene_check.h"
 
@@ -247,6 +248,40 @@ Result<Imported> import_geometry(const std::filesystem::path& file, std::string_
     return fault_of(std::string("cannot be read: ") + error.what());
   } catch (...) {
     return fault_of("cannot be read: its importer failed");
+  }
+}
+
+namespace {
+
+bool is_there(const NamedFiles& beside, const std::string& name) {
+  std::error_code error;
+  return beside.check(name).ok() && std::filesystem::exists(beside.path_of(name), error);
+}
+
+// Whether a file was found; then the texture has its name.
+bool find_picture(const NamedFiles& beside, SceneTexture& texture) {
+  std::string name = texture.name;
+  std::replace(name.begin(), name.end(), '\\', '/');
+  for (const std::string& one : {name, name.substr(name.rfind('/') + 1)}) {
+    if (one.empty() || !is_there(beside, one)) continue;
+    name_picture(beside, one, texture);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void find_pictures(const NamedFiles& beside, Scene& scene) {
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    SceneTexture& texture = scene.textures[i];
+    if (!texture.bytes.empty() || !texture.fault.empty() || find_picture(beside, texture)) continue;
+    scene.notes.push_back(fmt::format("the texture '{}', which was not found", texture.name));
+    for (Material& material : scene.materials) {
+      if (material.base_texture != static_cast<std::uint32_t>(i)) continue;
+      material.base_texture.reset();
+      material.base_color = Material{}.base_color;
+    }
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "src/scene/files/draco_decoder.h"
+#include "src/scene/files/draco_meshes.h"
 #include "src/scene/files/gltf_storage.h"
 
 namespace ninebit {

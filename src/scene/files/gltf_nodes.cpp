@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "src/scene/fault_of.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {

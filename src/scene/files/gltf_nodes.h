@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/scene/files/json_value.h"
-#include "src/scene/viewpoints.h"
+#include "src/scene/framing.h"
 
 namespace ninebit {
 

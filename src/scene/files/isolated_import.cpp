@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "src/scene/fault_of.h"
 #include "src/scene/scene_check.h"
 #include "src/system/isolated_call.h"
 

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/scene/scene.h"
+#include "ninebit/scene/scene_io.h"
 
 namespace ninebit {
 
@@ -48,5 +50,13 @@ class NamedFiles {
 
 // Names a picture: sets its name and file, or the fault of a name that may not be read. Opens no file.
 void name_picture(const NamedFiles& beside, const std::string& name, SceneTexture& out);
+
+// Scenes from memory, where no other file is at hand.
+
+// Reads the content of a .gltf, .glb, .obj, .ply or .off file, by the extension of its name, as read_scene() does.
+// Reports what read_scene() reports, with the name as the file; files that the scene names, except pictures, which stay
+// unread; glTF 1.0 and Draco in a build without their libraries; and more than `most_triangles`.
+[[nodiscard]] Result<Scene> scene_of_bytes(std::string_view content, const std::string& name, std::optional<UpAxis> up,
+                                           std::uint64_t most_triangles);
 
 }  // namespace ninebit

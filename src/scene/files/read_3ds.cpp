@@ -10,13 +10,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "src/scene/fault_of.h"
 #include "src/scene/files/assimp_import.h"
-#include "src/scene/files/assimp_textures.h"
 #include "src/scene/files/isolated_import.h"
-#include "src/scene/files/read_limits.h"
 #include "src/scene/files/scene_readers.h"
-#include "src/scene/viewpoints.h"
+#include "src/scene/framing.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {

@@ -6,14 +6,14 @@
 #include <string>
 #include <utility>
 
-#include "src/scene/fault_of.h"
-#include "src/scene/files/assimp_textures.h"
+#include "src/scene/files/assimp_import.h"
+#include "src/scene/files/file_kind.h"
 #include "src/scene/files/gltf_storage.h"
 #include "src/scene/files/isolated_import.h"
 #include "src/scene/files/json_value.h"
-#include "src/scene/files/read_limits.h"
 #include "src/scene/files/scene_readers.h"
-#include "src/scene/files/up_axis.h"
+#include "src/scene/scene_check.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit {
 namespace {
@@ -31,19 +31,6 @@ bool declares_z_up(std::string_view content) {
 constexpr const char* kBody = "binary_glTF";
 const std::string kBytes = "data:application/octet-stream;base64,";
 
-std::string base64_of(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    std::uint32_t group = 0;
-    const std::size_t have = std::min<std::size_t>(3, bytes.size() - at);
-    for (std::size_t i = 0; i < 3; ++i)
-      group = group << 8U | (i < have ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-    for (std::size_t i = 0; i < 4; ++i) out.push_back(i <= have ? kDigits[(group >> (18 - 6 * i)) & 63U] : '=');
-  }
-  return out;
-}
-
 // A list of a glTF 1.0 file, which is an object; empty if there is none.
 JsonValue& list_in(JsonValue& root, const char* name) {
   JsonValue& list = root[name];
@@ -59,7 +46,7 @@ std::optional<Diagnostic> embed_buffers(JsonValue& root, std::string_view body, 
     if (!buffer.is_object()) continue;
     if (name == kBody) {
       // Padding follows the buffer.
-      buffer["uri"] = kBytes + base64_of(body.substr(0, index_of(item(buffer, "byteLength")).value_or(body.size())));
+      buffer["uri"] = kBytes + base64(body.substr(0, index_of(item(buffer, "byteLength")).value_or(body.size())));
       continue;
     }
     if (uri.empty() || uri.starts_with("data:")) continue;
@@ -68,7 +55,7 @@ std::optional<Diagnostic> embed_buffers(JsonValue& root, std::string_view body, 
     const Result<std::string> bytes = beside.read(file, left);
     if (!bytes) return fault_of(fmt::format("its buffer '{}' {}", file, bytes.error().message));
     left -= bytes->size();
-    buffer["uri"] = kBytes + base64_of(*bytes);
+    buffer["uri"] = kBytes + base64(*bytes);
   }
   return std::nullopt;
 }
@@ -83,8 +70,7 @@ void embed_pictures(JsonValue& root, std::string_view body) {
     const std::uint64_t length = index_of(item(view, "byteLength")).value_or(0);
     if (view.is_null() || offset > body.size() || length > body.size() - offset) continue;
     const std::string kind = text_of(item(binary, "mimeType"));
-    image = {
-        {"uri", "data:" + (kind.empty() ? "image/png" : kind) + ";base64," + base64_of(body.substr(offset, length))}};
+    image = {{"uri", "data:" + (kind.empty() ? "image/png" : kind) + ";base64," + base64(body.substr(offset, length))}};
   }
 }
 

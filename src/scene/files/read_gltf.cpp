@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include "src/scene/fault_of.h"
 #include "src/scene/files/gltf_materials.h"
 #include "src/scene/files/gltf_meshes.h"
 #include "src/scene/files/gltf_nodes.h"
 #include "src/scene/files/gltf_storage.h"
 #include "src/scene/files/json_value.h"
 #include "src/scene/files/scene_readers.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 

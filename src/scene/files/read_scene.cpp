@@ -6,12 +6,10 @@
 #include <system_error>
 
 #include "ninebit/scene/scene_io.h"
-#include "src/scene/fault_of.h"
 #include "src/scene/files/file_kind.h"
 #include "src/scene/files/named_files.h"
-#include "src/scene/files/read_limits.h"
 #include "src/scene/files/scene_readers.h"
-#include "src/scene/files/up_axis.h"
+#include "src/scene/scene_check.h"
 
 namespace ninebit {
 namespace {

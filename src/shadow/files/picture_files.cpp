@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "src/frame/cube_cross.h"
+#include "src/frame/packed_map.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

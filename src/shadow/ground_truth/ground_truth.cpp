@@ -5,8 +5,7 @@
 
 #include "ninebit/frame/pictures.h"
 #include "src/frame/camera_frame.h"
-#include "src/frame/cube_cross.h"
-#include "src/shadow/ground_truth/cause_plane.h"
+#include "src/frame/packed_map.h"
 #include "src/shadow/ground_truth/judge.h"
 
 namespace ninebit {

@@ -51,4 +51,9 @@ struct WrongPixel {
 
 [[nodiscard]] ErrorCause cause_of(const Scene& scene, const ShadowEvidence& evidence, const WrongPixel& pixel);
 
+// The causes of wrong pixels as one byte a pixel, as pages read them.
+
+// Grey, the top row first: 0, or the number of the ErrorCause, plus 128 if the pixel is falsely lit.
+[[nodiscard]] Image8 cause_plane(const GroundTruth& truth, int width, int height);
+
 }  // namespace ninebit

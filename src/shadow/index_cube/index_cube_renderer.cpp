@@ -11,7 +11,6 @@
 #include "ninebit/raster/sampler.h"
 #include "src/frame/drawn_passes.h"
 #include "src/frame/map_evidence.h"
-#include "src/frame/pass_timer.h"
 #include "src/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 

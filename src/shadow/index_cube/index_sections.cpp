@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ninebit/frame/index_codes.h"
-#include "src/frame/weld.h"
+#include "src/frame/surface_groups.h"
 
 namespace ninebit {
 namespace {

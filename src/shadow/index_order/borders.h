@@ -5,9 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "src/shadow/index_order/lost_differences.h"
 #include "src/shadow/index_order/patches.h"
-#include "src/shadow/index_order/scene_surface.h"
-#include "src/shadow/index_order/shadow_relation.h"
 
 namespace ninebit {
 

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
 
 #include "src/shadow/index_order/borders.h"
 #include "src/shadow/index_order/code_embedding.h"
-#include "src/shadow/index_order/code_lattice.h"
-#include "src/shadow/index_order/order_check.h"
+#include "src/shadow/index_order/lost_differences.h"
 #include "src/shadow/index_order/patches.h"
-#include "src/shadow/index_order/scene_surface.h"
-#include "src/shadow/index_order/shadow_relation.h"
 
 namespace ninebit {
 
@@ -53,6 +53,71 @@ Result<NeighbourOrder> order_by_neighbours(const Scene& scene, const IndexSettin
   order.patch_of_polygon.resize(surface.polygons());
   for (std::uint32_t t = 0; t < surface.polygons(); ++t) order.patch_of_polygon[t] = patches.of_polygon(t);
   return order;
+}
+
+namespace {
+
+// Patches sorted by the cube that their code lies in. Codes at most one cube's side apart lie in adjacent cubes.
+class CodeCubes {
+ public:
+  CodeCubes(std::span<const CodeBytes> code, int side) : code_(code), side_(side) {
+    for (std::uint32_t patch = 0; patch < code.size(); ++patch) entries_.emplace_back(cube_of(code[patch]), patch);
+    std::sort(entries_.begin(), entries_.end());
+  }
+
+  // Calls each(other) for the patches with larger numbers in the patch's cube and the 26 around it.
+  template <class Each>
+  void around(std::uint32_t patch, const Each& each) const {
+    const std::array<int, 3> c = cube_of(code_[patch]);
+    for (int z = c[2] - 1; z <= c[2] + 1; ++z) {
+      for (int y = c[1] - 1; y <= c[1] + 1; ++y) {
+        // Cubes along the last axis follow one another.
+        const std::array<int, 3> low{z, y, c[0] - 1}, high{z, y, c[0] + 2};
+        const auto entry_before = [](const Entry& e, const std::array<int, 3>& cube) { return e.first < cube; };
+        auto e = std::lower_bound(entries_.begin(), entries_.end(), low, entry_before);
+        for (; e != entries_.end() && e->first < high; ++e) {
+          if (e->second > patch) each(e->second);
+        }
+      }
+    }
+  }
+
+ private:
+  using Entry = std::pair<std::array<int, 3>, std::uint32_t>;
+  [[nodiscard]] std::array<int, 3> cube_of(const CodeBytes& c) const {
+    return {c[2] / side_, c[1] / side_, c[0] / side_};
+  }
+
+  std::span<const CodeBytes> code_;
+  int side_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+void check_order(std::span<const CodeBytes> code, const Borders& borders, ShadowRelation& relation,
+                 const LostDifferences& lost, IndexOrderReport& report) {
+  double broken = 0.0, all = 0.0;
+  for (std::uint32_t patch = 0; patch < code.size(); ++patch) {
+    for (const Border& border : borders.of(patch)) {
+      if (border.patch < patch) continue;
+      all += static_cast<double>(border.length);
+      if (lost.always(difference(code[patch], code[border.patch]))) continue;
+      broken += static_cast<double>(border.length);
+      ++report.broken_borders;
+    }
+  }
+  report.patches = code.size();
+  report.borders = borders.count();
+  report.broken_share = all > 0.0 ? broken / all : 0.0;
+
+  const CodeCubes cubes(code, lost.radius() + 1);
+  for (std::uint32_t patch = 0; patch < code.size(); ++patch) {
+    cubes.around(patch, [&](std::uint32_t other) {
+      if (lost.never(difference(code[patch], code[other])) && lost.never(difference(code[other], code[patch]))) return;
+      if (!borders.are_neighbours(patch, other) && relation.may_shadow(patch, other)) ++report.false_neighbours;
+    });
+  }
 }
 
 }  // namespace ninebit

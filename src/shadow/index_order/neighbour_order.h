@@ -23,10 +23,10 @@
 //   many unknowns as patches; the engine has 14,561 of them. A border that does not fit is broken and shows as a joint,
 //   as in the article: it costs a thin line. The other error, a lost shadow, is never made: a code that could confuse
 //   a patch with one that it may shadow is not taken, whatever border it would mend.
-// - Whether patches can shadow one another (shadow_relation.h) is decided from planes and corners alone, without the
+// - Whether patches can shadow one another (lost_differences.h) is decided from planes and corners alone, without the
 //   light, so that the codes stay the same while the light moves, but for a light inside a closed room. The answer may
 //   be a needless yes, never a wrong no by more than the relief.
-// - order_check.h counts again from the codes alone, without the lattice, because an embedding that checks itself with
+// - check_order() counts again from the codes alone, without the lattice, because an embedding that checks itself with
 //   its own memory would repeat its own mistake.
 // - If the lattice is too full for this, codes are counted out at its spacing, where nothing is lost; if there are
 //   fewer of these than patches, that is an error. If the comparison loses no difference (real numbers do not), the
@@ -42,6 +42,7 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/scene/scene.h"
 #include "ninebit/shadow/technique.h"
+#include "src/shadow/index_order/borders.h"
 #include "src/shadow/index_order/lost_differences.h"
 
 namespace ninebit {
@@ -58,5 +59,12 @@ struct NeighbourOrder {
 [[nodiscard]] Result<NeighbourOrder> order_by_neighbours(const Scene& scene, const IndexSettings& settings,
                                                          const HardwareProfile& profile,
                                                          std::span<const std::uint32_t> units = {});
+
+// Checks an order of indices: which patches compare equal, and whether they may.
+
+// Counts broken borders, and false neighbours over all pairs of patches that any comparison of their codes could lose.
+// Uses only the codes: no lattice and nothing that the embedding remembers. `code` has one entry per patch.
+void check_order(std::span<const CodeBytes> code, const Borders& borders, ShadowRelation& relation,
+                 const LostDifferences& lost, IndexOrderReport& report);
 
 }  // namespace ninebit

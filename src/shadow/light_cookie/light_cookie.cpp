@@ -10,8 +10,8 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_nv.h"
 #include "src/frame/camera_frame.h"
-#include "src/frame/pass_timer.h"
-#include "src/frame/surface_combiners.h"
+#include "src/frame/drawn_passes.h"
+#include "src/frame/shading.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 
 namespace ninebit {

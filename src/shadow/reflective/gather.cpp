@@ -1,7 +1,7 @@
 // Gathers for a vector of receivers at a time. Compiled for every SIMD target; the target is chosen at run time.
-#include "src/shadow/reflective/gather.h"
-
 #include <cstdint>
+
+#include "src/shadow/reflective/gather_pattern.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/shadow/reflective/gather.cpp"

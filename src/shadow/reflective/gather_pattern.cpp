@@ -6,16 +6,10 @@
 #include <cstddef>
 #include <limits>
 
+#include "src/system/hashing/splitmix.h"
+
 namespace ninebit {
 namespace {
-
-// A random number from a counter: the finalizer of SplitMix64.
-constexpr std::uint64_t hashed(std::uint64_t n) {
-  n += 0x9E3779B97F4A7C15U;
-  n = (n ^ (n >> 30)) * 0xBF58476D1CE4E5B9U;
-  n = (n ^ (n >> 27)) * 0x94D049BB133111EBU;
-  return n ^ (n >> 31);
-}
 
 constexpr std::int32_t kRadius = 1 << 15;
 
@@ -31,7 +25,7 @@ constexpr std::int64_t square_of_length(std::int64_t x, std::int64_t y) {
 // The first point that lies in the disc, except its centre, of a sequence of random points in the square around it.
 GridPoint random_in_disc(std::uint64_t seed) {
   for (std::uint64_t attempt = 0;; ++attempt) {
-    const std::uint64_t bits = hashed(seed ^ (attempt << 58));
+    const std::uint64_t bits = splitmix(seed ^ (attempt << 58));
     const GridPoint p{static_cast<std::int32_t>(bits & 0xFFFFU) - kRadius,
                       static_cast<std::int32_t>((bits >> 16) & 0xFFFFU) - kRadius};
     const std::int64_t square = square_of_length(p.x, p.y);
@@ -120,7 +114,7 @@ GatherPattern make_pattern(const ReflectiveSettings& settings) {
 }
 
 glm::vec2 pixel_turn(std::uint32_t x, std::uint32_t y) {
-  const GridPoint p = random_in_disc(hashed(std::uint64_t{y} << 32 | x) >> 6);
+  const GridPoint p = random_in_disc(splitmix(std::uint64_t{y} << 32 | x) >> 6);
   const double length = std::sqrt(static_cast<double>(square_of_length(p.x, p.y)));
   return {static_cast<float>(p.x / length), static_cast<float>(p.y / length)};
 }

@@ -11,7 +11,7 @@
 
 #include "ninebit/numerics/result.h"
 #include "ninebit/shadow/reflective.h"
-#include "src/shadow/reflective/gather.h"
+#include "src/shadow/reflective/gather_pattern.h"
 
 namespace ninebit {
 

@@ -11,10 +11,9 @@
 
 #include "ninebit/shadow/shadow_map.h"
 #include "src/frame/camera_frame.h"
-#include "src/frame/cube_cross.h"
 #include "src/frame/drawn_passes.h"
-#include "src/frame/pass_timer.h"
-#include "src/frame/surface_planes.h"
+#include "src/frame/packed_map.h"
+#include "src/frame/surface_groups.h"
 #include "src/frame/views.h"
 #include "src/shadow/reflective/indirect_light.h"
 #include "src/shadow/reflective/reflective_reference.h"

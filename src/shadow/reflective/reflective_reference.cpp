@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "src/frame/surface_planes.h"
+#include "src/frame/surface_groups.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

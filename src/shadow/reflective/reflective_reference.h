@@ -12,7 +12,7 @@
 namespace ninebit {
 
 // The irradiance that all pixel lights together give a point with a normal of unit length, in doubles, without
-// occlusion: the gathering of gather.h over the whole map, each texel once with weight 1.
+// occlusion: the gathering of gather_pattern.h over the whole map, each texel once with weight 1.
 [[nodiscard]] glm::dvec3 whole_map_irradiance(const PixelLights& lights, const glm::dvec3& position,
                                               const glm::dvec3& normal);
 

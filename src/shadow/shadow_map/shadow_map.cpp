@@ -12,8 +12,7 @@
 #include "src/frame/drawn_passes.h"
 #include "src/frame/map_evidence.h"
 #include "src/frame/packed_map.h"
-#include "src/frame/pass_timer.h"
-#include "src/frame/surface_combiners.h"
+#include "src/frame/shading.h"
 #include "src/frame/views.h"
 #include "src/system/parallel/parallel_loop.h"
 

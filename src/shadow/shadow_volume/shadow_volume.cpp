@@ -14,7 +14,6 @@
 
 #include "src/frame/camera_frame.h"
 #include "src/frame/drawn_passes.h"
-#include "src/frame/pass_timer.h"
 #include "src/frame/views.h"
 #include "src/shadow/shadow_volume/volume_mesh.h"
 

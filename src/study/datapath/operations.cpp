@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ninebit/combiner/evaluate.h"
-#include "src/study/digits/wide_counts.h"
+#include "src/study/digits/digits.h"
 
 namespace ninebit {
 namespace {

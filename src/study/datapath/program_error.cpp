@@ -18,8 +18,8 @@ namespace ninebit {
 namespace {
 
 constexpr std::size_t kUnit = std::size_t{1} << 18;
-// Sums are built from sums over chunks of kChunk fragments, so that no bit depends on threads.
-constexpr std::size_t kChunk = std::size_t{1} << 12;
+// Sums are built from sums over chunks of kFragmentsPerChunk fragments, so that no bit depends on threads.
+constexpr std::size_t kFragmentsPerChunk = std::size_t{1} << 12;
 
 struct ErrorSums {
   std::uint64_t exact = 0;
@@ -60,9 +60,6 @@ struct ComponentErrors {
 };
 using Errors = std::array<ComponentErrors, 4>;
 
-// Limits for rows from files. Registers hold -1 to 1; the sums before the last clamp go a little beyond.
-constexpr double kMostValue = 64.0, kMostCode = 65536.0, kLongestInputs = 65536.0;
-
 class ProgramErrorStudy final : public Study {
  public:
   ProgramErrorStudy(StudyQuestion question, const HardwareProfile& profile, const Program& program, Fragments fragments)
@@ -76,12 +73,12 @@ class ProgramErrorStudy final : public Study {
 
   [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const override {
     const std::size_t first = unit * kUnit, end = std::min(first + kUnit, fragments_.count());
-    std::vector<Errors> chunks((end - first + kChunk - 1) / kChunk, no_errors(first));
+    std::vector<Errors> chunks((end - first + kFragmentsPerChunk - 1) / kFragmentsPerChunk, no_errors(first));
     std::atomic<bool> stopped = false;
     parallel_for(chunks.size(), [&](std::size_t i) {
       if (stopped) return;
-      const std::size_t from = first + i * kChunk;
-      measure(from, std::min(from + kChunk, end), chunks[i]);
+      const std::size_t from = first + i * kFragmentsPerChunk;
+      measure(from, std::min(from + kFragmentsPerChunk, end), chunks[i]);
       if (go_on && !go_on()) stopped = true;
     });
     if (stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
@@ -131,6 +128,9 @@ class ProgramErrorStudy final : public Study {
   }
 
  private:
+  // Limits for rows from files. Registers hold -1 to 1; the sums before the last clamp go a little beyond.
+  static constexpr double kMostValue = 64.0, kMostCode = 65536.0, kLongestInputs = 65536.0;
+
   [[nodiscard]] std::size_t stages() const { return static_cast<std::size_t>(program_.num_general_combiners) + 1; }
 
   // The name of stage k, counted from 1.

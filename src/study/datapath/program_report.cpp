@@ -38,9 +38,9 @@ struct Summary {
   [[nodiscard]] double bias() const { return errors / fragments; }
 };
 
-class Writer {
+class ProgramReportWriter {
  public:
-  Writer(const Program& program, const Fragments& fragments, std::span<const StudyRow> rows)
+  ProgramReportWriter(const Program& program, const Fragments& fragments, std::span<const StudyRow> rows)
       : program_(program), fragments_(fragments), rows_(rows), one_(program.datapath.one) {}
 
   StudyReport write() {
@@ -186,7 +186,7 @@ class Writer {
 
 StudyReport program_report(const Program& program, const Fragments& fragments, std::span<const StudyRow> rows,
                            std::size_t done, std::size_t units) {
-  StudyReport report = Writer(program, fragments, rows).write();
+  StudyReport report = ProgramReportWriter(program, fragments, rows).write();
   if (done < units) {
     report.answers.insert(report.answers.begin(), fmt::format("Only {} of {} units were measured.", done, units));
   }

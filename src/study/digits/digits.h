@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -33,5 +34,20 @@ struct Digit {
 
 // For each register component, the set of digits that it depends on before the first stage. Bit d stands for digit d.
 [[nodiscard]] ByComponent<unsigned> digits_before_first_stage(StudyFormat format);
+
+// The number of inputs for each wide value.
+
+// Counts for the wide values -limit … limit: count[limit + w] inputs give w.
+struct WideCounts {
+  int limit = 0;
+  std::vector<std::uint64_t> count;
+  [[nodiscard]] std::uint64_t of(int wide) const { return count[static_cast<std::size_t>(limit + wide)]; }
+};
+
+// Counts of the products of two mapped inputs, each from -one to one.
+[[nodiscard]] WideCounts product_counts(int one);
+
+// Counts of the sums of all pairs of a value of `first` and a value of `second`. Counts must stay below 2^63.
+[[nodiscard]] WideCounts sum_counts(const WideCounts& first, const WideCounts& second);
 
 }  // namespace ninebit

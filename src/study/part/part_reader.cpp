@@ -8,7 +8,7 @@
 
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 #include "src/system/stream.h"
 
 namespace ninebit {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit {
 namespace {

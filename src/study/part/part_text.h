@@ -15,7 +15,7 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/study/study.h"
 #include "ninebit/study/study_part.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit {
 

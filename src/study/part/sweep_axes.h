@@ -12,7 +12,7 @@
 
 namespace ninebit {
 
-// What a sweep over a technique's settings changes and shows.
+// The axes of a sweep over a technique's settings, and how they are shown.
 struct SweptSettings {
   std::string_view technique;
   std::vector<const TechniqueSetting*> settings{};  // the axes that the technique has

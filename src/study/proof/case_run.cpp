@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/study/proof/component_flow.h"
 #include "src/study/proof/proof_side.h"
+#include "src/system/hashing/splitmix.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit::proof {
@@ -182,13 +182,6 @@ void fill(AfterCuts& after, const CaseLoops& loops, std::uint64_t combination, s
   }
 }
 
-std::uint64_t mixed(std::uint64_t x) {  // splitmix64
-  x += 0x9E3779B97F4A7C15U;
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
-  return x ^ (x >> 31U);
-}
-
 // Bytes of one input for a batch. Its number decides the kind: any bytes; bytes near the ends and the middle; bytes
 // that differ little from those of the other inputs.
 void random_plane(std::array<std::uint8_t, kBatchSize>& bytes, std::uint64_t batch, int input) {
@@ -199,8 +192,8 @@ void random_plane(std::array<std::uint8_t, kBatchSize>& bytes, std::uint64_t bat
   for (std::size_t k = 0; k < kBatchSize; k += 8) {
     const std::uint64_t place = batch * (kBatchSize / 8) + k / 8;
     const std::uint64_t own =
-        mixed(group + place * kRegisterComponents + static_cast<std::uint64_t>(input % kRegisterComponents));
-    const std::uint64_t common = kind == 2 ? mixed(~place) : 0;
+        splitmix(group + place * kRegisterComponents + static_cast<std::uint64_t>(input % kRegisterComponents));
+    const std::uint64_t common = kind == 2 ? splitmix(~place) : 0;
     for (std::size_t i = 0; i < 8; ++i) {
       const auto byte = static_cast<std::uint8_t>(own >> (8 * i)),
                  shared = static_cast<std::uint8_t>(common >> (8 * i));

@@ -5,7 +5,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "src/study/proof/component_flow.h"
 #include "src/study/proof/proof_side.h"
 
 namespace ninebit::proof {

@@ -7,7 +7,7 @@
 // but nobody can say before how long it takes. Interval arithmetic is
 // fast and proves little, because it forgets that two registers come from the same byte.
 //
-// What saves us is that combiners forget. A register holds 511 codes at most, whatever was multiplied and summed to
+// This is possible because combiners forget. A register holds 511 codes at most, whatever was multiplied and summed to
 // make it. So we cut both programs between two general combiners, look at the registers there that the rest reads, and
 // run the rest once for each combination of values that these registers can take together.
 //

@@ -5,7 +5,7 @@
 #include "ninebit/language/rc10.h"
 #include "src/study/proof/program_forms.h"
 #include "src/study/proof/proof_side.h"
-#include "src/study/proof/step_agreement.h"
+#include "src/study/proof/solver.h"
 
 namespace ninebit {
 namespace {

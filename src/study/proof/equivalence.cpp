@@ -9,7 +9,7 @@
 #include "ninebit/combiner/validate.h"
 #include "src/study/proof/case_run.h"
 #include "src/study/proof/case_table.h"
-#include "src/study/proof/component_flow.h"
+#include "src/study/proof/proof_side.h"
 #include "src/study/proof/solver.h"
 
 namespace ninebit {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "src/study/proof/case_run.h"
 #include "src/study/proof/proof_side.h"
@@ -30,5 +32,23 @@ struct SolverAnswer {
 [[nodiscard]] Result<SolverAnswer> solve(const std::array<ProofSide, 2>& sides, const ProofTarget& target,
                                          const std::string& solver, double timeout_s,
                                          const std::function<bool()>& go_on);
+
+// Whether two profiles agree in the steps of the arithmetic, over all codes that registers can hold.
+
+struct StepAgreement {
+  bool start = false;  // initial registers, for all bytes, with each texture unit on and off
+  bool final_combiner = false;
+  bool byte_stage = false;  // one general combiner on initial registers, as the final combiner reads its output
+  bool any_stage = false;   // general combiners on all codes
+  std::uint64_t cases = 0;
+
+  // No program without general combiners differs; none with one; none of any length.
+  [[nodiscard]] bool without_stages() const { return start && final_combiner; }
+  [[nodiscard]] bool one_stage() const { return without_stages() && byte_stage; }
+  [[nodiscard]] bool any_length() const { return without_stages() && any_stage; }
+};
+
+// For any two profiles. Steps agree in arithmetics that are the same; steps without integers are not compared.
+[[nodiscard]] StepAgreement compare_steps(const HardwareProfile& a, const HardwareProfile& b);
 
 }  // namespace ninebit::proof

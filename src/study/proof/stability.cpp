@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "ninebit/combiner/program.h"
-#include "src/study/proof/component_flow.h"
+#include "src/study/proof/proof_side.h"
 
 namespace ninebit {
 namespace {

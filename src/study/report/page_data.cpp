@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "src/study/report/report_colors.h"
-#include "src/system/hashing/base64.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit {
 

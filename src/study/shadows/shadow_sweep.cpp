@@ -12,7 +12,7 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "src/study/part/sweep_axes.h"
 #include "src/study/shadows/shadow_sweep_report.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit {
 namespace {

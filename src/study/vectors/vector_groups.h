@@ -8,10 +8,10 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "src/system/hashing/splitmix.h"
 
 namespace ninebit::vectors {
 
-// SplitMix64: the same numbers with every compiler and library.
 class VectorRandom {
  public:
   // Case `index` of a run with `seed`; it needs no earlier case.
@@ -20,11 +20,9 @@ class VectorRandom {
   }
 
   std::uint64_t next() {
-    state_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
+    const std::uint64_t out = splitmix(state_);
+    state_ += kSplitMixStep;
+    return out;
   }
   // A whole number in [0, count), count > 0.
   int below(int count) { return static_cast<int>((next() >> 32) % static_cast<std::uint64_t>(count)); }

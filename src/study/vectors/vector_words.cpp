@@ -1,7 +1,11 @@
 #include "src/study/vectors/vector_words.h"
 
+#include <array>
+
+#include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
 #include "src/language/register_words/register_words_layout.h"
+#include "src/study/vectors/vector_groups.h"
 #include "src/study/vectors/vector_mistakes.h"
 
 namespace ninebit::vectors {
@@ -52,6 +56,54 @@ std::vector<Bytes4> expected_colors(const VectorPack& pack, const VectorProgram&
     colors.push_back(bytes_of(pack.profile, evaluate(compiled, pack.inputs[program.first_input + i])));
   }
   return colors;
+}
+
+namespace {
+
+// A byte of a row: 255 or 0 throughout in two rows of 16, all bytes in turn in the even rows, else a random byte, often
+// at an edge.
+std::uint8_t byte_of_row(std::size_t row, std::size_t component, VectorRandom& random) {
+  constexpr std::array kEdges{0, 1, 2, 63, 64, 126, 127, 128, 129, 191, 253, 254, 255};
+  const int edge = kEdges[static_cast<std::size_t>(random.below(static_cast<int>(kEdges.size())))];
+  const int any = random.below(256);
+  const bool at_edge = random.one_in(2);
+  if (row % 16 == 1) return 255;
+  if (row % 16 == 9) return 0;
+  // An odd factor goes through all bytes.
+  if (row % 2 == 0) return static_cast<std::uint8_t>((row / 2) * (2 * component + 1) + 37 * component);
+  return static_cast<std::uint8_t>(at_edge ? edge : any);
+}
+
+RegisterFile row_of(const HardwareProfile& profile, std::size_t row, bool is_signed, VectorRandom& random) {
+  std::size_t component = 0;
+  const auto next = [&] { return byte_of_row(row, component++, random); };
+  FragmentInputs inputs;
+  for (auto* const bytes : {&inputs.primary, &inputs.secondary}) {
+    for (std::uint8_t& byte : *bytes) byte = next();
+  }
+  for (std::uint8_t& byte : inputs.fog_color) byte = next();
+  inputs.fog_factor = next();
+  for (int unit = 0; unit < profile.texture_units; ++unit) {
+    Texel texel;
+    for (std::uint8_t& byte : texel.value) byte = next();
+    texel.is_signed = is_signed;
+    inputs.texture[static_cast<std::size_t>(unit)] = texel;
+  }
+  return initial_registers(profile, inputs);
+}
+
+}  // namespace
+
+std::vector<RegisterFile> vector_inputs(const HardwareProfile& profile, std::uint64_t seed) {
+  std::vector<RegisterFile> rows;
+  for (const bool is_signed : {false, true}) {
+    if (is_signed && !is_nv20(profile)) break;
+    for (std::size_t row = 0; row < kByteInputs; ++row) {
+      VectorRandom random(seed ^ 0x1A9075, 2 * row + (is_signed ? 1 : 0));
+      rows.push_back(row_of(profile, row, is_signed, random));
+    }
+  }
+  return rows;
 }
 
 }  // namespace ninebit::vectors

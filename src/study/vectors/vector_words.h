@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/vectors.h"
 #include "src/system/parallel/parallel_loop.h"
 
@@ -34,5 +36,13 @@ template <class Body>
   }
   return true;
 }
+
+// The registers that fragments of a pack start with.
+
+// Rows with codes from 0 come first. NV20 class chips have as many rows with signed texels after them.
+inline constexpr std::size_t kByteInputs = 512;
+
+// Every code of every component is in the rows, the ends of the range are in each 16 of them.
+[[nodiscard]] std::vector<RegisterFile> vector_inputs(const HardwareProfile& profile, std::uint64_t seed);
 
 }  // namespace ninebit::vectors

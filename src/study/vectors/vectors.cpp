@@ -5,7 +5,6 @@
 
 #include "ninebit/combiner/program.h"
 #include "src/study/vectors/vector_groups.h"
-#include "src/study/vectors/vector_inputs.h"
 #include "src/study/vectors/vector_mistakes.h"
 #include "src/study/vectors/vector_words.h"
 #include "src/system/parallel/parallel_loop.h"

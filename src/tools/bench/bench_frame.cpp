@@ -12,8 +12,8 @@
 #include "src/bench/timing.h"
 #include "src/shadow/index_cube/index_cube_renderer.h"
 #include "src/tools/bench/bench.h"
-#include "src/tools/common/index_order.h"
 #include "src/tools/common/scene_flags.h"
+#include "src/tools/common/technique_flags.h"
 
 namespace ninebit::tools {
 namespace {

@@ -8,9 +8,7 @@
 #include <optional>
 
 #include "src/bench/llvmpipe_mesh.h"
-#include "src/bench/memset_rate.h"
 #include "src/bench/raster_rate.h"
-#include "src/bench/resident_memory.h"
 #include "src/bench/timing.h"
 #include "src/tools/bench/bench.h"
 #include "src/tools/common/scene_flags.h"

@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "ninebit/frame/pictures.h"
-#include "src/frame/cube_cross.h"
 #include "src/frame/drawn_passes.h"
+#include "src/frame/packed_map.h"
 #include "src/tools/input/host.h"
 
 namespace ninebit::tools {

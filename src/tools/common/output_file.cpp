@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "src/tools/input/fault_log.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 namespace ninebit::tools {
 namespace {

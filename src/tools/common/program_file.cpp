@@ -119,16 +119,16 @@ namespace {
 SourceSelection selection_in(const ProgramFlags& flags, const ProgramSource& source) {
   SourceSelection out = selection_of(flags);
   out.program = source.setup.value_or(0);
-  out.include = include_beside(source.name);
+  out.include = include_beside(source.name, flags.allow_outside);
   return out;
 }
 
 }  // namespace
 
-SourceInclude include_beside(const std::string& file) {
+SourceInclude include_beside(const std::string& file, bool allow_outside) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  return [folder](std::string_view name) -> std::optional<std::string> {
-    if (posix::why_outside(folder, name)) return std::nullopt;
+  return [folder, allow_outside](std::string_view name) -> std::optional<std::string> {
+    if (!allow_outside && posix::why_outside(folder, name)) return std::nullopt;
     std::string path = folder / name;
     std::replace(path.begin(), path.end(), '\\', '/');
     auto input = InputFile::open(path);
@@ -341,6 +341,11 @@ void add_program_flags(CLI::App& verb, ProgramFlags& flags) {
   add_define_flag(verb, flags.defines);
   verb.add_option("--chip", flags.chip, "Chip whose register words are read (default: from the profile)")
       ->check(CLI::IsMember({"nv10", "nv20"}));
+}
+
+void add_include_flag(CLI::App& verb, bool& allow_outside) {
+  verb.add_flag("--allow-outside", allow_outside,
+                "Also read files that a source file or a pixel shader includes from outside of its folder");
 }
 
 SourceSelection selection_of(const ProgramFlags& flags) {

@@ -27,6 +27,7 @@ struct ProgramFlags {
   std::vector<std::string> functions{};  // of a source
   std::vector<std::string> defines{};    // of a source or a pixel shader: NAME=VALUE
   bool writes_words = false;             // the verb writes register words, for --chip
+  bool allow_outside = false;            // files that it includes may lie outside of its folder
 };
 
 // Adds the argument PROGRAM to a verb.
@@ -35,6 +36,8 @@ void add_program_argument(CLI::App& verb, const std::string& name, ProgramFlags&
 void add_define_flag(CLI::App& verb, std::vector<std::string>& defines);
 // Adds PROGRAM, --from, --chip, --function and --define to a verb.
 void add_program_flags(CLI::App& verb, ProgramFlags& flags);
+// Adds --allow-outside to a verb that has no other files than programs.
+void add_include_flag(CLI::App& verb, bool& allow_outside);
 
 // The chip whose register words are read.
 [[nodiscard]] ChipClass chip_of(const ProgramFlags& flags, const HardwareProfile& profile);
@@ -89,8 +92,8 @@ struct ProgramFile {
                                                            bool quiet, int& exit_code);
 [[nodiscard]] std::optional<TextProgram> load_text_program(ProgramSource source, const ProgramFlags& flags,
                                                            const HardwareProfile& profile, bool quiet, int& exit_code);
-// Reads the files that a source includes, where they lie in the source's folder.
-[[nodiscard]] SourceInclude include_beside(const std::string& file);
+// Reads the files that a source or a shader includes, where they lie in its folder or may lie outside of it.
+[[nodiscard]] SourceInclude include_beside(const std::string& file, bool allow_outside);
 
 // The set-up `source.setup` of a log that was read from the source.
 [[nodiscard]] std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource source,

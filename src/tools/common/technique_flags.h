@@ -5,7 +5,9 @@
 #include <string_view>
 
 #include "ninebit/frame/technique_settings.h"
+#include "ninebit/shadow/technique.h"
 #include "src/tools/common/scene_flags.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 
@@ -25,5 +27,17 @@ void add_technique_flags(CLI::App& verb, SceneFlags& flags);
 // Puts the flags of a rendering into groups: picture, camera and light, one for each technique, checks. Other flags
 // stay where they are.
 void group_scene_flags(CLI::App& verb);
+
+// The order of indices in the words of the program: warnings, the summary, JSON.
+
+// Prints a warning to stderr, unless quiet, if a rendering with --index-order neighbour used the order of the file.
+void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport& report, bool quiet);
+
+// "index order: 40 patches, 60 borders, 3 broken (5.0 % of their length), 0 false neighbours", with a line break; empty
+// for the order of the file.
+[[nodiscard]] std::string order_text(const IndexOrderReport& report);
+
+// Adds `order` to the object and, for IndexOrder::neighbour, the counts of the report.
+void add_order(Json& index, const IndexOrderReport& report);
 
 }  // namespace ninebit::tools

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "src/language/source/nearest_name.h"
-#include "src/tools/input/fault_log.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {

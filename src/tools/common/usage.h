@@ -1,4 +1,4 @@
-// What the program prints after wrong usage, and its answer of faults.
+// The text after wrong usage, and the JSON answer of faults.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,14 @@
 // The renderings that `ninebit compare` puts side by side: one per technique, or one per combination of --vary.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "ninebit/shadow/ground_truth.h"
+#include "ninebit/shadow/technique.h"
 #include "src/tools/common/scene_flags.h"
 
 namespace ninebit::tools {
@@ -54,5 +58,57 @@ inline constexpr std::size_t kMostComparedPixels = std::size_t{1} << 26;
 // A point for each technique that supports this light. The Diagnostic, wrong usage, names a given flag that none of
 // them reads.
 [[nodiscard]] Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind light);
+
+// The rows of `ninebit compare`: each point rendered, judged by rays and measured.
+
+// The wrong pixels of a rendering.
+struct ComparedErrors {
+  std::uint64_t false_lit = 0, false_shadowed = 0;
+  std::vector<std::pair<std::string, std::uint64_t>> by_cause{};  // the causes that are possible
+};
+
+struct ComparedRow {
+  std::string refused{};  // why the technique cannot draw the scene; empty: it was drawn
+  std::uint64_t background = 0, lit = 0, shadowed = 0;
+  std::optional<ComparedErrors> errors{};                     // empty if no shadows were drawn
+  PassTimes times{};                                          // of a rendering that is not judged
+  std::vector<DrawnPass> drawn{};                             // as Rendering::drawn
+  std::uint64_t map_bytes = 0;                                // as Rendering::map_bytes
+  std::vector<std::pair<std::string, std::string>> hashes{};  // as picture_hashes
+  std::string color{};                                        // the picture as PNG
+  std::string wrong{};  // as PNG, grey: 0, or the number of an ErrorCause, plus 128 if the pixel is falsely lit
+};
+
+// Everything that a comparison found.
+struct Comparison {
+  ComparedPoints compared{};
+  std::vector<ComparedRow> rows{};  // one per point
+  std::vector<std::string> ignored{};
+  std::string light{};  // "point light at 1, 2, 3"
+  int width = 0, height = 0;
+  std::size_t triangles = 0;
+};
+
+// Renders, judges and measures one point. A scene or a setting that the technique cannot draw is a row with the reason.
+[[nodiscard]] Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
+                                               const GroundTruthScene& rays, const Progress& progress);
+
+[[nodiscard]] double total_ms(const PassTimes& times);
+
+// The object of --json and report.json.
+[[nodiscard]] Json compare_json(const CompareFlags& flags, const Comparison& comparison);
+
+// The page of `ninebit compare`: one file without network or other files.
+
+// The HTML text. Names of files and settings are data of its script, which shows them as text.
+[[nodiscard]] std::string compare_page(const CompareFlags& flags, const Comparison& comparison);
+
+// The texts that the page of `compare` contains, embedded in the program at build time.
+
+extern const std::string_view kPictureSwipe;   // src/page/web/picture_swipe.js
+extern const std::string_view kSortableTable;  // src/page/web/sortable_table.js
+extern const std::string_view kWrongPixels;    // src/page/web/wrong_pixels.js
+extern const std::string_view kCompareScript;  // compare.js beside this file
+extern const std::string_view kCompareStyle;   // compare.css beside this file
 
 }  // namespace ninebit::tools

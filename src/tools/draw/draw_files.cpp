@@ -33,8 +33,9 @@ bool is_effect(const std::string& file) {
 }
 
 Result<TextProgram> read_program(const std::filesystem::path& path, const HardwareProfile& profile,
-                                 const std::vector<std::string>& defines, std::vector<std::string>& warnings) {
-  const ProgramFlags flags{.file = path.string(), .defines = defines};
+                                 const std::vector<std::string>& defines, bool allow_outside,
+                                 std::vector<std::string>& warnings) {
+  const ProgramFlags flags{.file = path.string(), .defines = defines, .allow_outside = allow_outside};
   auto file = read_program_file(flags, profile);
   if (!file) return file.error();
   for (const TextFault& note : file->parsed.notes) warnings.push_back(note.text());
@@ -100,8 +101,9 @@ DrawnFile read_effect_file(const std::string& file, bool allow_outside) {
 EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>& defines,
                              std::vector<std::string>& warnings) {
   EffectReaders readers;
-  readers.program = [defines, &warnings](const std::filesystem::path& path, const HardwareProfile& profile) {
-    return read_program(path, profile, defines, warnings);
+  readers.program = [defines, allow_outside, &warnings](const std::filesystem::path& path,
+                                                        const HardwareProfile& profile) {
+    return read_program(path, profile, defines, allow_outside, warnings);
   };
   readers.texture = [&warnings](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
     return read_texture_files(files, profile, warnings);

@@ -1,5 +1,11 @@
 #include "src/tools/input/host.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+#include "src/system/process.h"
+
 namespace ninebit::tools {
 namespace {
 
@@ -13,6 +19,68 @@ Host* host() noexcept {
 
 void set_host(Host* host) noexcept {
   current = host;
+}
+
+namespace {
+
+constexpr int kUsualColumns = 80;
+
+void append_wrapped(std::string& out, std::string_view line, int columns) {
+  if (width_of(line) <= columns) {
+    out += line;
+    return;
+  }
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  const std::string rest(indent + 4, ' ');
+  out += line.substr(0, indent);
+  line.remove_prefix(indent);
+  int at = static_cast<int>(indent);
+  bool first = true;  // in its output line
+  while (!line.empty()) {
+    const std::size_t spaces = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t end = std::min(line.find(' ', spaces), line.size());
+    const std::string_view word = line.substr(spaces, end - spaces);
+    if (!first && at + static_cast<int>(spaces) + width_of(word) > columns) {
+      out += '\n' + rest;
+      at = static_cast<int>(rest.size());
+    } else {
+      out += line.substr(0, spaces);
+      at += static_cast<int>(spaces);
+    }
+    out += word;
+    at += width_of(word);
+    first = false;
+    line.remove_prefix(end);
+  }
+}
+
+}  // namespace
+
+int terminal_columns(int standard_stream) {
+  constexpr int kMost = 10000;
+  const char* const given = std::getenv("COLUMNS");
+  const std::string_view text = given != nullptr ? given : "";
+  int columns = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), columns);
+  if (error == std::errc() && end == text.data() + text.size() && columns > 0 && columns <= kMost) return columns;
+  return posix::terminal_columns(standard_stream).value_or(kUsualColumns);
+}
+
+int width_of(std::string_view text) {
+  return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80;  // the others continue a code point
+  }));
+}
+
+std::string wrapped(std::string_view text, int columns) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    append_wrapped(out, text.substr(0, end), columns);
+    if (end < text.size()) out += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
 }
 
 }  // namespace ninebit::tools

@@ -13,7 +13,6 @@
 #include "src/language/source/nearest_name.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
-#include "src/tools/input/fault_log.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
@@ -251,6 +250,38 @@ bool ProgressLine::step(std::string_view what, double done) {
 
 bool ProgressLine::stopped() {
   return host() != nullptr ? host()->stopped() : interrupted != 0;
+}
+
+namespace {
+
+std::vector<LoggedFault>& fault_list() {
+  static std::vector<LoggedFault> faults;
+  return faults;
+}
+
+bool answer_has_begun = false;
+
+}  // namespace
+
+void log_fault(LoggedFault fault) {
+  constexpr std::size_t kMostFaults = 1'000;
+  if (fault_list().size() < kMostFaults) fault_list().push_back(std::move(fault));
+}
+
+const std::vector<LoggedFault>& logged_faults() {
+  return fault_list();
+}
+
+void clear_faults() {
+  fault_list().clear();
+}
+
+void log_answer() noexcept {
+  answer_has_begun = true;
+}
+
+bool answer_is_logged() noexcept {
+  return answer_has_begun;
 }
 
 }  // namespace ninebit::tools

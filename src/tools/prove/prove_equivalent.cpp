@@ -89,6 +89,7 @@ int run(const EquivalentFlags& flags) {
                         &other = flags.other.name.empty() ? profile : profile_of(flags.other);
   ProgramFlags of_a = flags.a, of_b = flags.b;
   of_a.defines = of_b.defines = flags.defines;
+  of_b.allow_outside = of_a.allow_outside;
   auto source_of_a = open_program(of_a), source_of_b = open_program(of_b);
   // Definitions are for both programs or for one of them; if neither takes them, the first says so.
   const auto takes = [](const Result<ProgramSource>& source) {
@@ -135,6 +136,7 @@ void add_prove_equivalent(CLI::App& prove, int& exit_code) {
   add_program_argument(*verb, "a", flags->a);
   add_program_argument(*verb, "b", flags->b);
   add_define_flag(*verb, flags->defines);
+  add_include_flag(*verb, flags->a.allow_outside);
   add_profile_option(*verb, "--other-profile", flags->other,
                      "Profile of the second program (default: that of the first)");
   verb->add_option("--outputs", flags->outputs,

@@ -123,6 +123,7 @@ void add_prove_stable(CLI::App& prove, int& exit_code) {
   auto flags = std::make_shared<StableFlags>();
   add_proof_flags(*verb, flags->proof);
   add_program_flags(*verb, flags->program);
+  add_include_flag(*verb, flags->program.allow_outside);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 #include "src/system/number_list.h"
 #include "src/tools/common/flag_values.h"
 #include "src/tools/input/input_file.h"

@@ -12,7 +12,7 @@
 
 #include "ninebit/study/report_files.h"
 #include "src/study/part/part_text.h"
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 #include "src/system/inside_folder.h"
 #include "src/system/process.h"
 #include "src/tools/common/scene_flags.h"

@@ -79,7 +79,7 @@ std::optional<MeasuredRow::Cell> stated_at(const Stated& what, std::string_view 
     }
     return cell.list.size() == what.count ? std::optional(std::move(cell)) : std::nullopt;
   }
-  // What follows the last number is a remark.
+  // Text behind the last number is a remark.
   const auto needs_more = [&] { return what.count == 0 || cell.list.size() < what.count; };
   while (needs_more() && text.starts_with('(') && text.find(')') != std::string_view::npos) {
     for (const std::string_view piece : pieces(text.substr(1, text.find(')') - 1), ',')) {

@@ -29,7 +29,7 @@ Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlag
   auto input = InputFile::open(file);
   if (!input) return input.error();
   VerifyTable table(CsvLines(std::move(*input)), program, profile);
-  table.allow_outside_ = allow_outside;
+  table.allow_outside_ = table.program_.allow_outside = allow_outside;
   if (file != "-") table.folder_ = std::filesystem::path(file).parent_path();
   constexpr std::size_t kMostComments = 64;
   std::vector<std::string> comments;

@@ -60,7 +60,7 @@ class blocked_range {
   [[nodiscard]] bool empty() const { return !(begin_ < end_); }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
 
-  // So many pieces are worth their threads, and the p-th of them.
+  // The number of pieces that are worth their threads, and the p-th piece.
   [[nodiscard]] std::size_t pieces() const {
     return empty() ? 0 : std::min((size() + grain_ - 1) / grain_, 8 * most_threads);
   }

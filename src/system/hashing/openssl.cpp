@@ -1,4 +1,4 @@
-#include "src/system/hashing/sha256.h"
+#include "src/system/hashing/openssl.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <new>
 
-#include "src/system/memory.h"
+#include "src/system/process.h"
 
 namespace ninebit {
 namespace {
@@ -42,6 +42,15 @@ std::string sha256(std::string_view text) {
   Sha256 hash;
   hash.add(text);
   return hash.finish();
+}
+
+std::string base64(std::string_view bytes) {
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // OpenSSL appends a zero
+  const int size =
+      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
+  text.resize(static_cast<std::size_t>(size));
+  return text;
 }
 
 }  // namespace ninebit

@@ -1,4 +1,4 @@
-// SHA-256 of raw planes, so that two runs can be compared by eye, and of a study's files on disk.
+// By OpenSSL: SHA-256 of raw planes, so that two runs can be compared by eye, and of a study's files on disk; base64.
 #pragma once
 
 #include <cstddef>
@@ -32,5 +32,10 @@ class Sha256 {
 
 // The hash of a whole text, in lower-case hexadecimal.
 [[nodiscard]] std::string sha256(std::string_view text);
+
+// Base64, as data URLs use it.
+
+// The bytes in base64 (RFC 4648), padded, without line breaks.
+[[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace ninebit
