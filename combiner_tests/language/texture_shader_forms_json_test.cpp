@@ -156,7 +156,7 @@ struct ReadShader {
 
 ReadShader read_shader(const std::string& text, const HardwareProfile& profile = profiles::nv2a) {
   ReadShader out;
-  const auto parsed = parse_pixel_shader({text, {}}, profile, {}, &out.stages);
+  const auto parsed = parse_pixel_shader({text, {}}, profile, {}, {}, &out.stages);
   out.faults = all_faults(parsed);
   for (const TextFault& note : parsed.notes) out.notes.push_back(note.text());
   return out;
@@ -270,7 +270,7 @@ TEST(ShaderTextures, RandomStagesComeBackFromTextAndTokens) {
     });
     if (is_plain) expected = {};
     ++printed;
-    const auto parsed = parse_pixel_shader({*text, "f"}, profiles::nv2a, {}, &back);
+    const auto parsed = parse_pixel_shader({*text, "f"}, profiles::nv2a, {}, {}, &back);
     ASSERT_TRUE(parsed) << all_faults(parsed) << *text;
     ASSERT_EQ(back, expected) << *text;
     ASSERT_EQ(normalize(*parsed, profiles::nv2a), normalize(*color, profiles::nv2a));
