@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "combiner_tests/combiner/simd_targets.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -129,6 +129,7 @@ TEST(BatchProgram, EqualOperationsRunOnce) {
 
 // Each mapping of each code, alone and as a factor, on every target.
 TEST(BatchProgram, EveryMappingOfEveryCode) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const HardwareProfile& profile : profiles_and_rivals()) {
     for (const InputMapping mapping : kInputMappings) {
       CombinerState state = silent_state(1);

@@ -20,15 +20,14 @@
 #include "combiner_tests/combiner/coverage.h"
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/combiner/simd_targets.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/validate.h"
 
 namespace ninebit::test {
 namespace {
 
 constexpr std::uint64_t kProgramSeed = 0x6E696E65626974U;
-constexpr std::size_t kFragmentsEach = 64;
 constexpr std::uint64_t kShards = 8;
 
 struct Run {
@@ -36,10 +35,11 @@ struct Run {
   Arithmetic arithmetic;
   std::uint64_t cases;
   std::uint64_t sanitized_cases;
+  std::size_t fragments;  // each: for vectors more than the longest has, and a rest; numbers without a limit take long
 };
-constexpr Run kInteger{"integer", Arithmetic::integer, 100000, 4000};
-constexpr Run kFloat{"float", Arithmetic::float32, 40000, 2000};
-constexpr Run kExact{"exact", Arithmetic::exact, 8000, 160};
+constexpr Run kInteger{"integer", Arithmetic::integer, 50000, 4000, 40};
+constexpr Run kFloat{"float", Arithmetic::float32, 20000, 2000, 40};
+constexpr Run kExact{"exact", Arithmetic::exact, 8000, 160, 16};
 
 HardwareProfile profile_of(const Run& run, Random& random) {
   if (run.arithmetic == Arithmetic::integer) return random_profile(random);
@@ -96,10 +96,10 @@ void run_case(const Run& run, std::uint64_t seed, std::uint64_t index, StatesSee
   const CombinerState state = random_state(random, profile);
   const std::vector<StateDiagnostic> faults = validate(state, profile);
   ASSERT_TRUE(faults.empty()) << faults[0].message << '\n' << describe(state, profile);
-  std::vector<RegisterFile> initial(kFragmentsEach);
+  std::vector<RegisterFile> initial(run.fragments);
   for (RegisterFile& registers : initial) registers = random_registers(random, profile);
   const std::vector<Fragment> fragments = judged(state, profile, initial);
-  for (std::size_t i = 0; i < kFragmentsEach; ++i) seen.add(initial[i], fragments[i]);
+  for (std::size_t i = 0; i < run.fragments; ++i) seen.add(initial[i], fragments[i]);
   seen.coverage.add(state, profile);
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "combiner_tests/combiner/simd_targets.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -35,6 +35,7 @@ std::vector<HardwareProfile> profiles_and_truncation() {
 
 // All values of A, B and C: 2^24 with nine-bit codes.
 TEST(FinalArithmetic, EveryBlendOfThreeValues) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   for (const HardwareProfile& p : profiles_and_truncation()) {
     const Datapath d = datapath_of(p);
     for (int a = 0; a <= p.one; ++a) {
@@ -51,6 +52,7 @@ TEST(FinalArithmetic, EveryBlendOfThreeValues) {
 }
 
 TEST(FinalArithmetic, EveryBlendOfThreeValuesOnEverySimdTarget) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
   CombinerState state = silent_state(1);
   state.final_combiner.a = rgb_of(Register::primary);
   state.final_combiner.b = rgb_of(Register::secondary);

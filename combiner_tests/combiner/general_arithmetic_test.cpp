@@ -6,6 +6,7 @@
 #include <array>
 
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -39,6 +40,7 @@ bool is_code(oracle::Fraction x, const HardwareProfile& p, int code) {
 }
 
 TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValue) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   int cases = 0;
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const Datapath d = datapath_of(p);
@@ -54,6 +56,7 @@ TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValue) {
 }
 
 TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValueInARunningProgram) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const HardwareProfile& p : integer_profiles()) {
     for (const InputMapping mapping : kInputMappings) {
       CombinerState state = silent_state(1);
@@ -90,6 +93,7 @@ CombinerState mux_state() {
 }
 
 TEST(GeneralArithmetic, MuxOfEverySpare0Alpha) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   const CombinerState state = mux_state();
   for (const HardwareProfile& p : integer_profiles()) {
     for (int select = p.lowest; select <= p.one; ++select) {
@@ -105,6 +109,7 @@ TEST(GeneralArithmetic, MuxOfEverySpare0Alpha) {
 
 // The lowest bit of the eight that have the highest one, which is 0 of all that is negative.
 TEST(GeneralArithmetic, MuxByTheLowestBitOfEverySpare0Alpha) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   int cases = 0;
   for (HardwareProfile p : profiles_and_rivals()) {
     p.mux_by_lowest_bit.value = true;

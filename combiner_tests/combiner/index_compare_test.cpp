@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
 
@@ -48,10 +48,12 @@ std::array<int, 6> mistakes(const HardwareProfile& profile, Scale scale = Scale:
 using Counts = std::array<int, 6>;
 
 TEST(IndexCompare, StepsOfTwoWorkOnTheGeforce2) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   EXPECT_EQ(mistakes(profiles::geforce2), (Counts{510, 0, 0, 0, 0, 0}));
 }
 
 TEST(IndexCompare, EarlyNarrowingNeedsLargerSteps) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   HardwareProfile nearest = profiles::geforce2_early_truncation;
   nearest.general_narrowing.value = Narrowing::nearest_halves_up;
   EXPECT_EQ(mistakes(nearest), (Counts{1018, 254, 0, 0, 0, 0}));
@@ -59,15 +61,18 @@ TEST(IndexCompare, EarlyNarrowingNeedsLargerSteps) {
 }
 
 TEST(IndexCompare, EightBitsNeedLargerSteps) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   EXPECT_EQ(mistakes(profiles::geforce256_8bit), (Counts{1272, 254, 86, 0, 0, 0}));
 }
 
 TEST(IndexCompare, WithoutTheScalesStepsOf16AreNeeded) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   EXPECT_EQ(mistakes(profiles::geforce2, Scale::none), (Counts{7440, 1736, 830, 372, 62, 0}));
 }
 
 // Where nothing is narrowed, the alpha test still compares bytes: 64 d² / 255 is rounded, and the difference 1 is lost.
 TEST(IndexCompare, RealNumbersLoseOneStepWhereTheFrameBufferStoresThem) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   for (const HardwareProfile& p : {profiles::ideal, profiles::float_shader}) {
     if (kSlowBuild && p.arithmetic == Arithmetic::exact) continue;  // too slow
     EXPECT_EQ(mistakes(p), (Counts{510, 0, 0, 0, 0, 0})) << p.name;
@@ -78,6 +83,7 @@ TEST(IndexCompare, RealNumbersLoseOneStepWhereTheFrameBufferStoresThem) {
 
 // The algebra itself makes no mistake at any step: alpha is above 0 wherever two indices differ.
 TEST(IndexCompare, RealNumbersThemselvesTellAllIndicesApart) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   for (const Scale scale : {Scale::by_four, Scale::none}) {
     for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::float32}) {
       const Program program = normalize(index_comparison(scale), profiles::ideal);

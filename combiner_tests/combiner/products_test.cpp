@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "combiner_tests/combiner/simd_targets.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -71,6 +71,7 @@ BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, b
 }
 
 TEST(Products, EveryProductOfTwoMappedValues) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   std::int64_t cases = 0;
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const Datapath d = datapath_of(p);
@@ -138,6 +139,7 @@ void expect_products(const HardwareProfile& p, InputMapping of_a, std::int64_t t
 }
 
 TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
   for (const HardwareProfile& p : profiles_and_rivals()) {
     for (const std::int64_t target : simd_targets()) {
       const OnTarget on_target(target);
@@ -151,6 +153,7 @@ TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
 }
 
 TEST(Products, EveryWideValueThatTwoDotProductsCanReach) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const Datapath d = datapath_of(p);
     const int most = 6 * largest_mapped(p) * largest_mapped(p);
@@ -198,6 +201,7 @@ BatchProgram dot_products_program(const HardwareProfile& p, Scale scale, Bias bi
 }
 
 TEST(Products, EverySumOfTwoDotProductsOnEverySimdTarget) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
   const auto batch = std::make_unique<RegisterBatch>();
   const auto out = std::make_unique<OutputBatch>();
   for (const HardwareProfile& p : profiles_and_rivals()) {

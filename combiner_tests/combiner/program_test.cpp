@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/oracle/real_oracle.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate_real.h"
 
 namespace ninebit::test {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/batch_program.h"
 
 namespace ninebit::test {
@@ -28,6 +29,7 @@ void fill(Random& random, const HardwareProfile& profile, RegisterBatch& batch) 
 }
 
 TEST(ProgramThreads, OneProgramRunsInSeveralAtOnce) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   const HardwareProfile& profile = profiles::geforce2;
   for (std::uint64_t i = 0; i < 40; ++i) {
     Random random(20260101, i);

@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -157,6 +157,7 @@ void check_against_evaluators(const Program& program, const HardwareProfile& pro
 }
 
 TEST(Trace, EveryStepOfRandomProgramsOfCodes) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   TracesSeen seen;
   for (std::uint64_t index = 0; index < kTraceCases; ++index) {
     Random random(kTraceSeed, index);
@@ -186,6 +187,7 @@ TEST(Trace, EveryStepOfRandomProgramsOfCodes) {
 
 // A product of two floats, or a sum, is rounded once.
 TEST(Trace, EveryStepOfRandomProgramsOfNumbers) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (std::uint64_t index = 0; index < kTraceCases / 6; ++index) {
     Random random(kTraceSeed + 1, index);
     const HardwareProfile& profile = index % 2 == 0 ? profiles::ideal : profiles::float_shader;

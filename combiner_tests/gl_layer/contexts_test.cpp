@@ -7,6 +7,7 @@
 
 #include "combiner_tests/gl_layer/combiner_commands.h"
 #include "combiner_tests/gl_layer/pictures.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -124,6 +125,7 @@ int draw_in_thread(const GlContext& context, int first_level) {
 }
 
 TEST(LayerContexts, ThreadsDrawAtTheSameTime) {
+  if (kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
   for (const bool share : {false, true}) {
     NINEBIT_GL_CONTEXT(first);
     const auto second = GlContext::make(why_not, profiles::nv2a, share ? first.get() : nullptr);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "combiner_tests/language/compiled_c.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/c_source.h"
@@ -176,6 +177,7 @@ std::vector<std::pair<std::string, Program>> programs_for(const HardwareProfile&
 }
 
 TEST(EmitC, TheGallerysProgramsForAllBytes) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   int whole = 0;
   std::uint64_t cases = 0;
   for (const HardwareProfile* profile : {&profiles::geforce2, &profiles::nv2a}) {

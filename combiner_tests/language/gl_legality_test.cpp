@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "combiner_tests/language/gl_test_support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::gl {
 namespace {
@@ -87,6 +88,7 @@ class GlLegality : public ::testing::TestWithParam<const HardwareProfile*> {
 };
 
 TEST_P(GlLegality, OfGeneralCombinerInputs) {
+  if (ninebit::test::kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   const GLenum stages = static_cast<GLenum>(GetParam()->general_combiners.value);
   const auto all = inputs(GetParam()->texture_units);
   for (GLenum i = 0; i < 9; ++i) {
@@ -118,6 +120,7 @@ TEST_P(GlLegality, OfGeneralCombinerInputs) {
 }
 
 TEST_P(GlLegality, OfFinalCombinerInputs) {
+  if (ninebit::test::kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   for (GLenum variable = GL_VARIABLE_A_NV; variable <= GL_VARIABLE_G_NV; ++variable) {
     for (const Input& input : inputs(GetParam()->texture_units)) {
       const char* const letters = variable == GL_VARIABLE_A_NV   ? input.row.final_a
@@ -144,6 +147,7 @@ TEST_P(GlLegality, OfFinalCombinerInputs) {
 
 // Every triple of destinations, every scale with every bias, every set of flags, in both portions.
 TEST_P(GlLegality, OfOutputs) {
+  if (ninebit::test::kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   std::vector<GLenum> writable{GL_DISCARD_NV, GL_PRIMARY_COLOR_NV, GL_SECONDARY_COLOR_NV, GL_SPARE0_NV, GL_SPARE1_NV};
   std::vector<GLenum> others{
       GL_ZERO, GL_CONSTANT_COLOR0_NV, GL_FOG, GL_CONSTANT_COLOR1_NV, GL_E_TIMES_F_NV, GL_SPARE0_PLUS_SECONDARY_COLOR_NV,

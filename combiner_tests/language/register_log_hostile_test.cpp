@@ -8,6 +8,7 @@
 #include "combiner_tests/fuzz/common.h"
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/register_log_shapes.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_log.h"
 
@@ -64,6 +65,7 @@ TEST(RegisterLogHostile, PiecesDoNotMatter) {
 }
 
 TEST(RegisterLogHostile, DamagedLogsAreReadOrRefused) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   constexpr std::string_view kBytes = "0123456789abcdefxX<>[]()->,;:|\"=/\n\r\t \x01\x80";
   int accepted = 0, refused = 0, programs = 0;
   for (int i = 0; i < 6000; ++i) {
@@ -134,6 +136,7 @@ Parsed<RegisterLog> feed(const std::string& beginning, const std::string& piece,
 }
 
 TEST(RegisterLogHostile, OneLineOfAHundredMegabytesIsSkipped) {
+  if (kSanitized) GTEST_SKIP() << "shows how long a text takes";
   constexpr std::size_t kBytes = 100'000'000;
   EXPECT_FALSE(feed("", "x", kBytes));
   EXPECT_FALSE(feed("", "0x1e60 0x101 ", kBytes));
@@ -144,6 +147,7 @@ TEST(RegisterLogHostile, OneLineOfAHundredMegabytesIsSkipped) {
 }
 
 TEST(RegisterLogHostile, LongLogsTakeLinearTimeAndBoundedMemory) {
+  if (kSanitized) GTEST_SKIP() << "shows how long a text takes";
   constexpr std::size_t kBytes = 60'000'000;
   const std::string draw =
       "nv2a_pgraph_method 0: 0x97 -> 0x17fc NV097_SET_BEGIN_END[0] 0x5\n"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/numerics/fixed9.h"
@@ -64,14 +65,17 @@ void expect_round_trips(ChipClass chip, const HardwareProfile& profile, std::uin
 }
 
 TEST(RegisterWordsRoundTrip, Nv10OfAGeForce2) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   expect_round_trips(ChipClass::nv10, profiles::geforce2, 11);
 }
 
 TEST(RegisterWordsRoundTrip, Nv20OfAnNv2a) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   expect_round_trips(ChipClass::nv20, profiles::nv2a, 12);
 }
 
 TEST(RegisterWordsRoundTrip, Nv20OfAGeForce2) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   expect_round_trips(ChipClass::nv20, profiles::geforce2, 13);
 }
 
@@ -86,6 +90,7 @@ TEST(RegisterWordsRoundTrip, OfCombinersThatTheProfileLacksNothingIsWritten) {
 }
 
 TEST(RegisterWordsRoundTrip, Nv10OfWhatFitsOfAnNv2aProgram) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   CombinerState state;
   for (int i = 0; i < 5000; ++i) {
     Random random(14, static_cast<std::uint64_t>(i));
@@ -125,6 +130,7 @@ void damage(std::string& text, Random& random) {
 }
 
 TEST(RegisterWordsRoundTrip, DamagedTextsAreRefusedOrMeanAValidState) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
   int accepted = 0, refused = 0;
   std::string text;
   for (int i = 0; i < 20'000; ++i) {

@@ -3,6 +3,7 @@
 
 #include "combiner_tests/language/damage.h"
 #include "combiner_tests/language/xbox_shapes.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/xbox_pixel_shader.h"
 
 namespace ninebit::test {
@@ -13,6 +14,7 @@ Parsed<CombinerState> parse(const SourceText& source, const HardwareProfile& pro
 }
 
 TEST(XboxDamage, DamagedTextsAreRefusedOrMeanAValidState) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
   const std::vector<Shape> shapes = all_shapes();
   const auto any_shape = [&](Random& random) {
     return shapes[static_cast<std::size_t>(random.below(static_cast<int>(shapes.size())))].text(random_words(random));
@@ -25,6 +27,7 @@ TEST(XboxDamage, DamagedTextsAreRefusedOrMeanAValidState) {
 }
 
 TEST(XboxDamage, DamagedMacrosAreRefusedOrMeanAValidState) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   const auto printed = [](Random& random) {
     std::vector<RegisterWord> words;
     const auto state = parse_xbox_pixel_shader({as_bytes(random_words(random)), ""}, profiles::nv2a, &words);

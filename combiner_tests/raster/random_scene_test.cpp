@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint64_t kSceneSeed = 0x7261737465720001U;
 constexpr std::uint64_t kShards = 8;
-constexpr std::uint64_t kSceneCases = kSlowBuild ? 1600 : 64000;
+constexpr std::uint64_t kSceneCases = kSlowBuild ? 1600 : 32000;
 
 std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
   const char* const text = std::getenv(name);

@@ -10,6 +10,7 @@
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_passes.h"
+#include "combiner_tests/support/slow_build.h"
 #include "src/raster/draw/tile.h"
 
 namespace ninebit::test {
@@ -131,6 +132,7 @@ void draw_on_every_target(const Range& range, std::uint64_t seed, const MakeScen
 }
 
 TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
+  if (kSanitized) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
   const Range range(kSlowBuild ? 30 : 300);
   Counts counts;
   draw_on_every_target(
@@ -144,6 +146,7 @@ TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
 
 // Passes that draw the fragments of another again.
 TEST(SharedTiles, PassesOfEqualDepthDrawWhatTheyDrawAloneOnEveryTarget) {
+  if (kSanitized) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
   const Range range(kSlowBuild ? 30 : 300);
   Counts counts;
   draw_on_every_target(

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/oracle/raster_oracle.h"
 #include "combiner_tests/support/random.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 

@@ -11,6 +11,7 @@
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/texture_support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "src/raster/texture/texture_level.h"
 
 namespace ninebit::test {
@@ -99,6 +100,7 @@ void expect_as_scalar(const HardwareProfile& profile, const Texture& texture, co
 }
 
 TEST(TextureLanes, AdversarialDirectionsOfACube) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const std::vector<float> values = adversarial_values();
   CoordinateArrays at;
   for (const float x : values) {
@@ -125,6 +127,7 @@ TEST(TextureLanes, AdversarialDirectionsOfACube) {
 }
 
 TEST(TextureLanes, AdversarialCoordinatesInTwoDimensions) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const std::vector<float> values = adversarial_values();
   Random random(52);
   for (const auto& [width, height, format] : {std::tuple{1, 1, InternalFormat::rgba8},

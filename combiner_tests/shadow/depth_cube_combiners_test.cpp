@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/shadow/depth_cube.h"
@@ -70,6 +71,7 @@ TEST(DepthCubeCombiners, HighBytesAreComparedWhateverTheLowOnesAre) {
 
 // Every pair of high bytes with low bytes at the boundaries, and every pair of low bytes with such high bytes.
 TEST(DepthCubeCombiners, TheMuxComparesLowBytesWhereTheHighOnesAreNotBelow) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const HardwareProfile* profile : kExact) {
     const Comparison compare(*profile, low_byte_above_state(*profile));
     const auto check = [&](int l0, int a0, int l1, int a1) {
@@ -89,6 +91,7 @@ TEST(DepthCubeCombiners, TheMuxComparesLowBytesWhereTheHighOnesAreNotBelow) {
 
 // A fragment is marked by one pass or the other exactly where its 16-bit code is above the map's.
 TEST(DepthCubeCombiners, BothPassesTogetherCompareSixteenBits) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const HardwareProfile* profile : kExact) {
     const Comparison high(*profile, high_byte_above_state(*profile)), low(*profile, low_byte_above_state(*profile));
     const auto check = [&](unsigned own, unsigned map) {

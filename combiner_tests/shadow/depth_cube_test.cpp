@@ -12,6 +12,7 @@
 
 #include "combiner_tests/shadow/depth_cube_support.h"
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace {
 
@@ -86,6 +87,7 @@ TEST(DepthCube, WithoutBiasThereIsAcne) {
 // A room of side 6 around the light, and half-way to each wall a square of side 1, which casts one of side 2. The
 // camera stands behind each of the squares in turn.
 TEST(DepthCube, EachFaceOfTheMapCastsItsShadow) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   constexpr std::array kAxes{glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)};
   const glm::vec3 light(0.4F, -0.7F, 0.2F);
   for (const DepthCubeBits bits : kAllBits) {
@@ -127,6 +129,7 @@ TEST(DepthCube, EachFaceOfTheMapCastsItsShadow) {
 // shadow is lost; the fewer bits, the more of it. How much a code loses depends on where its steps fall, so the light
 // stands at a few heights within one step.
 TEST(DepthCube, MoreBitsLoseLessOfACloseShadow) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   std::array<int, 3> lost{};
   for (int k = 0; k < 4; ++k) {
     const float height = 3.0F + 0.003F * static_cast<float>(k);
@@ -164,6 +167,7 @@ TEST(DepthCube, MoreBitsLoseLessOfACloseShadow) {
 
 // Both techniques show the same shadows, but within a few pixels of a shadow's or an object's edge.
 TEST(DepthCube, AgreesWithTheIndexCubeByObject) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   Scene wall = shadow_test::scene_with({1.0F, 2.0F, 3.0F}, {0.0F, 0.0F, -3.0F}, {0.3F, 0.2F, 2.0F});
   const auto frame_quad = [&](float left, float bottom, float right, float top) {
     shadow_test::add_quad(wall, "wall", {{{left, bottom, 0}, {right, bottom, 0}, {right, top, 0}, {left, top, 0}}});
@@ -227,6 +231,7 @@ TEST(DepthCube, LightFacingShadowsWhatTurnsAway) {
 }
 
 TEST(DepthCube, AnyNumberOfThreadsGivesTheSameBits) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
   const Scene scene = shadow_test::square_over_floor();
   for (const DepthCubeBits bits : kAllBits) {
     const RenderSettings settings = depth_cube_settings(bits);
@@ -267,6 +272,7 @@ TEST(DepthCube, BadSettingsAreReported) {
 }
 
 TEST(DepthCube, StopsBetweenPasses) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const RenderSettings settings = depth_cube_settings(DepthCubeBits::sixteen);
   const Scene scene = shadow_test::square_over_floor();
   std::vector<std::string> passes;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/scene/scene_io.h"
@@ -15,9 +16,9 @@ using namespace ninebit;
 using enum IndexFormat;
 
 // A comparison of two codes: the own one as primary colour, the map's as a texel of its format.
-class Comparison {
+class FormatComparison {
  public:
-  Comparison(IndexFormat format, const HardwareProfile& profile)
+  FormatComparison(IndexFormat format, const HardwareProfile& profile)
       : format_(format), profile_(profile), program_(normalize(*index_comparison_state(profile, format), profile)) {}
 
   [[nodiscard]] Rgba9 operator()(const ColorBytes& own, const ColorBytes& map) const {
@@ -41,7 +42,7 @@ int spare1_of(int first, int second) {
 
 TEST(IndexFormats, OneChannelLosesWhatTheLadderSays) {
   for (const IndexFormat format : {luminance, alpha}) {
-    const Comparison compare(format, profiles::geforce2);
+    const FormatComparison compare(format, profiles::geforce2);
     for (int step = 1; step <= 4; ++step) {
       const IndexCodes codes(step, format);
       int lost = 0;
@@ -60,7 +61,7 @@ TEST(IndexFormats, OneChannelLosesWhatTheLadderSays) {
 
 // Each pair of differences once, from the middle of what the bytes allow.
 TEST(IndexFormats, LuminanceAlphaSumsBothSquares) {
-  const Comparison compare(luminance_alpha, profiles::geforce2);
+  const FormatComparison compare(luminance_alpha, profiles::geforce2);
   const auto gray = [](int luminance, int alpha) {
     const auto l = static_cast<std::uint8_t>(luminance);
     return ColorBytes{l, l, l, static_cast<std::uint8_t>(alpha)};
@@ -85,7 +86,7 @@ TEST(IndexFormats, EveryProfileTellsEqualFromFarApart) {
   for (const HardwareProfile& profile : hardware_profiles()) {
     for (const IndexFormat format : {rgb, luminance_alpha, luminance, alpha}) {
       ASSERT_TRUE(index_comparison_state(profile, format).ok()) << profile.name;
-      const Comparison compare(format, profile);
+      const FormatComparison compare(format, profile);
       const IndexCodes codes(16, format);
       for (std::uint32_t n = 0; n < codes.capacity(); n += 5) {
         EXPECT_EQ(compare(codes.color(n), codes.color(n))[kAlpha], 0) << profile.name << ' ' << n;
@@ -124,6 +125,7 @@ TEST(IndexFormats, TheShadowsDoNotDependOnTheFormat) {
 
 // Step 1 in luminance-alpha: numbers that differ by one in luminance are lost, as with the article's program.
 TEST(IndexFormats, StepOneDropsTheShadowOfTheNextPolygonInEachFormat) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const Scene scene = shadow_test::square_over_floor();
   for (const IndexFormat format : {rgb, luminance_alpha, luminance, alpha}) {
     RenderSettings settings = shadow_test::small_settings();

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
 #include "src/system/parallel/parallel_loop.h"
 
@@ -328,6 +329,7 @@ std::vector<std::filesystem::path> scene_files() {
 }
 
 TEST(NeighbourOrder, TheBoundHoldsOnAllScenes) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const auto& file : scene_files()) {
     if (!std::filesystem::exists(file)) continue;  // of a package that is not installed
     SCOPED_TRACE(file.string());
@@ -340,6 +342,7 @@ TEST(NeighbourOrder, TheBoundHoldsOnAllScenes) {
 }
 
 TEST(NeighbourOrder, TheSameForAnyNumberOfThreads) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
   Scene scene = empty_scene();
   add_mesh(scene, torus(64, 32));
   const auto with = [&](std::size_t threads) {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+#include "combiner_tests/support/slow_build.h"
+
 namespace {
 
 using namespace ninebit;
@@ -105,6 +107,7 @@ TEST(DepthPackingError, AllDepthsOf24BitsComeBackThroughDigits) {
 
 // Two bytes hold 65,536 depths at most, the nearest of which is half a step away.
 TEST(DepthPackingError, TwoBytesHold16Bits) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const RoundTripError rounded = measured("rg8-modf", ChannelStorage::round, DepthSet::bits24);
   EXPECT_LE(rounded.distinct, 65536U);
   EXPECT_NEAR(rounded.max_error, std::ldexp(1.0, -17), std::ldexp(1.0, -23));
@@ -148,6 +151,7 @@ TEST(DepthPackingError, FractShiftsAsItsDigitsSay) {
 }
 
 TEST(DepthPackingError, ThreadsChangeNothing) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
   const auto with_threads = [](std::size_t n) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
     return measured("rgba8-mod", ChannelStorage::truncate, DepthSet::floats, 512);

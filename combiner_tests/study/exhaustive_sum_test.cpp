@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "combiner_tests/combiner/simd_targets.h"
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/oracle/combiner_oracle.h"
 #include "combiner_tests/study/support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "src/study/datapath/sum_kernels.h"
 
 namespace {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -155,6 +156,7 @@ FalseMatches counted(const Program& program, const HardwareProfile& profile, Stu
 
 // Small sets of values with small differences, which are what gets lost, and large ones; every step of one channel.
 TEST(IndexSteps, CountsAreThoseOfBruteForce) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const std::vector<std::vector<std::uint8_t>> few{
       {0, 1, 2, 4, 11}, {100, 101, 103, 110, 255}, {0, 127, 128, 254, 255}};
   const std::vector<std::vector<std::uint8_t>> more{{0, 1, 2, 3, 5, 8, 13, 21, 22}, {17, 84, 85, 86, 170, 171, 254}};
@@ -189,6 +191,7 @@ TEST(IndexSteps, CountsAreThoseOfBruteForce) {
 // The order of the classes' products is used, not only assumed: every combination of classes gives the same, with rgb
 // all 511³ triples of differences.
 TEST(IndexSteps, EveryCombinationOfClassesCountsTheSame) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const HardwareProfile& profile : hardware_profiles()) {
     const bool integer = profile.arithmetic == Arithmetic::integer;
     for (const char* name : {"both-x4", "first-x4", "second-x4", "no-scale"}) {
@@ -215,6 +218,7 @@ TEST(IndexSteps, EveryCombinationOfClassesCountsTheSame) {
 
 // Programs of other forms than the article's: one is its inverse, the others do not sum a product of each digit.
 TEST(IndexSteps, OtherPrograms) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   struct Other {
     CombinerState state;
     StudyFormat format = StudyFormat::rgb;

@@ -10,6 +10,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/study/support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/study/index_steps.h"
 #include "src/study/datapath/program_inputs.h"
@@ -42,6 +43,7 @@ const StudyRow& row_of(const std::vector<StudyRow>& rows, std::string_view table
 
 // The ends and the sum, and each colour between against the trace's codes run through what is left of the state.
 TEST(ProgramErrors, StagesAddUpToTheErrorOfRandomPrograms) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   int several = 0, wrong = 0;
   for (std::uint64_t i = 0; i < 400; ++i) {
     Random random(0xE44011, i);
@@ -132,6 +134,7 @@ TEST(ProgramErrors, WhatIsNotNamedReadsAsInEval) {
 
 // All values of two components, each fragment by the reference and by exact numbers.
 TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const HardwareProfile& profile = profiles::geforce256_8bit;
   const Program program = comparison(profile);
   const auto study = valid(program_error_study(
@@ -193,6 +196,7 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
 }
 
 TEST(ProgramErrors, BiasesOfStagesAddUpOnAnyProfile) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (std::uint64_t i = 0; i < 12; ++i) {
     Random random(0xB1A5, i);
     const HardwareProfile profile = random_profile(random);
@@ -236,6 +240,7 @@ TEST(ProgramErrors, ATableOfAllFragmentsIsTheSame) {
 
 // More fragments than a unit holds: the report is on all of them.
 TEST(ProgramErrors, UnitsAddUpInTheReport) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const HardwareProfile& profile = profiles::geforce2;
   const Program program = comparison(profile);
   ProgramInputs inputs{.components = {{Register::primary, kRed}}, .codes = std::vector<s9>{}};

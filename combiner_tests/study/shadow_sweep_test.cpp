@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/ground_truth.h"
 #include "src/study/shadows/shadow_sweep_report.h"
@@ -220,6 +221,7 @@ TEST(ShadowSweep, WhatTheTechniqueRefusesIsARow) {
 }
 
 TEST(ShadowSweep, ThreadsChangeNothing) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
   const ShadowGrid grid{{"map-size", {"32", "128"}}};
   const auto with_threads = [&](std::size_t n) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);

@@ -8,7 +8,7 @@
 #include <new>
 #include <vector>
 
-#include "combiner_tests/combiner/slow_build.h"
+#include "combiner_tests/support/slow_build.h"
 #include "src/system/process.h"
 
 namespace ninebit::posix {

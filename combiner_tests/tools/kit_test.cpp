@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <map>
 
 #include "combiner_tests/tools/program_support.h"
 #include "ninebit/study/chip_kit.h"
@@ -28,9 +29,16 @@ bool has_program(const std::string& name) {
 
 class Kit : public testing::Test {
  protected:
-  // Writes a family's kit; the answer.
+  // A family's kit in the test's folder; the answer of the program, which searches it once for all tests.
   Json write_kit(const std::string& family) {
-    return json_of(ninebit({"prove", "kit", "--family", family, "-o", folder_ / family, "--json"}));
+    static const TempFolder kept;
+    static std::map<std::string, Json> answers;
+    const std::string kit = kept / family;
+    if (!answers.contains(family)) {
+      answers[family] = json_of(ninebit({"prove", "kit", "--family", family, "-o", kit, "--json"}));
+    }
+    std::filesystem::copy(kit, folder_ / family);
+    return answers[family];
   }
 
   // The table that a card writes which shows these greys. The rows' beginnings come from the C file.

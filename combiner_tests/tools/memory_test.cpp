@@ -2,7 +2,7 @@
 // and ends with exit code 5, whatever library and thread asked for the memory; and leaves no file but the older ones.
 #include <gtest/gtest.h>
 
-#include "combiner_tests/combiner/slow_build.h"
+#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/tools/program_support.h"
 
 namespace tools_test {

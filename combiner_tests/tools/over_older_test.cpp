@@ -12,8 +12,8 @@
 #include <functional>
 #include <thread>
 
-#include "combiner_tests/combiner/slow_build.h"
 #include "combiner_tests/support/random.h"
+#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/tools/program_support.h"
 #include "combiner_tests/tools/small_disk.h"
 
@@ -112,11 +112,11 @@ class OverOlder : public testing::TestWithParam<const char*> {
     EXPECT_EQ(outputs(), newer_);
   }
 
-  // Runs ten times and sends the signal after a random share of the time that a run takes; gives how many it ended.
-  int end_at_ten_moments(int signal) const {
+  // Runs five times and sends the signal after a random share of the time that a run takes; gives how many it ended.
+  int end_at_five_moments(int signal) const {
     ninebit::test::Random random(std::hash<std::string>()(GetParam()), static_cast<std::uint64_t>(signal));
     int ended = 0;
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 5; ++i) {
       const double share = static_cast<double>(random.below(1000)) / 1000.0;
       SCOPED_TRACE(testing::Message() << "at " << share << " of " << duration_ / std::chrono::milliseconds(1) << " ms");
       Child child(words_);
@@ -144,13 +144,13 @@ class OverOlder : public testing::TestWithParam<const char*> {
   Clock::duration duration_{};
 };
 
-TEST_P(OverOlder, ByKillAtTenMoments) {
-  EXPECT_GE(end_at_ten_moments(SIGKILL), 1);
+TEST_P(OverOlder, ByKillAtFiveMoments) {
+  EXPECT_GE(end_at_five_moments(SIGKILL), 1);
   expect_next_run_undisturbed();
 }
 
-TEST_P(OverOlder, ByInterruptAtTenMoments) {
-  const int ended = end_at_ten_moments(SIGINT);
+TEST_P(OverOlder, ByInterruptAtFiveMoments) {
+  const int ended = end_at_five_moments(SIGINT);
   // A report that is begun is finished.
   const std::string verb = GetParam();
   EXPECT_TRUE(ended >= 1 || verb == "merge" || verb == "study");
