@@ -3,7 +3,7 @@
 #include "src/gl_layer/calls/display_lists.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
-#include "src/gl_layer/driver/texture_formats.h"
+#include "src/gl_layer/shader/texture_formats.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 

@@ -4,9 +4,9 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
-#include "src/gl_layer/driver/texture_formats.h"
 #include "src/gl_layer/shader/environment.h"
 #include "src/gl_layer/shader/program_cache.h"
+#include "src/gl_layer/shader/texture_formats.h"
 
 namespace ninebit::gl_layer {
 namespace {

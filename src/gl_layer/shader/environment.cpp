@@ -2,7 +2,7 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
-#include "src/gl_layer/driver/texture_formats.h"
+#include "src/gl_layer/shader/texture_formats.h"
 
 namespace ninebit::gl_layer {
 namespace {

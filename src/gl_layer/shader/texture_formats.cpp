@@ -1,4 +1,4 @@
-#include "src/gl_layer/driver/texture_formats.h"
+#include "src/gl_layer/shader/texture_formats.h"
 
 namespace ninebit::gl_layer {
 namespace {
