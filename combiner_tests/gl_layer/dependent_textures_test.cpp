@@ -60,8 +60,8 @@ UnitTexture random_texture(Random& random, StageTarget target, StageInput read_a
       made.bytes.insert(made.bytes.end(), {texel[kBlue], texel[kGreen]});
     } else if (made.kind.format == TextureFormat::dsdt_mag) {
       const int magnitude = random.below(128);  // of 127
-      texel = {static_cast<std::uint8_t>(magnitude * 255 / 127), random_signed_byte(random), random_signed_byte(random),
-               0};
+      texel = {static_cast<std::uint8_t>((2 * magnitude * 255 + 127) / 254), random_signed_byte(random),
+               random_signed_byte(random), 0};
       made.bytes.insert(made.bytes.end(), {texel[kBlue], texel[kGreen], static_cast<std::uint8_t>(magnitude)});
     } else if (made.kind.format == TextureFormat::hilo) {
       const int limit = made.kind.is_signed[0] ? 32767 : 65535;
@@ -353,6 +353,32 @@ TEST(LayerDependentTextures, SignedTexelsReachTheCombiners) {
   clear_picture();
   draw_square();
   EXPECT_EQ(center_pixel(), (Pixel{200, 60, 0, 254}));
+  // An alpha that a format does not have is 1, not a signed byte.
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_SIGNED_RGB8_NV, 1, 1, 0, GL_RGBA, GL_BYTE, texel);
+  draw_square();
+  EXPECT_EQ(center_pixel(), (Pixel{200, 60, 0, 255}));
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_SIGNED_LUMINANCE8_NV, 1, 1, 0, GL_LUMINANCE, GL_BYTE, texel);
+  draw_square();
+  EXPECT_EQ(center_pixel(), (Pixel{200, 200, 200, 255}));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+// HILO and DSDT texels are for stages; combiners see nothing.
+TEST(LayerDependentTextures, TexelsForStagesAreNoColours) {
+  NINEBIT_GL_CONTEXT(context);
+  const std::uint16_t words[]{40000, 50000};
+  const std::int8_t bytes[]{100, 90, 80};
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glEnable(GL_TEXTURE_2D);
+  show_register(GL_TEXTURE0);
+  for (const bool is_hilo : {true, false}) {
+    if (is_hilo) glTexImage2D(GL_TEXTURE_2D, 0, GL_HILO_NV, 1, 1, 0, GL_HILO_NV, GL_UNSIGNED_SHORT, words);
+    if (!is_hilo) glTexImage2D(GL_TEXTURE_2D, 0, GL_DSDT8_MAG8_NV, 1, 1, 0, GL_DSDT_MAG_NV, GL_BYTE, bytes);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw_square();
+    EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 0})) << is_hilo;
+  }
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 

@@ -191,5 +191,57 @@ TEST(LayerEnvironments, NoneLeavesTheColour) {
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+// It is kept from the first command of a program on, ends with the next mode, and is part of the texture attributes.
+TEST(LayerEnvironments, NoneFollowsTheAttributes) {
+  NINEBIT_GL_CONTEXT(context);
+  const auto mode = [] {
+    GLint value = -1;
+    glGetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, &value);
+    return value;
+  };
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_NONE);
+  EXPECT_EQ(mode(), GL_NONE);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+  EXPECT_EQ(mode(), GL_MODULATE);
+  glPushAttrib(GL_TEXTURE_BIT);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_NONE);
+  glPushAttrib(GL_TEXTURE_BIT);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glPopAttrib();
+  EXPECT_EQ(mode(), GL_NONE);
+  glPopAttrib();
+  EXPECT_EQ(mode(), GL_MODULATE);
+  glActiveTexture(GL_TEXTURE5);  // of the driver alone, which does not have the mode
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_NONE);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+}
+
+// Each list of glCallLists gets the shader of its own textures, also without combiners.
+TEST(LayerEnvironments, ListsHaveShadersOfTheirOwn) {
+  NINEBIT_GL_CONTEXT(context);
+  const std::uint8_t texel[]{50, 60, 70, 128};
+  GLuint textures[2]{};
+  glGenTextures(2, textures);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    glBindTexture(GL_TEXTURE_2D, textures[i]);
+    glTexImage2D(GL_TEXTURE_2D, 0, i == 0 ? GL_RGBA8 : GL_ALPHA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glNewList(static_cast<GLuint>(i + 1), GL_COMPILE);
+    glBindTexture(GL_TEXTURE_2D, textures[i]);
+    glRectf(i == 0 ? -1.0F : 0.0F, -1.0F, i == 0 ? 0.0F : 1.0F, 1.0F);
+    glEndList();
+  }
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
+  glEnable(GL_TEXTURE_SHADER_NV);
+  glColor4ub(1, 2, 3, 4);
+  clear_picture();
+  const GLubyte lists[]{1, 2};
+  glCallLists(2, GL_UNSIGNED_BYTE, lists);
+  const std::vector<Pixel> picture = read_picture();
+  EXPECT_EQ(picture[0], (Pixel{50, 60, 70, 128}));
+  EXPECT_EQ(picture[kPictureSize - 1], (Pixel{1, 2, 3, 128}));
+}
+
 }  // namespace
 }  // namespace ninebit::test

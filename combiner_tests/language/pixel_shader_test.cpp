@@ -327,6 +327,44 @@ TEST(PixelShader, FaultsOfIncludedFilesAreNamed) {
             "f:3:2: 'mull' is not an instruction of ps.1.1; did you mean 'mul'?\n");
 }
 
+TEST(PixelShader, ConditionsEndInTheirFile) {
+  const std::string whole = "ps.1.1\ntex t0\n#include \"a.h\"\n", body = "mul r0, t0, v0\nadd r0, r0, v1\n";
+  EXPECT_EQ(with_files(whole + body, {{"a.h", "\n\n\n#if 1\n#if 1\n"}}),
+            "f:3:2: 'a.h': unterminated condition; expected #endif\n");
+  // The condition of one file has no #else in another.
+  EXPECT_EQ(with_files(whole + "#else\n" + body, {{"a.h", "#if 0\n"}}),
+            "f:3:2: 'a.h': unterminated condition; expected #endif\nf:4:1: '#else' without #if\n");
+  EXPECT_EQ(with_files("ps.1.1\ntex t0\n#if 1\n#include \"a.h\"\n" + body + "#endif\n", {{"a.h", "#endif\n"}}),
+            "f:4:2: 'a.h': '#endif' without #if\n");
+}
+
+TEST(PixelShader, IncludedFilesHaveLimits) {
+  std::size_t reads = 0;
+  std::string text = "\n";
+  const SourceInclude include = [&](std::string_view) -> std::optional<std::string> {
+    ++reads;
+    return text;
+  };
+  const auto faults = [&](std::size_t includes) {
+    std::string shader = "ps.1.1\n";
+    for (std::size_t i = 0; i < includes; ++i) shader += "#include \"a.h\"\n";
+    reads = 0;
+    return test::all_faults(parse_pixel_shader({shader + "mov r0, v0\n", "f"}, profiles::nv2a, {}, include));
+  };
+  EXPECT_EQ(faults(200), "");
+  EXPECT_EQ(faults(300),
+            "f:202:2: 'a.h' is one included file too many; expected at most 16 inside of each other, and 200 in all\n");
+  EXPECT_EQ(reads, 200U);
+  // All files together may be as long as one text.
+  text.assign(kMaxSourceBytes / 2, '\n');
+  EXPECT_EQ(faults(2), "");
+  EXPECT_EQ(faults(9), "f:4:2: 'a.h' makes the included files longer than 16777216 bytes together\n");
+  EXPECT_EQ(reads, 3U);
+  text = "#include \"a.h\"\n#include \"a.h\"\n";
+  EXPECT_EQ(faults(1), "f:2:2: 'a.h' includes itself\n");
+  EXPECT_EQ(reads, 16U);
+}
+
 TEST(PixelShader, NotesSayWhatIsLeftToOthers) {
   EXPECT_EQ(shader_notes("ps.1.1\ntex t0\ntexbem t1, t0\nmul r0.rgb, t1, c4\nadd r0.rgb, r0, c0\n"),
             "2:1: tex and texbem are executed before the combiners, and skipped; t0 and t1 hold the result\n"

@@ -1,6 +1,10 @@
 // Texture-shader stages in GL calls and in pixel shaders: what they mean, round trips, faults with their places.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <string>
+
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/random_stages.h"
@@ -230,6 +234,43 @@ TEST(ShaderTextures, RulesOfDirect3D) {
   EXPECT_EQ(last.stages.stage[1].operation, TextureOperation::texture_2d);
   EXPECT_EQ(read_shader("ps.1.1\ntexcoord t0\nmov r0, t0\n", profiles::geforce2).faults,
             "2:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader)\n");
+}
+
+// The eye vector is a plain constant, with all digits of its name.
+TEST(ShaderTextures, TheEyeIsAConstant) {
+  const std::string rows = "tex t0\ntexm3x3pad t1, t0\ntexm3x3pad t2, t0\ntexm3x3spec t3, t0";
+  const ReadShader last =
+      read_shader("xps.1.1\ndef c1, 2, 2, 2, 2\ndef c12, 3, 4, -5, 0\n" + rows + ", c12\nmov r0, t3\n");
+  EXPECT_EQ(last.faults, "");
+  EXPECT_EQ(last.stages.stage[3].eye, (std::array{3.0F, 4.0F, -5.0F}));
+  EXPECT_EQ(std::count(last.notes.begin(), last.notes.end(), "2:5: c1 is clamped to 0 to 1"), 1);
+  EXPECT_EQ(read_shader("ps.1.1\n" + rows + ", c1_x2\nmov r0, t3\n").faults,
+            "5:21: 'c1_x2' has a modifier; expected a constant without one\n");
+  EXPECT_EQ(read_shader("ps.1.1\n" + rows + "\nmov r0, t3\n").faults,
+            "5:1: 'texm3x3spec' needs a constant with the eye vector, such as c0\n");
+  // A list of faults that is full takes no more, and the stages are not gone on with.
+  std::string many = "ps.1.1\n" + rows + "\nmov r0, t3\n";
+  for (std::size_t i = 0; i < kMaxTextFaults; ++i) many += "mov r0, v0_sat\n";
+  const std::string found = read_shader(many).faults;
+  EXPECT_EQ(std::count(found.begin(), found.end(), '\n'), static_cast<std::ptrdiff_t>(kMaxTextFaults));
+}
+
+// ps.1.4 divides by the third coordinate or not at all, and the stages by q.
+TEST(ShaderTextures, CoordinatesHaveNoModifiers) {
+  const auto read = [](const std::string& from) {
+    return read_shader("ps.1.4\ntexcrd r0.rgb, t0\ntexld r1, " + from + "\nmov r0, r1\n");
+  };
+  for (const std::string from : {"t1_dz", "t1_dw", "t1_bx2", "t1_of"}) {
+    EXPECT_EQ(read(from + ".xyz").faults, "3:11: '" + from +
+                                              "' has a modifier; the texture shaders of the GeForce3 have none for "
+                                              "coordinates\n");
+  }
+  const ReadShader plain = read("t1");
+  EXPECT_EQ(plain.faults, "");
+  const std::string note = "3:1: the coordinates of texture stage 1 are divided by q, which ps.1.4 does not do";
+  EXPECT_EQ(std::count(plain.notes.begin(), plain.notes.end(), note), 1);
+  // Where the stages only read textures, the combiners alone are read.
+  EXPECT_EQ(read_shader("ps.1.4\ntexld r0, t0_dz.xyz\nmov r0, r0\n").faults, "");
 }
 
 // Stages that a ps.1.1 text can have, with some that it cannot.

@@ -79,8 +79,8 @@ TEST(StageWords, WhatIsNotModelledIsKeptWithANote) {
       {"PSTextureModes = 0x00040021\n", "brdf is not modelled: no picture of the NV2A decides what it computes"},
       {"PSTextureModes = 0x00000013\n", "PSTextureModes has the reserved mode 0x13"},
       {"PSTextureModes = 0x80000001\n", "PSTextureModes has unknown bit 31"},
-      {"PSTextureModes = 1\nPSInputTexture = 0x00030000\n", "the previous stage is 3"},
-      {"PSTextureModes = 1\nPSDotMapping = 5\n", "the NV2A refuses the dot-product mappings 5 and 6"},
+      {"PSTextureModes = 0x1801\nPSInputTexture = 0x00030000\n", "the previous stage is 3"},
+      {"PSTextureModes = 0x221\nPSDotMapping = 5\n", "the NV2A refuses the dot-product mappings 5 and 6"},
   };
   for (const auto& [text, why] : words) {
     const auto program = words_of(text);
@@ -151,7 +151,8 @@ TEST(StageWords, LogsHaveMatricesAndEyesToo) {
                     ProgramForm::log, profiles::nv2a);
   ASSERT_TRUE(nan);
   EXPECT_FALSE(nan->texture_shader.enabled);
-  EXPECT_NE(nan.notes.back().text().find("BUMP_ENV_MAT[1][0] is not a number (NaN)"), std::string::npos);
+  EXPECT_NE(nan.notes.back().text().find("the bump matrix of texture stage 1 is not a finite number"),
+            std::string::npos);
 }
 
 // Every program in one form is the same in the others that can have it.

@@ -156,6 +156,10 @@ TEST(Ts10, FaultsHaveTheirPlaces) {
             "2:31: expected GEQUAL_TO_ZERO or LESS_THAN_ZERO, "
             "found 'LESS'\n");
   EXPECT_EQ(ts10_faults("texture_2d();\noffset_2d(tex0, 1, 0, 0);"), "3:24: expected ',', found ')'\n");
+  const std::string large(310, '9');
+  EXPECT_EQ(ts10_faults("texture_2d();\noffset_2d(tex0, 1, 0, 0, -" + large + ");"),
+            "3:26: '-" + large.substr(0, 39) + "…' is too large\n");
+  EXPECT_EQ(ts10_faults("texture_2d();\noffset_2d(tex0, 1, 0, 0, 0." + std::string(400, '0') + "1);"), "");
   EXPECT_EQ(ts10_faults("texture_cubemap();"),
             "2:1: 'texture_cubemap' is not a line of !!TS1.0; did you mean 'texture_cube_map'?\n");
   // What GL refuses: a chain that begins too early, and a card without the extension.

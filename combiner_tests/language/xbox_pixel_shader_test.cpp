@@ -401,6 +401,19 @@ TEST(XboxPixelShader, OtherTextsAreNot) {
   }
 }
 
+// A mark without a word in its line is a comment, whatever begins the next line.
+TEST(XboxPixelShader, ADirectiveStandsInTheLineOfItsMark) {
+  for (const char* const mark : {"#", "# ", "#/*", "#R\"(", "# a line"}) {
+    const std::string text =
+        "D3DPIXELSHADERDEF line;\n" + std::string(mark) + "\nline.PSCombinerCount = 1;\nline.PSDotMapping = 0;\n";
+    const auto parsed = parse_xbox_pixel_shader({text, ""}, kShaderProfile);
+    EXPECT_TRUE(parsed) << mark << all_faults(parsed);
+  }
+  const auto directive = parse_xbox_pixel_shader({"# /* a */ line 1\nPSCombinerCount = 1", ""}, kShaderProfile);
+  ASSERT_FALSE(directive);
+  EXPECT_NE(all_faults(directive).find("lines of the preprocessor are not read"), std::string::npos);
+}
+
 // Sources that grow take as much longer as they grow.
 TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
   const std::string beginnings[] = {"PSCombinerCount = ", "D3DPIXELSHADERDEF psd = {", "DWORD ps[] = {", "psd", ""};
@@ -416,6 +429,9 @@ TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
                                   " ",
                                   "\n",
                                   "#\n",
+                                  "#/*\n",
+                                  "#R\"(\n",
+                                  "R\"",
                                   "0x0 ",
                                   "00 ",
                                   "[",

@@ -26,23 +26,23 @@ class EvalStagesTable : public testing::Test {
   TempFolder folder_;
 };
 
-constexpr std::string_view kHeader = "texel0.r,texel0.g,at1.s,at2.t,at3.s,texel2.r,texel2.g,texel2.b,texel2.a\n";
-constexpr std::string_view kResults =
+constexpr std::string_view kStageHeader = "texel0.r,texel0.g,at1.s,at2.t,at3.s,texel2.r,texel2.g,texel2.b,texel2.a\n";
+constexpr std::string_view kStageResults =
     "out.r,out.g,out.b,out.a,tex0.r,tex0.g,tex0.b,tex0.a,tex1.r,tex1.g,tex1.b,tex1.a,tex2.r,tex2.g,tex2.b,tex2.a,tex3."
     "r,"
     "tex3.g,tex3.b,tex3.a,culled,depth,read0.s,read0.t,read0.r,read1.s,read1.t,read1.r,read2.s,read2.t,read2.r,read3.s,"
     "read3.t,read3.r\n";
 
 TEST_F(EvalStagesTable, RowsRunThroughTheStages) {
-  const Outcome outcome = eval(std::string(kHeader) + "255,51,0.5,2,0,1,2,3,4\n51,0,1,0,-1,9,8,7,6\n");
+  const Outcome outcome = eval(std::string(kStageHeader) + "255,51,0.5,2,0,1,2,3,4\n51,0,1,0,-1,9,8,7,6\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, std::string(kResults) +
+  EXPECT_EQ(outcome.out, std::string(kStageResults) +
                              "1,2,3,4,255,51,0,0,0,0,0,0,1,2,3,4,0,0,0,0,0,,0,0,0,,,,0.5,0.4,0,,,\n"
                              "9,8,7,6,51,0,0,0,0,0,0,0,9,8,7,6,0,0,0,0,1,,0,0,0,,,,0.2,0,0,,,\n");
 }
 
 TEST_F(EvalStagesTable, JsonHasNullForWhatThereIsNot) {
-  const Outcome outcome = eval(std::string(kHeader) + "255,51,0.5,2,0,1,2,3,4\n", {"--json"});
+  const Outcome outcome = eval(std::string(kStageHeader) + "255,51,0.5,2,0,1,2,3,4\n", {"--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json answer = Json::parse(outcome.out);
   EXPECT_EQ(answer["command"], "eval");

@@ -81,6 +81,33 @@ TEST_F(PixelShaderTool, IncludedFilesLieInTheShadersFolder) {
   EXPECT_EQ(ninebit({"validate", beside}).code, 0);
 }
 
+// '\' separates folders, and is followed as far as '/' is; "-" is a file as any other.
+TEST_F(PixelShaderTool, IncludedNamesAreNotReadAnotherWay) {
+  namespace fs = std::filesystem;
+  const fs::path top = folder_.path();
+  fs::create_directories(top / "in" / "deep");
+  (void)file("mov r0, v0\n", "secret.psh");
+  (void)file("mov r0, v0\n", "in/deep/body.psh");
+  fs::create_directory_symlink("..", top / "in" / "link");
+  const std::string out = file("ps.1.1\n#include \"link\\secret.psh\"\n", "in/out.psh");
+  expect_error(ninebit({"validate", out}), 3, {"out.psh:2:", "was not read; expected a text below the folder"});
+  EXPECT_EQ(ninebit({"validate", out, "--allow-outside"}).code, 0);
+  EXPECT_EQ(ninebit({"validate", file("ps.1.1\n#include \"deep\\body.psh\"\n", "in/below.psh")}).code, 0);
+  // The folder's own name may have such a mark.
+  fs::create_directory(top / "a\\b");
+  (void)file("mov r0, v0\n", "a\\b/body.psh");
+  EXPECT_EQ(ninebit({"validate", file("ps.1.1\n#include \"body.psh\"\n", "a\\b/whole.psh")}).code, 0);
+  (void)file("mov r0, v0\n", "-");
+  (void)file("ps.1.1\n#include \"-\"\n", "dash.psh");
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--allow-outside"}}) {
+    std::vector<std::string> verb{"validate", "dash.psh"};
+    verb.insert(verb.end(), more.begin(), more.end());
+    const std::string in = file("a wrong text\n", "in.txt");
+    const Outcome outcome = ninebit(verb, {.folder = top.string(), .in = in});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  }
+}
+
 // Every verb that reads programs takes the values that a shader's conditions need.
 TEST_F(PixelShaderTool, DefinitionsAreTakenByEveryVerb) {
   const std::string body = "mov r0.rgb, v1\n+mov r0.a, v0\n";

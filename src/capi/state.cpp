@@ -6,6 +6,7 @@
 #include "ninebit/language/program_text.h"
 #include "ninebit/language/register_words.h"
 #include "src/capi/handles.h"
+#include "src/language/xbox/stage_words.h"
 
 namespace ninebit::capi {
 namespace {
@@ -148,6 +149,11 @@ ninebit_result ninebit_state_print(const ninebit_state* state, int form, char** 
     if (state == nullptr) return wrong_argument("state is NULL", error);
     if (!is_form(form)) return wrong_argument("form is not a value of ninebit_form", error);
     const ninebit::Form& row = ninebit::form_row(form_of(form));
+    const bool has_words = row.has_words || row.name == "xbox";
+    if (const std::string lost = has_words ? ninebit::xbox::not_in_stage_words(state->context.texture_shader()) : "";
+        !lost.empty()) {
+      return invalid_input("the form has no place for " + lost, error);
+    }
     const auto printed = row.print(program_of(*state), chip_of(form), state->context.profile());
     if (!printed) return invalid_input(printed.error().text(), error);
     return give(*printed, text, error);

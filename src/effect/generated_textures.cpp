@@ -122,8 +122,8 @@ Result<Texture> attenuation() {
 namespace {
 
 Status check_heights(const Texture& heights, const char* what) {
-  if (heights.target == TextureTarget::cube_map) {
-    return Diagnostic{.message = std::string(what) + " is made from a 2D texture, not from a cube map"};
+  if (heights.target != TextureTarget::texture_2d) {
+    return Diagnostic{.message = std::string(what) + " is made from a 2D texture, not from one of another kind"};
   }
   if (heights.faces[0].empty() || !std::holds_alternative<BytePlanes>(heights.faces[0][0].planes)) {
     return Diagnostic{.message = std::string(what) + " is made from a texture of bytes with a level 0"};

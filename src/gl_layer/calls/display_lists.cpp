@@ -259,7 +259,7 @@ GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
     return record(*context, [n, type, copy] { glCallLists(n, type, copy.data()); });
   }
   // One list may change what the shader of the next depends on.
-  if (!context->group->had_steps && (context->in_begin || !context->combiners.register_combiners_enabled())) {
+  if (!context->group->had_steps && (context->in_begin || !computes_colors(*context))) {
     if (!context->in_begin) prepare_draw(*context);
     found_driver.CallLists(n, type, lists);
     return context->forget();

@@ -17,7 +17,7 @@ namespace {
 std::vector<const char*> added_extensions(const Context& context) {
   std::vector<const char*> names{"GL_NV_register_combiners"};
   if (context.combiners.profile().per_stage_constants) names.push_back("GL_NV_register_combiners2");
-  if (context.combiners.profile().texture_shaders) {
+  if (context.combiners.profile().texture_shaders && context.features.texture_shader_formats) {
     names.push_back("GL_NV_texture_shader");
     names.push_back("GL_NV_texture_shader2");
   }

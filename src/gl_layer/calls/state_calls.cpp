@@ -66,7 +66,7 @@ void push(Context& context, GLbitfield mask) {
   found_driver.PushAttrib(mask);
   const int depth = stack_depth();
   if (depth == before || (mask & kGroups) == 0) return;
-  SavedState saved{.mask = mask, .depth = depth};
+  SavedState saved{.mask = mask, .depth = depth, .no_environment = context.no_environment};
   if (context.touched) saved.combiners = std::make_unique<front::Context>(context.combiners);
   context.attribute_stack.push_back(std::move(saved));
 }
@@ -80,6 +80,7 @@ void restore(Context& context, const SavedState& saved) {
   if ((saved.mask & GL_TEXTURE_BIT) != 0) {
     context.combiners.state() = combiners.state();
     context.combiners.texture_shader() = combiners.texture_shader();
+    context.no_environment = saved.no_environment;
   } else {
     context.combiners.state().per_stage_constants = combiners.state().per_stage_constants;
   }

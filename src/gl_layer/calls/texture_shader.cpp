@@ -109,7 +109,9 @@ bool takes_environment(GLenum target, GLenum pname, GLfloat first) {
   if (context->open_list != nullptr) context->open_list->stale = true;
   if (target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE) return false;
   const bool is_none = first == 0.0F;
-  if (is_none || context->touched) set_no_environment(is_none);
+  if (is_none && driver_integer(GL_ACTIVE_TEXTURE) >= GL_TEXTURE0 + static_cast<GLint>(kLayerUnits)) return false;
+  context->touched = context->touched || is_none;
+  if (context->touched) set_no_environment(is_none);
   return is_none;
 }
 

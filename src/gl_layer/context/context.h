@@ -56,8 +56,9 @@ struct OpenList {
 // The layer's own state that glPushAttrib saves.
 struct SavedState {
   unsigned mask = 0;
-  int depth = 0;                             // of the driver's stack after the push
-  std::unique_ptr<gl::Context> combiners{};  // for the texture group, and for the enables
+  int depth = 0;                                   // of the driver's stack after the push
+  std::unique_ptr<gl::Context> combiners{};        // for the texture group, and for the enables
+  std::array<bool, kLayerUnits> no_environment{};  // for the texture group
 };
 
 class Context {

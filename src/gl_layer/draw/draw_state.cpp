@@ -113,7 +113,6 @@ TextureShaderProgram stages_of(const Context& context, std::array<UnitInput, kLa
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
     if (!program->stage[i].inconsistent.empty()) units[i] = {};
   }
-  for (const std::string& warning : program->warnings()) log_once(warning);
   return *program;
 }
 
@@ -142,6 +141,7 @@ ShaderInputs find_inputs(const Context& context) {
   ShaderInputs inputs;
   if (context.combiners.texture_shader().enabled) {
     inputs.stages = stages_of(context, inputs.units);
+    for (const std::string& warning : inputs.stages->warnings()) log_once(warning);
   } else {
     visit_units(context, [&](std::size_t i) { inputs.units[i] = unit_input(enabled_target(context.features)); });
   }
@@ -183,14 +183,9 @@ ShaderInputs inputs_of(const Program& program, ShaderInputs inputs) {
   return inputs;
 }
 
-// Whether the layer has something to compute.
-bool is_needed(const Context& context) {
-  return context.combiners.register_combiners_enabled() || context.combiners.texture_shader().enabled;
-}
-
 // Whether a shader of the layer computes the colour; finds the inputs again if they may have changed.
 bool combiners_apply(Context& context) {
-  if (!is_needed(context)) return false;
+  if (!computes_colors(context)) return false;
   if (context.app_program != 0) {
     log_once(
         "combiners or texture shaders are enabled while shaders of the program itself are current: its shaders draw");
@@ -244,9 +239,13 @@ void upload_stage_numbers(CachedProgram& cached, const TextureShaderState& state
 
 }  // namespace
 
+bool computes_colors(const Context& context) {
+  return context.combiners.register_combiners_enabled() || context.combiners.texture_shader().enabled;
+}
+
 bool needs_preparation(const Context& context) {
   if (!context.touched) return false;
-  if (!is_needed(context)) return context.bound;
+  if (!computes_colors(context)) return context.bound;
   return !context.bound || context.inputs_stale || context.program_stale || context.constants_stale;
 }
 

@@ -5,6 +5,9 @@
 
 namespace ninebit::gl_layer {
 
+// Whether combiners or texture shaders are enabled, so that the layer computes colours.
+[[nodiscard]] bool computes_colors(const Context& context);
+
 // Whether prepare_draw would do anything.
 [[nodiscard]] bool needs_preparation(const Context& context);
 

@@ -101,6 +101,9 @@ DriverFeatures find_features() {
   features.rectangle = has_word(extensions, "GL_ARB_texture_rectangle") ||
                        has_word(extensions, "GL_NV_texture_rectangle") ||
                        has_word(extensions, "GL_EXT_texture_rectangle");
+  features.texture_shader_formats = has_word(extensions, "GL_EXT_texture_snorm") &&
+                                    has_word(extensions, "GL_ARB_texture_rg") &&
+                                    has_word(extensions, "GL_ARB_texture_float");
   return features;
 }
 

@@ -16,6 +16,11 @@ bool is_signed(TexelKind kind) {
   return kind == TexelKind::signed_color || kind == TexelKind::signed_rgb_unsigned_alpha;
 }
 
+bool is_for_stages(TexelKind kind) {
+  return kind == TexelKind::hilo || kind == TexelKind::signed_hilo || kind == TexelKind::dsdt ||
+         kind == TexelKind::dsdt_mag;
+}
+
 bool is_comparison(TexelKind kind) {
   return kind == TexelKind::comparison || kind == TexelKind::comparison_in_alpha;
 }
@@ -98,7 +103,7 @@ std::string bytes_of(TexelKind kind) {
     case TexelKind::dsdt:
       return "(ivec4(floor(clamp(vec4(0.0, v.gr, 0.0), -1.0, 1.0) * 127.0 + 0.5))) & 255";
     case TexelKind::dsdt_mag:
-      return "ivec4(int(floor(clamp(v.b, 0.0, 1.0) * 127.0 + 0.5)) * 255 / 127, "
+      return "ivec4(int(floor(clamp(v.b, 0.0, 1.0) * 255.0 + 0.5)), "
              "ivec2(floor(clamp(v.gr, -1.0, 1.0) * 127.0 + 0.5)) & 255, 0)";
     default:
       return "ivec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5))";
@@ -173,6 +178,11 @@ std::string unit_lines(const HardwareProfile& profile, const ShaderInputs& input
     codes += "  ivec4 texture" + index + " = ";
     if (unit.target == StageTarget::none) {
       codes += "ivec4(0, 0, 0, " + code_of_byte(profile, profile.disabled_texture_alpha) + ");\n";
+      continue;
+    }
+    if (is_for_stages(unit.kind)) {
+      codes += "ivec4(0);\n";  // HILO and DSDT texels are not colours
+      texels += "  vec4 texel" + index + " = vec4(0.0);\n";
       continue;
     }
     texels += texel_lines(unit, i);

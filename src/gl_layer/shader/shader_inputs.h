@@ -23,7 +23,7 @@ enum class TexelKind : std::uint8_t {
   comparison,
   comparison_in_alpha,
   signed_color,               // red, green, blue, alpha in two's complement
-  signed_rgb_unsigned_alpha,  // in 16 bits
+  signed_rgb_unsigned_alpha,  // also where there is no alpha, which is 1
   hilo,                       // 16 bits in red and green
   signed_hilo,
   dsdt,     // in red and green

@@ -12,12 +12,12 @@ constexpr Format kFormats[]{{GL_HILO_NV, GL_RG16},
                             {GL_SIGNED_HILO16_NV, GL_RG16_SNORM},
                             {GL_DSDT_NV, GL_RG8_SNORM},
                             {GL_DSDT8_NV, GL_RG8_SNORM},
-                            {GL_DSDT_MAG_NV, GL_RGB8_SNORM},
-                            {GL_DSDT8_MAG8_NV, GL_RGB8_SNORM},
+                            {GL_DSDT_MAG_NV, GL_RGB32F},  // no format of bytes has two signed and one unsigned
+                            {GL_DSDT8_MAG8_NV, GL_RGB32F},
                             {GL_SIGNED_RGBA_NV, GL_RGBA8_SNORM},
                             {GL_SIGNED_RGBA8_NV, GL_RGBA8_SNORM},
-                            {GL_SIGNED_RGB_NV, GL_RGBA8_SNORM},  // RGB8_SNORM is DSDT8_MAG8; alpha is 1
-                            {GL_SIGNED_RGB8_NV, GL_RGBA8_SNORM},
+                            {GL_SIGNED_RGB_NV, GL_RGB8_SNORM},
+                            {GL_SIGNED_RGB8_NV, GL_RGB8_SNORM},
                             {GL_SIGNED_RGB_UNSIGNED_ALPHA_NV, GL_RGBA16_SNORM},
                             {GL_SIGNED_RGB8_UNSIGNED_ALPHA8_NV, GL_RGBA16_SNORM},
                             {GL_SIGNED_LUMINANCE_NV, GL_LUMINANCE8_SNORM},
@@ -73,12 +73,13 @@ TexelKind kind_of_stored_format(GLenum internal) {
       return TexelKind::signed_hilo;
     case GL_RG8_SNORM:
       return TexelKind::dsdt;
-    case GL_RGB8_SNORM:
+    case GL_RGB32F:
       return TexelKind::dsdt_mag;
     case GL_RGBA16_SNORM:
+    case GL_RGB8_SNORM:        // whose alpha is 1
+    case GL_LUMINANCE8_SNORM:  // likewise
       return TexelKind::signed_rgb_unsigned_alpha;
     case GL_RGBA8_SNORM:
-    case GL_LUMINANCE8_SNORM:
     case GL_LUMINANCE8_ALPHA8_SNORM:
     case GL_ALPHA8_SNORM:
     case GL_INTENSITY8_SNORM:

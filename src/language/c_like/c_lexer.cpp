@@ -101,8 +101,9 @@ std::size_t Lexer::quoted_end(char quote) const {
 // R"delimiter( … )delimiter", whose quote is at `quote`.
 std::size_t Lexer::raw_text_end(std::size_t quote) const {
   constexpr std::size_t kLongestDelimiter = 16;
-  const std::size_t open = text_.find('(', quote);
-  if (open == std::string_view::npos || open - quote > kLongestDelimiter + 1) return quote + 1;
+  const std::size_t length = text_.substr(quote, kLongestDelimiter + 2).find('(');
+  if (length == std::string_view::npos) return quote + 1;
+  const std::size_t open = quote + length;
   const std::string close = ")" + std::string(text_.substr(quote + 1, open - quote - 1)) + "\"";
   const std::size_t found = text_.find(close, open);
   return found == std::string_view::npos ? text_.size() : found + close.size();

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "ninebit/language/source_text.h"
 #include "src/language/c_like/c_condition.h"
 #include "src/language/source/nearest_name.h"
 #include "src/language/source/source_faults.h"
@@ -39,6 +40,7 @@ Token Preprocessor::next() {
     text.held.reset();
     if (token.kind == Token::Kind::end) {
       if (texts_.size() == 1) return token;
+      end_text();
       texts_.pop_back();
       continue;
     }
@@ -82,11 +84,14 @@ void Preprocessor::obey(const Token& directive, const std::vector<Token>& line) 
   if (directive.is("if") || directive.is("ifdef") || directive.is("ifndef")) {
     const bool names = directive.is("if") || (!line.empty() && line[0].is_name());
     if (!names && reads()) fault(hash_, "expected a name after #" + std::string(directive.text));
-    OpenGroup group{.hash = hash_, .outer = reads()};
+    OpenGroup group{.hash = hash_, .depth = texts_.size(), .outer = reads()};
     group.reads = group.taken = group.outer && chosen();
     open_.push_back(group);
   } else if (directive.is("else") || directive.is("elif") || directive.is("endif")) {
-    if (open_.empty()) return fault(hash_, "'#" + std::string(directive.text) + "' without #if");
+    // A file does not go on with another one's conditions.
+    if (open_.empty() || open_.back().depth < texts_.size()) {
+      return fault(hash_, "'#" + std::string(directive.text) + "' without #if");
+    }
     if (directive.is("endif")) return open_.pop_back();
     OpenGroup& group = open_.back();
     if (group.has_else) fault(hash_, "'#" + std::string(directive.text) + "' after #else");
@@ -119,7 +124,14 @@ void Preprocessor::fault(const Token& at, const std::string& message) const {
 }
 
 void Preprocessor::finish() {
-  if (!open_.empty()) fault(open_.back().hash, "unterminated condition; expected #endif");
+  end_text();
+}
+
+// Reports a condition that the text leaves open, and closes all of the text's.
+void Preprocessor::end_text() {
+  if (open_.empty() || open_.back().depth < texts_.size()) return;
+  fault(open_.back().hash, "unterminated condition; expected #endif");
+  while (!open_.empty() && open_.back().depth == texts_.size()) open_.pop_back();
 }
 
 // Whether a line names a macro that the text may change.
@@ -199,19 +211,28 @@ void Preprocessor::include(const Token& directive, const std::vector<Token>& lin
   const bool named = line.size() == 1 && line[0].kind == Token::Kind::text && written.size() > 2;
   const std::string_view name = named ? line[0].text.substr(1, written.size() - 2) : std::string_view();
   if (named && once_.contains(name)) return;
-  const std::string* const text = options_.include && named ? options_.include(name) : nullptr;
+  if (too_many_included_) return;
+  const bool reads_file = options_.include && named;
+  const auto too_many = [&](const std::string& why) {
+    too_many_included_ = true;
+    if (options_.endless) options_.endless(outer(directive), detail::quoted(name) + why);
+  };
+  if (reads_file && (texts_.size() > kMostIncluded || included_ == kMostFiles)) {
+    const bool repeats =
+        std::any_of(texts_.begin(), texts_.end(), [&](const Text& one) { return one.include && one.name == name; });
+    return too_many(repeats ? " includes itself"
+                            : " is one included file too many; expected at most 16 inside "
+                              "of each other, and 200 in all");
+  }
+  const std::string* const text = reads_file ? options_.include(name) : nullptr;
   if (text == nullptr) {
     if (options_.skipped) options_.skipped(outer(directive), written);
     return;
   }
-  if (texts_.size() > kMostIncluded || ++included_ > kMostFiles) {
-    const bool repeats =
-        std::any_of(texts_.begin(), texts_.end(), [&](const Text& one) { return one.include && one.name == name; });
-    const std::string why = repeats ? " includes itself"
-                                    : " is one included file too many; expected at most 16 inside "
-                                      "of each other, and 200 in all";
-    if (options_.endless) options_.endless(outer(directive), detail::quoted(name) + why);
-    return;
+  ++included_;
+  included_bytes_ += text->size();
+  if (included_bytes_ > kMaxSourceBytes) {
+    return too_many(" makes the included files longer than " + std::to_string(kMaxSourceBytes) + " bytes together");
   }
   texts_.push_back({Lexer(*text), {}, outer(directive), name});
 }

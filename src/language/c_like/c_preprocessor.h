@@ -34,7 +34,8 @@ struct PreprocessorOptions {
   std::function<void(const Token&, const std::string&)> skipped{};
   // Reports a fault of a directive with its place in the text itself. Without this function faults are ignored.
   std::function<void(const Token&, const std::string&)> fault{};
-  // Files that include each other without an end, or too many; as `fault`, and never ignored.
+  // Files that include each other without an end, or too many; as `fault`, and never ignored. No other file is read
+  // then.
   std::function<void(const Token&, const std::string&)> endless{};
 };
 
@@ -50,10 +51,11 @@ class Preprocessor {
 
  private:
   struct OpenGroup {
-    Token hash{};        // of the line that opens it
-    bool outer = true;   // whether the part around it is read
-    bool reads = false;  // the current branch
-    bool taken = false;  // a branch was read
+    Token hash{};           // of the line that opens it
+    std::size_t depth = 1;  // of its text: 1 is the text itself
+    bool outer = true;      // whether the part around it is read
+    bool reads = false;     // the current branch
+    bool taken = false;     // a branch was read
     bool has_else = false;
   };
   struct Text {
@@ -64,6 +66,7 @@ class Preprocessor {
   };
 
   Token next();
+  void end_text();
   void directive();
   void obey(const Token& directive, const std::vector<Token>& line);
   void fault(const Token& at, const std::string& message) const;
@@ -78,7 +81,8 @@ class Preprocessor {
   PreprocessorOptions options_;
   std::vector<Text> texts_;  // the file, and those included now
   std::vector<OpenGroup> open_;
-  std::size_t included_ = 0;
+  std::size_t included_ = 0, included_bytes_ = 0;
+  bool too_many_included_ = false;   // it was reported, and no more files are read
   std::set<std::string_view> once_;  // files that are not read again
   Token hash_{};                     // of the directive that is obeyed
   MacroExpander expander_;

@@ -96,8 +96,9 @@ class Call {
       case gl::GL_SHADER_OPERATION_NV:
         for (const TextureOperationInfo& info : texture_operations()) {
           if (info.gl_value == 0 || arguments_[2].real != static_cast<double>(info.gl_value)) continue;
-          return place + ": " + quoted(value) + " is for stages " + std::to_string(info.first) + " to " +
-                 std::to_string(info.last) + " only";
+          const std::string first = std::to_string(info.first), last = std::to_string(info.last);
+          return place + ": " + quoted(value) + " is for " +
+                 (first == last ? "stage " + first : "stages " + first + " to " + last) + " only";
         }
         return "expected an operation, such as GL_TEXTURE_2D or GL_DOT_PRODUCT_NV, not " + quoted(value);
       case gl::GL_PREVIOUS_TEXTURE_INPUT_NV:

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,6 +55,9 @@ class GlParser {
     if (!reads_stages_ && context_.texture_shader().enabled) {
       notes_.add(0, "GL_TEXTURE_SHADER_NV is enabled; texture shaders are not for combiners");
     }
+    if (reads_stages_ && !context_.texture_shader().enabled && context_.texture_shader() != TextureShaderState{}) {
+      notes_.add(0, "texture shaders are set and not enabled by GL_TEXTURE_SHADER_NV: they have no effect");
+    }
     return {state, notes_.take()};
   }
 
@@ -90,7 +95,16 @@ class GlParser {
 
   // A call of a dump, which has a number before it. Those that set no combiners are skipped.
   bool dump_line(const detail::GlDumpLine& line) {
-    const GlSignature* const stage_call = reads_stages_ ? stage_call_of(line) : nullptr;
+    const GlSignature* stage_call = reads_stages_ ? stage_call_of(line) : nullptr;
+    if (stage_call != nullptr && stage_call->command == detail::GlCommand::active_texture) {
+      beyond_units_ = selects_unit_beyond(stage_call, line);
+      if (beyond_units_) stage_call = nullptr;
+    } else if (stage_call != nullptr && beyond_units_ && stage_call->command >= detail::GlCommand::tex_env_i) {
+      faults_.add(line.call,
+                  "the active texture unit is beyond those of profile " + std::string(context_.profile().name));
+      lexer_.move_to(line.end);
+      return true;
+    }
     if (line.sets_combiners || stage_call != nullptr) {
       lexer_.move_to(line.call);
       dump_end_ = line.end;
@@ -111,10 +125,26 @@ class GlParser {
     if (!context_.profile().texture_shaders) return nullptr;
     const GlSignature* const call = named_call(line.name);
     const std::string_view text = text_.substr(line.call, line.end - line.call);
-    const bool names_stages =
-        text.find("TEXTURE_SHADER_NV") != std::string_view::npos || text.find("0x86de") != std::string_view::npos;
+    const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
+    const bool names_stages = has("TEXTURE_SHADER_NV") || has("0x86de") || has("0x86DE");
     const bool is_unit = call != nullptr && call->command == detail::GlCommand::active_texture;
     return is_unit || names_stages ? call : nullptr;
+  }
+
+  // Whether glActiveTexture of a dump selects a unit that the profile does not have, where there can be no stages.
+  [[nodiscard]] bool selects_unit_beyond(const GlSignature* call, const detail::GlDumpLine& line) const {
+    if (call == nullptr || call->command != detail::GlCommand::active_texture) return false;
+    const std::string_view text = text_.substr(line.call, line.end - line.call);
+    const int units = std::min(context_.profile().texture_units.value, kTextureStages);
+    for (const auto& [word, first, base] : {std::tuple{std::string_view("GL_TEXTURE"), 0, 10}, {"0x", 0x84C0, 16}}) {
+      const std::size_t at = text.find(word);
+      if (at == std::string_view::npos) continue;
+      int unit = 0;
+      const char* const begin = text.data() + at + word.size();
+      const auto [end, error] = std::from_chars(begin, text.data() + text.size(), unit, base);
+      return end != begin && (error != std::errc{} || unit < first || unit >= first + units);
+    }
+    return false;
   }
 
   void note_skipped() {
@@ -235,8 +265,9 @@ class GlParser {
   GlArgumentReader values_;
   gl::Context context_;
   bool has_semicolons_, reads_stages_;
-  bool called_ = false;       // a call of the combiners was found
-  std::size_t dump_end_ = 0;  // of the line of a dump that is read; else 0
+  bool beyond_units_ = false;  // a dump has selected a unit that the profile does not have
+  bool called_ = false;        // a call of the combiners was found
+  std::size_t dump_end_ = 0;   // of the line of a dump that is read; else 0
   std::size_t skipped_ = 0, first_skipped_ = 0;
   std::vector<std::string_view> skipped_names_;
 };

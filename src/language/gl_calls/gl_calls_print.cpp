@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ninebit/language/gl_calls.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/gl_nv/gl_nv_access.h"
 #include "src/language/source/beyond_opengl.h"
@@ -176,6 +177,9 @@ Result<std::string> print_gl_calls(const CombinerState& state, const HardwarePro
                                    const TextureShaderState& texture_shader) {
   if (const std::string beyond = beyond_opengl(normalize(state, profile)); !beyond.empty()) {
     return Diagnostic{.message = "OpenGL has no " + beyond};
+  }
+  if (const auto refused = validate(texture_shader, profile); !refused.empty()) {
+    return Diagnostic{.message = refused.front().message};
   }
   if (const std::string beyond = beyond_opengl(texture_shader); texture_shader.enabled && !beyond.empty()) {
     return Diagnostic{.message = "OpenGL has no " + beyond};

@@ -38,7 +38,16 @@ Parsed<TextProgram> program_with_words(Parsed<CombinerState> state, TextProgram 
                                        const HardwareProfile& profile,
                                        const std::vector<RegisterWord>& registers = {}) {
   auto program = program_with(std::move(state), std::move(read));
-  if (!program || program->texture_shader.enabled) return program;
+  if (!program) return program;
+  if (program->texture_shader.enabled) {
+    for (const RegisterWord& word : program->other_words) {
+      if (!xbox::is_stage_word(word.name) || word.value == 0) continue;
+      return std::vector{TextFault{std::string(file), word.place.line, word.place.column,
+                                   word.name + " stands beside texture_shader, which has the same stages; expected one "
+                                               "of them"}};
+    }
+    return program;
+  }
   std::vector<RegisterWord> words = program->other_words;
   words.insert(words.end(), registers.begin(), registers.end());
   const xbox::StageWords stages = xbox::decode_stage_words(words);
@@ -47,6 +56,10 @@ Parsed<TextProgram> program_with_words(Parsed<CombinerState> state, TextProgram 
                              "texture stages are skipped, and their words kept: " + stages.why});
   } else if (stages.state.enabled && (profile.texture_shaders || !only_reads_textures(stages.state))) {
     program->texture_shader = stages.state;
+    if (!stages.missing.empty()) {
+      program.notes.push_back({std::string(file), stages.place.line, stages.place.column,
+                               stages.missing + ": no word has it, and OpenGL's default stands for it"});
+    }
     std::erase_if(program->other_words, [](const RegisterWord& word) { return xbox::is_stage_word(word.name); });
   }
   return program;
@@ -126,6 +139,7 @@ Diagnostic has_stages() {
 
 // Stages with unsigned textures of the kinds that they read, by the chip's rules, which take any format.
 Result<TextureShaderProgram> compile_for_text(TextureShaderState state, const HardwareProfile& profile) {
+  const bool is_opengl = state.rules == StageRules::open_gl;
   state.rules = StageRules::nv2a;
   StageTextures textures;
   for (std::size_t i = 0; i < textures.size(); ++i) {
@@ -134,6 +148,7 @@ Result<TextureShaderProgram> compile_for_text(TextureShaderState state, const Ha
   }
   auto program = compile(state, textures, profile);
   if (!program) return program;
+  if (is_opengl) program->choices.off_alpha = 0;
   const auto warnings = program->warnings();
   return warnings.empty() ? program : Diagnostic{.message = warnings.front()};
 }
@@ -370,6 +385,7 @@ Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form, co
 }
 
 bool only_reads_textures(const TextureShaderState& stages) {
+  if (stages.enabled && only_used(stages).converts_yuv) return false;
   return !stages.enabled || std::all_of(stages.stage.begin(), stages.stage.end(), [](const TextureStage& stage) {
     return stage.operation <= TextureOperation::texture_cube_map;
   });

@@ -18,6 +18,7 @@ InputMapping mapping_of(ShaderModifier modifier, bool saturated) {
       return InputMapping::unsigned_identity;
     case ShaderModifier::none:
     case ShaderModifier::by_two:
+    case ShaderModifier::other:
       break;
   }
   return saturated ? InputMapping::unsigned_identity : InputMapping::signed_identity;

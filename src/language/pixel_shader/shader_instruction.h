@@ -23,7 +23,8 @@ struct ShaderVersion {
 };
 
 enum class ShaderFile : std::uint8_t { temporary, texture, color, constant, fog, zero, one, sum, product, discard };
-enum class ShaderModifier : std::uint8_t { none, bias, expand, by_two, saturate };
+// `other`: of a texture instruction's source, one that is neither _bx2 nor none, such as _dz.
+enum class ShaderModifier : std::uint8_t { none, bias, expand, by_two, saturate, other };
 enum class ShaderSelector : std::uint8_t { none, rgb, alpha, blue, red, green };
 
 // A source: -r0_bx2.a, 1-t0.

@@ -252,6 +252,16 @@ std::optional<ShaderOperand> ShaderOperandReader::operand() {
   return out;
 }
 
+std::optional<ShaderOperand> ShaderOperandReader::coordinates() {
+  const auto from = read_register();
+  if (!from) return std::nullopt;
+  ShaderOperand out{.offset = from->offset, .text = from->text, .file = from->file, .index = from->index};
+  if (!from->modifiers.empty()) {
+    out.modifier = from->modifiers == "_bx2" ? ShaderModifier::expand : ShaderModifier::other;
+  }
+  return out;
+}
+
 std::optional<ShaderOperand> ShaderOperandReader::printed_number(ShaderOperand out) {
   const ShaderToken& token = in_.peek();
   const std::string_view digits = token.text.substr(0, token.text.find_last_not_of("0f") + 1);

@@ -44,6 +44,8 @@ class ShaderOperandReader {
 
   std::optional<ShaderTarget> target();
   std::optional<ShaderOperand> operand();
+  // A texture instruction's operand, which is not the combiners': t0_bx2, c0, and t0_dw.xyw of ps.1.4.
+  std::optional<ShaderOperand> coordinates();
   // Reports what was found in place of `what`.
   void expected(const std::string& what);
   // "; an included file may define it", or empty.

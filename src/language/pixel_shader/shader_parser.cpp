@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -219,32 +218,11 @@ class ShaderParser {
     for (int i = 0; i < out.row->operands; ++i) {
       if (fetches && !in_.peek().is(',')) return true;
       if ((i > 0 || out.row->targets > 0) && !comma()) return false;
-      const auto operand = fetches ? coordinates() : reader().operand();
+      const auto operand = fetches ? reader().coordinates() : reader().operand();
       if (!operand) return false;
       out.operands.push_back(*operand);
     }
     return true;
-  }
-
-  // A texture instruction's operands are not the combiners': t0_bx2, c0, and r0_dw.xyw of ps.1.4.
-  std::optional<ShaderOperand> coordinates() {
-    const ShaderToken& word = in_.peek();
-    const std::string name = lower_case(word.text);
-    const bool is_register = word.kind == TokenKind::word && name.size() > 1 && is_digit(name[1]) &&
-                             std::string_view("rtcv").find(name[0]) != std::string_view::npos;
-    if (!is_register) {
-      reader().expected("a register");
-      return std::nullopt;
-    }
-    in_.take();
-    ShaderOperand out{.offset = word.offset, .text = word.text, .index = name[1] - '0'};
-    out.file = name[0] == 'r'   ? ShaderFile::temporary
-               : name[0] == 'c' ? ShaderFile::constant
-               : name[0] == 'v' ? ShaderFile::color
-                                : ShaderFile::texture;
-    if (name.size() > 2) out.modifier = name.substr(2) == "_bx2" ? ShaderModifier::expand : ShaderModifier::saturate;
-    if (in_.take_if('.') && in_.peek().kind == TokenKind::word) in_.take();
-    return out;
   }
 
   // def c0, r, g, b, a

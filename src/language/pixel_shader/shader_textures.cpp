@@ -54,16 +54,17 @@ class ShaderTextures {
 
   TextureShaderState translate() {
     const std::size_t before = faults_.count();
+    is_plain_ = std::all_of(text_.instructions.begin(), text_.instructions.end(), [](const ShaderInstruction& one) {
+      return one.op() != ShaderOp::texture || one.row->name == "tex" || one.row->name == "texld";
+    });
     for (const ShaderInstruction& one : text_.instructions) {
       if (one.op() == ShaderOp::texture) stage(one);
     }
     for (std::size_t place = 0; place < at_.size(); ++place) {
       if (at_[place] != nullptr) check_rows(place);
     }
-    const bool is_plain = std::all_of(at_.begin(), at_.end(), [](const ShaderInstruction* one) {
-      return one == nullptr || one->row->name == "tex" || one->row->name == "texld";
-    });
-    if (faults_.count() > before || is_plain) return {};
+    // A full list drops faults, and its count tells nothing.
+    if (faults_.full() || faults_.count() > before || is_plain_) return {};
     state_.enabled = true;
     if (text_.version.is_xbox) {
       state_.rules = StageRules::nv2a;
@@ -125,6 +126,11 @@ class ShaderTextures {
                                           " reads a texture at a register's value; the texture "
                                           "shaders of the GeForce3 have no such operation");
     }
+    if (from.modifier != ShaderModifier::none && !is_plain_) {
+      return faults_.add(from.offset, quoted(from.text) +
+                                          " has a modifier; the texture shaders of the GeForce3 have none for "
+                                          "coordinates");
+    }
     if (from.index != static_cast<int>(place)) {
       notes_.add(from.offset, "unit " + std::to_string(place) + " gets the coordinates of " + std::string(from.text));
     }
@@ -159,6 +165,10 @@ class ShaderTextures {
   void eye(const ShaderInstruction& one, TextureStage& stage) {
     if (one.operands.size() < 2 || one.operands[1].file != ShaderFile::constant) {
       return faults_.add(one.offset, quoted(one.row->name) + " needs a constant with the eye vector, such as c0");
+    }
+    if (one.operands[1].modifier != ShaderModifier::none) {
+      return faults_.add(one.operands[1].offset,
+                         quoted(one.operands[1].text) + " has a modifier; expected a constant without one");
     }
     const ShaderConstant& constant = text_.constants.at(static_cast<std::size_t>(one.operands[1].index));
     if (constant.defined) std::copy_n(constant.color.begin(), 3, stage.eye.begin());
@@ -197,6 +207,9 @@ class ShaderTextures {
         notes_.add(one->offset, "the coordinates of " + stage + " are clamped to 0 to 1, which ps.1.4 does not do");
       } else if (name == "tex" || name == "texld") {
         notes_.add(one->offset, stage + " reads a texture of the kind that the application sets; a 2D one is assumed");
+        if (text_.version.minor == 4) {
+          notes_.add(one->offset, "the coordinates of " + stage + " are divided by q, which ps.1.4 does not do");
+        }
       } else if (name.starts_with("texbem")) {
         notes_.add(one->offset, "the application sets the bump matrix of " + stage +
                                     (name == "texbeml" ? ", its luminance scale and its offset" : "") +
@@ -204,7 +217,7 @@ class ShaderTextures {
       } else if (name == "texm3x3tex") {
         notes_.add(one->offset,
                    stage + " reads a texture of the kind that the application sets; a cube map is assumed");
-      } else if (name == "texm3x3spec" &&
+      } else if (name == "texm3x3spec" && one->operands.size() > 1 &&
                  !text_.constants.at(static_cast<std::size_t>(one->operands[1].index)).defined) {
         notes_.add(one->operands[1].offset, "the application sets " + std::string(one->operands[1].text) +
                                                 ", the eye vector of " + stage + "; (0, 0, -1) is assumed");
@@ -216,6 +229,7 @@ class ShaderTextures {
   const HardwareProfile& profile_;
   SourceFaults &faults_, &notes_;
   TextureShaderState state_;
+  bool is_plain_ = false;  // the stages only read textures, as without texture shaders
   std::array<const ShaderInstruction*, kTextureStages> at_{};  // by stage
   std::size_t first_ = 0;                                      // the offset of the first of them
 };

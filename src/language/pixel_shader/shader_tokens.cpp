@@ -192,7 +192,7 @@ class TokenReader {
     const std::uint32_t swizzle = token.value >> 16 & 0xff, modifier = token.value >> 24 & 15;
     constexpr std::uint32_t kExpand = 4;
     if (one.op() == ShaderOp::texture) {  // its operands are not the combiners'
-      if (modifier != 0) out.modifier = modifier == kExpand ? ShaderModifier::expand : ShaderModifier::saturate;
+      if (modifier != 0) out.modifier = modifier == kExpand ? ShaderModifier::expand : ShaderModifier::other;
     } else {
       const auto* const found =
           std::find_if(kSwizzles.begin(), kSwizzles.end(), [&](const Swizzle& s) { return s.code == swizzle; });

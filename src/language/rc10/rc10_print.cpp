@@ -8,6 +8,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/gl_nv/gl_nv_access.h"
 #include "src/language/rc10/rc10_parser.h"
 #include "src/language/source/beyond_opengl.h"
@@ -240,6 +241,9 @@ class Printer {
 
 Result<std::string> print_rc10(const CombinerState& state, const HardwareProfile& profile,
                                const TextureShaderState& texture_shader) {
+  if (const auto refused = validate(texture_shader, profile); !refused.empty()) {
+    return Diagnostic{.message = refused.front().message};
+  }
   const Result<std::string> stages = texture_shader.enabled ? detail::print_ts10(texture_shader) : std::string();
   if (!stages) return stages;
   const Result<Program> program = compile(state, profile);

@@ -213,7 +213,11 @@ class Ts10Reader {
       in_.lexer.take();
       const std::string_view digits = token.text.substr(token.text.starts_with('+') ? 1 : 0);
       double value = 0;
-      (void)std::from_chars(digits.data(), digits.data() + digits.size(), value);
+      const bool is_out = std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc();
+      // A number too close to 0 is 0; another one is infinite.
+      if (is_out && digits.substr(0, digits.find('.')).find_first_not_of("-0") != std::string_view::npos) {
+        value = HUGE_VAL;
+      }
       one = static_cast<float>(value);
       if (!std::isfinite(one)) in_.faults.add(token.offset, quoted(token.text) + " is too large");
     }

@@ -36,12 +36,41 @@ const RegisterWord* find(std::span<const RegisterWord> words, std::string_view n
 }
 
 // A float among the words; its name is "NAME[stage][i]" or "NAME[i]".
-void read_float(std::span<const RegisterWord> words, const std::string& name, float& into, std::string& why) {
-  const RegisterWord* const word = find(words, name);
-  if (word == nullptr) return;
-  into = std::bit_cast<float>(word->value);
-  if (std::isnan(into)) why = name + " is not a number (NaN)";
-  if (std::isinf(into)) why = name + " is infinite";
+void read_float(std::span<const RegisterWord> words, const std::string& name, float& into) {
+  if (const RegisterWord* const word = find(words, name)) into = std::bit_cast<float>(word->value);
+}
+
+// The numbers of used stages that are not finite, in one phrase; empty: none.
+std::string not_finite(const TextureShaderState& used) {
+  for (std::size_t i = 0; i < used.stage.size(); ++i) {
+    const TextureStage& stage = used.stage[i];
+    const auto is_bad = [](float value) { return !std::isfinite(value); };
+    const std::string of = " of texture stage " + std::to_string(i) + " is not a finite number";
+    if (std::any_of(stage.matrix.begin(), stage.matrix.end(), is_bad)) return "the bump matrix" + of;
+    if (is_bad(stage.scale) || is_bad(stage.bias)) return "the luminance scale or offset" + of;
+    if (std::any_of(stage.eye.begin(), stage.eye.end(), is_bad)) return "the eye vector" + of;
+  }
+  return "";
+}
+
+// The numbers that used stages read and that no word has, in one phrase; empty: none.
+std::string missing_numbers(std::span<const RegisterWord> words, const TextureShaderState& used) {
+  std::string text;
+  const auto add = [&](const std::string& what, std::size_t i) {
+    text += (text.empty() ? "the " : ", the ") + what + " of texture stage " + std::to_string(i);
+  };
+  for (std::size_t i = 1; i < used.stage.size(); ++i) {
+    const StageInput input = info_of(used.stage[i].operation).input;
+    const std::string place = '[' + std::to_string(i) + ']';
+    const bool is_scaled = input == StageInput::luminance;
+    if ((is_scaled || input == StageInput::offset) && find(words, "BUMP_ENV_MAT" + place + "[0]") == nullptr) {
+      add("bump matrix", i);
+    }
+    if (is_scaled && find(words, "BUMP_ENV_SCALE" + place) == nullptr) add("luminance scale and offset", i);
+    const bool has_eye = used.stage[i].operation == TextureOperation::dot_product_const_eye_reflect_cube_map;
+    if (has_eye && find(words, "EYE_VECTOR[0]") == nullptr) add("eye vector", i);
+  }
+  return text;
 }
 
 void read_registers(std::span<const RegisterWord> words, StageWords& out) {
@@ -50,13 +79,12 @@ void read_registers(std::span<const RegisterWord> words, StageWords& out) {
     TextureStage& stage = out.state.stage[i];
     const std::string place = '[' + std::to_string(i) + ']';
     for (std::size_t k = 0; k < 4; ++k) {
-      read_float(words, "BUMP_ENV_MAT" + place + '[' + std::to_string(k) + ']', stage.matrix[kMatrixPlaces[k]],
-                 out.why);
+      read_float(words, "BUMP_ENV_MAT" + place + '[' + std::to_string(k) + ']', stage.matrix[kMatrixPlaces[k]]);
     }
-    read_float(words, "BUMP_ENV_SCALE" + place, stage.scale, out.why);
-    read_float(words, "BUMP_ENV_OFFSET" + place, stage.bias, out.why);
+    read_float(words, "BUMP_ENV_SCALE" + place, stage.scale);
+    read_float(words, "BUMP_ENV_OFFSET" + place, stage.bias);
     for (std::size_t k = 0; k < 3; ++k) {
-      read_float(words, "EYE_VECTOR[" + std::to_string(k) + ']', stage.eye[k], out.why);
+      read_float(words, "EYE_VECTOR[" + std::to_string(k) + ']', stage.eye[k]);
     }
   }
   if (const RegisterWord* const control = find(words, "CONTROL0")) {
@@ -98,7 +126,13 @@ StageWords decode_stage_words(std::span<const RegisterWord> words) {
   }
   read_registers(words, out);
   if (!out.why.empty()) return out;
-  if (const auto refused = validate(out.state, profiles::nv2a); !refused.empty()) out.why = refused.front().message;
+  // Fields that no operation reads are without effect.
+  const TextureShaderState used = only_used(out.state);
+  out.why = not_finite(used);
+  if (!out.why.empty()) return out;
+  if (const auto refused = validate(used, profiles::nv2a); !refused.empty()) out.why = refused.front().message;
+  if (!validate(out.state, profiles::nv2a).empty()) out.state = used;
+  out.missing = missing_numbers(words, used);
   return out;
 }
 
@@ -110,6 +144,7 @@ Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& s
   const auto why = [](const std::string& what) {
     return Diagnostic{.message = "the Xbox's words cannot express this: " + what};
   };
+  if (const auto refused = validate(state, profiles::nv2a); !refused.empty()) return why(refused.front().message);
   std::array<std::uint32_t, kStageWordNames.size()> value{};
   for (int i = 0; i < kTextureStages; ++i) {
     const TextureStage& stage = state.stage[static_cast<std::size_t>(i)];

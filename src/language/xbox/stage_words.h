@@ -19,6 +19,7 @@ namespace NINEBIT_PUBLIC xbox {
 struct StageWords {
   TextureShaderState state{};  // not enabled: PSTextureModes is missing or 0
   std::string why{};           // the words that the stages do not model, in one phrase; empty: none
+  std::string missing{};       // numbers that the stages read and no word has, in one phrase; empty: none
   TextPlace place{};           // of PSTextureModes
 };
 // Reads words of these names; others are passed over. The rules are the NV2A's, and depths are codes.

@@ -36,9 +36,24 @@ std::optional<TextPlace> Lexer::unterminated() const {
 bool Lexer::is_directive() const {
   constexpr std::string_view kDirectives[] = {"define", "undef", "include", "pragma", "error",
                                               "if",     "else",  "elif",    "endif",  "line"};
-  code::TokenReader ahead = reader_;
-  if (!ahead.take().is("#")) return false;
-  const std::string_view word = ahead.peek().text;
+  if (!reader_.peek().is("#")) return false;
+  // Only the line is looked at, and no further than needed: a line may have many marks, and a text many lines.
+  std::size_t at = reader_.peek().end;
+  while (at < text_.size() && text_[at] != '\n') {
+    if (text_.substr(at).starts_with("/*")) {
+      at += 2;
+      while (at < text_.size() && text_[at] != '\n' && !text_.substr(at).starts_with("*/")) ++at;
+      if (at == text_.size() || text_[at] == '\n') return false;
+      at += 2;
+    } else if (detail::is_blank(text_[at])) {
+      ++at;
+    } else {
+      break;
+    }
+  }
+  std::size_t end = at;
+  while (end < text_.size() && detail::is_word(text_[end])) ++end;
+  const std::string_view word = text_.substr(at, end - at);
   return std::find(std::begin(kDirectives), std::end(kDirectives), word) != std::end(kDirectives) ||
          word.starts_with("ifdef") || word.starts_with("ifndef");
 }

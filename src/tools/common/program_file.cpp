@@ -126,12 +126,14 @@ SourceSelection selection_in(const ProgramFlags& flags, const ProgramSource& sou
 }  // namespace
 
 SourceInclude include_beside(const std::string& file, bool allow_outside) {
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  const std::filesystem::path parent = std::filesystem::path(file).parent_path();
+  // "-" alone would be standard input.
+  const std::filesystem::path folder = parent.empty() ? "." : parent;
   return [folder, allow_outside](std::string_view name) -> std::optional<std::string> {
-    if (!allow_outside && posix::why_outside(folder, name)) return std::nullopt;
-    std::string path = folder / name;
-    std::replace(path.begin(), path.end(), '\\', '/');
-    auto input = InputFile::open(path);
+    std::string beside(name);
+    std::replace(beside.begin(), beside.end(), '\\', '/');
+    if (!allow_outside && posix::why_outside(folder, beside)) return std::nullopt;
+    auto input = InputFile::open(folder / beside);
     std::string text;
     while (input) {
       auto more = input->read();
