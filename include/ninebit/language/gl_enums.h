@@ -43,6 +43,7 @@ inline constexpr GLenum GL_TEXTURE1 = GL_TEXTURE1_ARB;
 inline constexpr GLenum GL_TEXTURE2 = GL_TEXTURE2_ARB;
 inline constexpr GLenum GL_TEXTURE3 = GL_TEXTURE3_ARB;
 
+// The cull modes of texture shaders.
 inline constexpr GLenum GL_LESS = 0x0201;
 inline constexpr GLenum GL_GEQUAL = 0x0206;
 

@@ -313,7 +313,8 @@ Result<std::string> print_pixel_shader(const CombinerState& state, const Hardwar
   if (!text) return text;
   // The printer may have added more than the profile has, such as a third constant.
   TextureShaderState stages;
-  const auto back = parse_pixel_shader({*text, "the text"}, profile, {}, {}, texture_shader.enabled ? &stages : nullptr);
+  const auto back =
+      parse_pixel_shader({*text, "the text"}, profile, {}, {}, texture_shader.enabled ? &stages : nullptr);
   if (back) return text;
   return Diagnostic{.message = "ps.1.1 cannot express this: " + back.faults().front().message};
 }
