@@ -8,6 +8,7 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/xbox_shapes.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/program.h"
 
 namespace ninebit::test {
@@ -33,7 +34,7 @@ std::uint32_t value_of(const std::string& expression) {
 }
 
 TEST(XboxPixelShader, EveryShapeGivesTheStateOfItsRegisterWords) {
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < (kSlowBuild ? 50 : 500); ++i) {
     Random random(81, static_cast<std::uint64_t>(i));
     const Words words = random_words(random);
     const auto expected = parse_register_words({as_register_words(words), ""}, ChipClass::nv20, kShaderProfile);
@@ -58,7 +59,7 @@ TEST(XboxPixelShader, EveryShapeGivesTheStateOfItsRegisterWords) {
 }
 
 TEST(XboxPixelShader, PrintedInitializersGiveTheSameProgramAndWords) {
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < (kSlowBuild ? 300 : 3000); ++i) {
     Random random(82, static_cast<std::uint64_t>(i));
     std::vector<RegisterWord> words, again;
     const auto first = parse_xbox_pixel_shader({as_bytes(random_words(random)), ""}, kShaderProfile, &words);
@@ -449,7 +450,7 @@ TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
                                   "00-00 ",
                                   "DWORD a[] = {1, 2};",
                                   "0  00 "};
-  constexpr std::size_t kBytes = std::size_t{1} << 20;
+  constexpr std::size_t kBytes = std::size_t{1} << (kSlowBuild ? 17 : 20);
   for (const std::string& beginning : beginnings) {
     for (const std::string& piece : repeated) {
       std::string text = beginning;
