@@ -9,6 +9,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/register_log_shapes.h"
 #include "combiner_tests/language/xbox_shapes.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/pixel_shader.h"
@@ -243,7 +244,7 @@ TEST(ProgramForms, OtherFormsAreDetectedAsBefore) {
 }
 
 TEST(ProgramForms, OtherWordsGoThroughWordsAndJson) {
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < (kSlowBuild ? 200 : 2000); ++i) {
     Random random(122, static_cast<std::uint64_t>(i));
     const auto first = parse_program({as_bytes(random_words(random)), ""}, ProgramForm::xbox, kFormsProfile);
     ASSERT_TRUE(first) << all_faults(first);

@@ -8,6 +8,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/random_stages.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/gl_nv.h"
@@ -65,7 +66,7 @@ TEST(StageCalls, SetTheActiveUnit) {
 
 TEST(StageCalls, RandomStagesComeBack) {
   int printed = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < (kSlowBuild ? 200 : 2000); ++i) {
     Random random(64, static_cast<std::uint64_t>(i));
     TextureShaderState stages = random_stages(random);
     for (TextureStage& stage : stages.stage) {
@@ -83,7 +84,7 @@ TEST(StageCalls, RandomStagesComeBack) {
     ASSERT_EQ(back, expected) << *text;
     ASSERT_EQ(*print_gl_calls({}, profiles::nv2a, back), *text);
   }
-  EXPECT_GT(printed, 1000);
+  EXPECT_GT(printed, kSlowBuild ? 100 : 1000);
 }
 
 TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
@@ -296,7 +297,7 @@ TEST(ShaderTextures, RandomStagesComeBackFromTextAndTokens) {
   int printed = 0;
   const auto color = parse_pixel_shader({"ps.1.1\nmov r0, v0\n", ""}, profiles::nv2a);
   ASSERT_TRUE(color);
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < (kSlowBuild ? 600 : 6000); ++i) {
     Random random(65, static_cast<std::uint64_t>(i));
     const TextureShaderState stages = shader_stages(random);
     const auto text = print_pixel_shader(*color, profiles::nv2a, stages);
@@ -321,7 +322,7 @@ TEST(ShaderTextures, RandomStagesComeBackFromTextAndTokens) {
     ASSERT_TRUE(assembled) << all_faults(assembled) << *tokens;
     ASSERT_EQ(from_tokens, expected) << *tokens;
   }
-  EXPECT_GT(printed, 400);
+  EXPECT_GT(printed, kSlowBuild ? 40 : 400);
 }
 
 }  // namespace

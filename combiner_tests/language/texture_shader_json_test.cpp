@@ -8,6 +8,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/json_schema.h"
 #include "combiner_tests/support/random_stages.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/program_text.h"
 
@@ -35,7 +36,7 @@ std::string stage_fault(const std::string& value, const HardwareProfile& profile
 }
 
 TEST(TextureShaderJson, RandomStagesComeBackTheSame) {
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < (kSlowBuild ? 200 : 3000); ++i) {
     Random random(61, static_cast<std::uint64_t>(i));
     const TextureShaderState stages = random_stages(random);
     const CombinerState state = random_state(random, profiles::nv2a);

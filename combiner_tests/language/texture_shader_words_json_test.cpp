@@ -6,6 +6,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/xbox_shapes.h"
 #include "combiner_tests/support/random_stages.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/explain.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/program_text.h"
@@ -34,7 +35,7 @@ TextureShaderState word_stages(Random& random) {
 }
 
 TEST(StageWords, RandomStagesComeBackFromEveryForm) {
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < (kSlowBuild ? 200 : 2000); ++i) {
     Random random(66, static_cast<std::uint64_t>(i));
     TextProgram program;
     program.texture_shader = word_stages(random);
