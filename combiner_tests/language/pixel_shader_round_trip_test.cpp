@@ -73,7 +73,7 @@ std::string random_shader(Random& random) {
 TEST(PixelShaderRoundTrip, RandomShadersMeanTheSame) {
   constexpr std::uint64_t kSeed = 2001;
   int read = 0, printed = 0;
-  for (std::uint64_t i = 0; i < (kSlowBuild ? 600U : 6000U); ++i) {
+  for (std::uint64_t i = 0; i < (test::kSlowBuild ? 600U : 6000U); ++i) {
     Random random(kSeed, i);
     const HardwareProfile& profile = profiles::nv2a;
     const std::string text = random_shader(random);
@@ -94,7 +94,7 @@ TEST(PixelShaderRoundTrip, RandomShadersMeanTheSame) {
     ASSERT_TRUE(normalize(*assembled, profile) == normalize(*back, profile)) << *again << *tokens;
     ++printed;
   }
-  EXPECT_GT(read, kSlowBuild ? 300 : 3000);
+  EXPECT_GT(read, test::kSlowBuild ? 300 : 3000);
   EXPECT_EQ(printed, read);
 }
 
@@ -130,7 +130,7 @@ void simplify_for_shaders(Random& random, CombinerState& state) {
 TEST(PixelShaderRoundTrip, RandomProgramsComputeTheSame) {
   constexpr std::uint64_t kSeed = 2002;
   int expressible = 0, refused = 0;
-  for (std::uint64_t i = 0; i < (kSlowBuild ? 2000U : 20000U); ++i) {
+  for (std::uint64_t i = 0; i < (test::kSlowBuild ? 2000U : 20000U); ++i) {
     Random random(kSeed, i);
     const HardwareProfile& profile = random.one_in(2) ? profiles::nv2a : profiles::geforce2;
     CombinerState state = test::random_state(random, profile);
@@ -164,8 +164,8 @@ TEST(PixelShaderRoundTrip, RandomProgramsComputeTheSame) {
     ASSERT_TRUE(third);
     ASSERT_TRUE(normalize(*third, profile) == after) << "seed " << kSeed << " case " << i << "\n" << *text << *again;
   }
-  EXPECT_GT(expressible, kSlowBuild ? 150 : 1500);
-  EXPECT_GT(refused, kSlowBuild ? 150 : 1500);
+  EXPECT_GT(expressible, test::kSlowBuild ? 150 : 1500);
+  EXPECT_GT(refused, test::kSlowBuild ? 150 : 1500);
 }
 
 TEST(PixelShaderRoundTrip, PrintsTheShortestText) {
