@@ -24,8 +24,9 @@ struct DamagedTexts {
   int states = 0, refused = 0;
 };
 
-// Makes one to three random edits in each text, parses it, and fails the test at the first answer that is neither a
-// state that GL accepts nor faults as fuzz/common.h wants them.
+// Makes one to three random edits in each text (in a slow build in every eighth, which then counts eight times), parses
+// it, and fails the test at the first answer that is neither a state that GL accepts nor faults as fuzz/common.h wants
+// them.
 DamagedTexts parse_damaged(const Damage& damage, const HardwareProfile& profile,
                            Parsed<CombinerState> (*parse)(const SourceText&, const HardwareProfile&));
 
