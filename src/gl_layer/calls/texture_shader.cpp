@@ -1,10 +1,12 @@
 // NV_texture_shader's state, which programs set and query as a texture environment.
+#include <algorithm>
 #include <optional>
 
 #include "src/gl_layer/calls/display_lists.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/draw/draw_state.h"
 #include "src/gl_layer/driver/driver.h"
+#include "src/language/gl_nv/gl_nv_access.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 namespace front = ninebit::gl;
@@ -61,8 +63,7 @@ void set(const Setting& setting) {
 template <class T>
 void set_vector(GLenum pname, const T* params) {
   if (params == nullptr) return set({pname, false, std::nullopt});
-  const bool is_four = pname == GL_CULL_MODES_NV || pname == GL_OFFSET_TEXTURE_MATRIX_NV;
-  const std::size_t number = is_four ? 4 : pname == GL_CONST_EYE_NV ? 3 : 1;
+  const std::size_t number = std::max(front::detail::texture_shader_values(pname), std::size_t{1});
   std::array<GLfloat, 4> values{};
   for (std::size_t i = 0; i < number; ++i) values[i] = static_cast<GLfloat>(params[i]);
   set({pname, false, values});

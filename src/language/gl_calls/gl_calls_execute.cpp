@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "src/language/gl_nv/gl_nv_access.h"
+
 namespace ninebit::detail {
 namespace {
 
@@ -75,8 +77,7 @@ class Call {
 
   // How many values glTexEnv reads of an array.
   static std::size_t values_of_stage(GLenum pname) {
-    if (pname == gl::GL_CONST_EYE_NV) return 3;
-    return pname == gl::GL_CULL_MODES_NV || pname == gl::GL_OFFSET_TEXTURE_MATRIX_NV ? 4 : 1;
+    return std::max(gl::detail::texture_shader_values(pname), std::size_t{1});  // one of an unknown name
   }
 
   // Why GL refused a call of texture shaders.

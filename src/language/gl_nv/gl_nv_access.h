@@ -42,6 +42,25 @@ auto* constant_of(Owner& owner, GLenum pname) {
                                           : nullptr;
 }
 
+// The number of values of a parameter of GL_TEXTURE_SHADER_NV; 0: there is none of that name.
+inline std::size_t texture_shader_values(GLenum pname) {
+  switch (pname) {
+    case GL_CULL_MODES_NV:
+    case GL_OFFSET_TEXTURE_MATRIX_NV:
+      return 4;
+    case GL_CONST_EYE_NV:
+      return 3;
+    case GL_SHADER_OPERATION_NV:
+    case GL_PREVIOUS_TEXTURE_INPUT_NV:
+    case GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV:
+    case GL_OFFSET_TEXTURE_SCALE_NV:
+    case GL_OFFSET_TEXTURE_BIAS_NV:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
 // NaN becomes 0.
 inline float clamped_color(float component) {
   return component > 0.0F ? std::min(component, 1.0F) : 0.0F;

@@ -5,30 +5,12 @@
 
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/texture_shader/validate_stages.h"
+#include "src/language/gl_nv/gl_nv_access.h"
 
 namespace ninebit::gl {
 namespace {
 
 using Values = std::array<GLfloat, 4>;
-
-// The number of values of a parameter; 0: there is none of that name.
-std::size_t number_of(GLenum pname) {
-  switch (pname) {
-    case GL_CULL_MODES_NV:
-    case GL_OFFSET_TEXTURE_MATRIX_NV:
-      return 4;
-    case GL_CONST_EYE_NV:
-      return 3;
-    case GL_SHADER_OPERATION_NV:
-    case GL_PREVIOUS_TEXTURE_INPUT_NV:
-    case GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV:
-    case GL_OFFSET_TEXTURE_SCALE_NV:
-    case GL_OFFSET_TEXTURE_BIAS_NV:
-      return 1;
-    default:
-      return 0;
-  }
-}
 
 std::optional<GLenum> enumerant_of(GLfloat value) {
   if (!(value >= 0.0F && value <= 65535.0F)) return std::nullopt;
@@ -94,7 +76,8 @@ GlError error_of(const TextureShaderState& state, const HardwareProfile& profile
 Context* context_of(GLenum target, GLenum pname) {
   Context* const context = CurrentContext::get();
   if (context == nullptr) return nullptr;
-  if (target == GL_TEXTURE_SHADER_NV && context->profile().texture_shaders && number_of(pname) != 0) return context;
+  if (target == GL_TEXTURE_SHADER_NV && context->profile().texture_shaders && detail::texture_shader_values(pname) != 0)
+    return context;
   context->raise(GlError::invalid_enum);
   return nullptr;
 }
@@ -116,7 +99,7 @@ template <class T>
 void set_scalar(GLenum target, GLenum pname, T param) {
   Context* const context = context_of(target, pname);
   if (context == nullptr) return;
-  if (number_of(pname) != 1) return context->raise(GlError::invalid_enum);
+  if (detail::texture_shader_values(pname) != 1) return context->raise(GlError::invalid_enum);
   set(*context, pname, {static_cast<GLfloat>(param)});
 }
 
@@ -126,7 +109,7 @@ void set_vector(GLenum target, GLenum pname, const T* params) {
   if (context == nullptr) return;
   if (params == nullptr) return context->raise(GlError::invalid_value);
   Values values{};
-  for (std::size_t k = 0; k < number_of(pname); ++k) values[k] = static_cast<GLfloat>(params[k]);
+  for (std::size_t k = 0; k < detail::texture_shader_values(pname); ++k) values[k] = static_cast<GLfloat>(params[k]);
   set(*context, pname, values);
 }
 
@@ -164,7 +147,7 @@ void get(GLenum target, GLenum pname, T* params) {
   if (params == nullptr) return context->raise(GlError::invalid_value);
   const TextureStage& stage = context->texture_shader().stage[static_cast<std::size_t>(context->active_texture())];
   const Values values = values_of(stage, pname);
-  for (std::size_t k = 0; k < number_of(pname); ++k) params[k] = static_cast<T>(values[k]);
+  for (std::size_t k = 0; k < detail::texture_shader_values(pname); ++k) params[k] = static_cast<T>(values[k]);
 }
 
 }  // namespace
