@@ -27,8 +27,8 @@ namespace NINEBIT_PUBLIC ninebit {
 // instructions than the profile has general combiners is GL_INVALID_VALUE. `definitions` are macros that replace the
 // text's own of the same name. An #if that depends on a name that neither defines is a fault; #ifdef of such a name is
 // false. `include` reads the files that the text includes by names in quotation marks; faults in them have the place of
-// their line there, but for a comment that does not end, which has that of the file. Without it, a note names each
-// file, which is skipped.
+// the line that includes the file, but for a comment that does not end, which has its own. Without it, a note names
+// each file, which is skipped.
 [[nodiscard]] Parsed<CombinerState> parse_pixel_shader(const SourceText& source, const HardwareProfile& profile,
                                                        const std::vector<Definition>& definitions = {},
                                                        const SourceInclude& include = {},
