@@ -79,6 +79,15 @@ TEST(GlCallsRoundTrip, SaysWhatOpenGlLacks) {
             "1 - spare0 in the colour sum; 1 - secondary in the colour sum");
 }
 
+// Words may set the flags in a stage that is not used; nothing of it is printed then, as no call sets them.
+TEST(GlCallsRoundTrip, FlagsThatOpenGlLacksPrintNothingInUnusedStages) {
+  CombinerState state;
+  const auto plain = print_gl_calls(state, profiles::nv2a);
+  state.general[1].rgb.out.ab_blue_to_alpha = state.general[7].rgb.out.cd_blue_to_alpha = true;
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(print_gl_calls(state, profiles::nv2a).value(), plain.value());
+}
+
 TEST(GlCallsRoundTrip, BrokenTextsEndInAStateOrInFaults) {
   if (ninebit::test::kSanitized || ninebit::test::kCoverage)
     GTEST_SKIP() << "the fuzzers do this with the same sanitizers";

@@ -151,7 +151,8 @@ class GlPrinter {
     text_ += ");\n";
   }
 
-  void portion(std::size_t stage, PortionName name, const Portion& now, const Portion& fresh, bool all) {
+  void portion(std::size_t stage, PortionName name, Portion now, const Portion& fresh, bool all) {
+    now.out.ab_blue_to_alpha = now.out.cd_blue_to_alpha = false;  // no call sets them: they have no effect here
     if (!all && now == fresh) return;
     const std::string_view which = name == PortionName::rgb ? "GL_RGB" : "GL_ALPHA";
     text_ += '\n';
