@@ -11,8 +11,6 @@
 namespace ninebit::test {
 namespace {
 
-const HardwareProfile& kXbox = profiles::nv2a;
-
 // Both products to registers of their own, nothing else.
 CombinerState products_state() {
   CombinerState state = silent_state(2);
@@ -27,12 +25,12 @@ CombinerState products_state() {
 
 void expect_equal(const CombinerState& x, const CombinerState& y, const char* what) {
   EXPECT_NE(x, y) << what;
-  EXPECT_EQ(normalize(x, kXbox), normalize(y, kXbox)) << what;
+  EXPECT_EQ(normalize(x, profiles::nv2a), normalize(y, profiles::nv2a)) << what;
 }
 
 void expect_different(const CombinerState& x, const CombinerState& y, const char* what) {
   EXPECT_NE(x, y) << what;
-  EXPECT_NE(normalize(x, kXbox), normalize(y, kXbox)) << what;
+  EXPECT_NE(normalize(x, profiles::nv2a), normalize(y, profiles::nv2a)) << what;
 }
 
 TEST(Program, InputsOfAProductThatIsNotUsedDoNotMatter) {
@@ -97,8 +95,8 @@ TEST(Program, TheMuxesBitMattersOnlyWhereThereIsAMux) {
   expect_equal(state, other, "none in use");
   for (CombinerState* s : {&state, &other}) s->general[1].alpha.out = {.sum = Register::spare0, .mux_sum = true};
   expect_different(state, other, "the second stage has one");
-  EXPECT_FALSE(normalize(other, kXbox).general[0].mux_by_lowest_bit);
-  EXPECT_TRUE(normalize(other, kXbox).general[1].mux_by_lowest_bit);
+  EXPECT_FALSE(normalize(other, profiles::nv2a).general[0].mux_by_lowest_bit);
+  EXPECT_TRUE(normalize(other, profiles::nv2a).general[1].mux_by_lowest_bit);
 }
 
 TEST(Program, BlueToAlphaMattersOnlyWhereItIsWritten) {
@@ -182,13 +180,13 @@ TEST(Program, StagesPastTheLastDoNotMatter) {
   expect_equal(state, other, "stages 2 and 7 do not run");
   other = state;
   other.num_general_combiners = 3;
-  EXPECT_NE(normalize(state, kXbox), normalize(other, kXbox));
+  EXPECT_NE(normalize(state, profiles::nv2a), normalize(other, profiles::nv2a));
 }
 
 TEST(Program, ProfilesDiffer) {
   const CombinerState state = products_state();
   EXPECT_NE(normalize(state, profiles::geforce2), normalize(state, profiles::geforce2_early_truncation));
-  EXPECT_NE(normalize(state, profiles::geforce2), normalize(state, kXbox));
+  EXPECT_NE(normalize(state, profiles::geforce2), normalize(state, profiles::nv2a));
 }
 
 // Soundness, at random: states whose programs are equal compute the same, by the oracle, which knows no programs.

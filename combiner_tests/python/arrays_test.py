@@ -109,11 +109,26 @@ class Shapes(unittest.TestCase):
             with self.assertRaisesRegex(error, message):
                 program.evaluate(tex0=picture, out=out)
         # A code that is out of range leaves `out` as it was.
-        codes, out = np.zeros(2000, np.int16), np.full((4, 2000), 7)
+        codes = np.zeros(2000, np.int16)
         codes[-1] = 300
-        with self.assertRaisesRegex(ninebit.Error, "the code 300"):
-            program.evaluate({"tex0.r": codes}, out=out)
-        self.assertTrue((out == 7).all())
+        for out in (np.full((4, 2000), 7), np.full((4, 2000), 7, np.int16)):
+            with self.assertRaisesRegex(ninebit.Error, "the code 300"):
+                program.evaluate({"tex0.r": codes}, out=out)
+            self.assertTrue((out == 7).all())
+
+    def test_out_may_share_the_memory_of_inputs(self):
+        for share in (lambda a: a[::-1], lambda a: a[:, ::-1], lambda a: a):
+            picture = random.integers(0, 256, (40, 50, 4), dtype=np.uint8)
+            expected = by_planes(share(picture))
+            program.evaluate(tex0=share(picture), primary=255, out=picture)
+            np.testing.assert_array_equal(picture, expected)
+
+    def test_many_fragments_are_evaluated_in_parts(self):
+        picture = random.integers(0, 256, (700, 1001, 4), dtype=np.uint8)
+        expected = by_planes(picture)
+        np.testing.assert_array_equal(program.evaluate(tex0=picture, primary=255), expected)
+        planes = program.evaluate(tex0=np.moveaxis(picture, -1, 0).astype(np.int16), primary=255, axis=0)
+        np.testing.assert_array_equal(np.moveaxis(planes, 0, -1), expected)
 
 
 class Refusals(unittest.TestCase):

@@ -8,6 +8,7 @@
 #else
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"

@@ -1,7 +1,8 @@
 // Programs: compile, evaluate for one fragment or many, trace, emit GLSL.
 #include <algorithm>
-#include <memory>
+#include <cstddef>
 
+#include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/language/glsl.h"
@@ -35,40 +36,14 @@ void write_registers(const RegisterFile& from, ninebit_registers& to) {
   for (std::size_t r = 0; r < kRegisterCount; ++r) std::copy(from.value[r].begin(), from.value[r].end(), to.code[r]);
 }
 
-// NINEBIT_OK if every code of the planes is in range.
-ninebit_result check(const Program& program, const ninebit_planes& planes, char** error) {
-  for (std::size_t r = NINEBIT_FOG; r < kRegisterCount; ++r) {
-    for (const int16_t* const plane : planes.input[r]) {
-      if (plane == nullptr || planes.count == 0) continue;
-      const auto [least, most] = std::minmax_element(plane, plane + planes.count);
-      if (!in_range(program, *least)) return out_of_range(program, *least, error);
-      if (!in_range(program, *most)) return out_of_range(program, *most, error);
-    }
+FragmentArrays arrays_of(const ninebit_planes& planes) {
+  FragmentArrays samples{.count = planes.count};
+  constexpr std::ptrdiff_t kStride = sizeof(int16_t);
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t r = NINEBIT_FOG; r < kRegisterCount; ++r) samples.input[r][c] = {planes.input[r][c], kStride};
+    samples.color[c] = {planes.color[c], kStride};
   }
-  return NINEBIT_OK;
-}
-
-void run(const ninebit_program& program, const ninebit_planes& planes) {
-  const auto registers = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
-  for (std::size_t begin = 0; begin < planes.count; begin += kBatchSize) {
-    const std::size_t count = std::min(kBatchSize, planes.count - begin);
-    for (std::size_t r = NINEBIT_FOG; r < kRegisterCount; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        s9* const to = registers->plane[r][c].data();
-        const int16_t* const from = planes.input[r][c];
-        if (from == nullptr) {
-          std::fill_n(to, count, s9{0});
-        } else {
-          std::copy_n(from + begin, count, to);
-        }
-      }
-    }
-    program.batch.run(*registers, count, *out);
-    for (std::size_t c = 0; c < 4; ++c) {
-      if (planes.color[c] != nullptr) std::copy_n(out->plane[c].data(), count, planes.color[c] + begin);
-    }
-  }
+  return samples;
 }
 
 }  // namespace
@@ -169,8 +144,11 @@ ninebit_result ninebit_evaluate_planes(const ninebit_program* program, const nin
     if (planes == nullptr || planes->struct_size < kPlanesSize) {
       return wrong_argument("planes is NULL, or its struct_size is not set", error);
     }
-    if (const ninebit_result fine = check(program->program, *planes, error); fine != NINEBIT_OK) return fine;
-    run(*program, *planes);
+    const ninebit::FragmentArrays samples = arrays_of(*planes);
+    if (const auto wrong = ninebit::find_code_out_of_range(program->program, samples)) {
+      return out_of_range(program->program, wrong->code, error);
+    }
+    ninebit::evaluate(program->batch, samples, 0, samples.count);
     return NINEBIT_OK;
   });
 }

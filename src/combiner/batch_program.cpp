@@ -30,6 +30,7 @@ BatchProgram::BatchProgram(const Program& program, const BatchOutputs& outputs, 
   detail::prepare_vector_code(code);
   code_ = std::make_shared<const detail::VectorCode>(std::move(code));
   reads_ = code_->reads;
+  keeps_registers_ = !outputs.registers;
 }
 
 void BatchProgram::run(RegisterBatch& registers, std::size_t count, OutputBatch& out) const {

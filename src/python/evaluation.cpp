@@ -6,12 +6,13 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <memory>
+#include <future>
+#include <optional>
 #include <string>
-#include <utility>
+#include <thread>
 #include <vector>
 
-#include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/language/trace_json.h"
 #include "src/combiner/given_registers.h"
@@ -26,6 +27,8 @@ constexpr std::size_t kFirstRegister = static_cast<std::size_t>(Register::consta
 
 // More fragments than this are evaluated beside the interpreter, so that Ctrl-C stops them.
 constexpr std::size_t kManyFragments = std::size_t{1} << 18;
+// As many are evaluated between two looks at whether to go on.
+constexpr std::size_t kPart = std::size_t{1} << 15;
 
 struct Component {
   std::size_t reg = 0, component = 0;
@@ -55,64 +58,40 @@ bool is_code(const Program& program, int code) {
   return code >= program.datapath.lowest && code <= program.datapath.one;
 }
 
-// --- Planes of NumPy arrays, read in place.
-
-struct InputPlane {
-  const std::byte* from = nullptr;  // nullptr: the default
-  std::ptrdiff_t stride = 0;        // bytes; 0: one code for all fragments
-  bool bytes = false;               // uint8, not int16
-  std::string key{};
-};
-
-// Holds the arrays, because other threads may change the dictionary meanwhile. Must be destroyed with the GIL held.
-struct Planes {
-  std::array<std::array<InputPlane, 4>, kRegisterCount> plane{};
+// NumPy arrays, which are read in place. Holds them, as other threads may change the dictionary
+// meanwhile. Must be destroyed with the GIL held.
+struct Inputs {
+  FragmentArrays samples{};
   std::vector<py::array> arrays{};
   ComponentSet constants{};  // that are given
   bool any_constants = false;
-  std::size_t count = 0;
+  bool not_negative = true;  // as far as types and single codes say
 };
 
-Planes planes_of(const py::dict& inputs, std::size_t count) {
-  Planes planes{.count = count};
-  for (const auto& [key_object, value] : inputs) {
+Inputs inputs_of(const py::dict& planes, std::size_t count) {
+  Inputs inputs{.samples = {.count = count}};
+  for (const auto& [key_object, value] : planes) {
     const std::string key = key_of(key_object);
     const Component at = component_of(key);
     const bool bytes = py::isinstance<py::array_t<std::uint8_t>>(value);
     if (!bytes && !py::isinstance<py::array_t<s9>>(value))
       throw py::type_error(key + " must be an array of uint8 or int16");
-    const py::array& array = planes.arrays.emplace_back(py::reinterpret_borrow<py::array>(value));
+    const py::array& array = inputs.arrays.emplace_back(py::reinterpret_borrow<py::array>(value));
     const bool aligned = (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
     const auto size = static_cast<std::size_t>(array.size());
     if (!aligned || array.ndim() != 1 || (size != 1 && size != count)) {
       throw py::value_error(key + " must be an aligned array with one dimension, of one code or one per fragment");
     }
-    planes.plane[at.reg][at.component] = {static_cast<const std::byte*>(array.data()),
-                                          size == 1 ? 0 : static_cast<std::ptrdiff_t>(array.strides(0)), bytes, key};
+    inputs.samples.input[at.reg][at.component] = {array.data(),
+                                                  size == 1 ? 0 : static_cast<std::ptrdiff_t>(array.strides(0)),
+                                                  bytes ? ElementType::byte : ElementType::code};
+    inputs.not_negative = inputs.not_negative && (bytes || (size == 1 && *static_cast<const s9*>(array.data()) >= 0));
     const auto reg = static_cast<Register>(at.reg);
     if (reg != Register::constant0 && reg != Register::constant1) continue;
-    planes.constants.add(reg, static_cast<int>(at.component));
-    planes.any_constants = true;
+    inputs.constants.add(reg, static_cast<int>(at.component));
+    inputs.any_constants = true;
   }
-  // As in `ninebit eval`, spare0's alpha starts as texture 0's.
-  InputPlane& spare0_alpha = planes.plane[static_cast<std::size_t>(Register::spare0)][kAlpha];
-  if (spare0_alpha.from == nullptr) spare0_alpha = planes.plane[static_cast<std::size_t>(Register::texture0)][kAlpha];
-  return planes;
-}
-
-// Copies codes, and checks the copies: other threads may write into the arrays.
-template <class Sample>
-void take(const InputPlane& plane, std::size_t begin, std::size_t count, const Program& program, s9* to) {
-  const std::byte* from = plane.from + static_cast<std::ptrdiff_t>(begin) * plane.stride;
-  int least = program.datapath.one, most = program.datapath.lowest;
-  for (std::size_t i = 0; i < count; ++i, from += plane.stride) {
-    const int code = *reinterpret_cast<const Sample*>(from);
-    least = std::min(least, code);
-    most = std::max(most, code);
-    to[i] = static_cast<s9>(code);
-  }
-  if (!is_code(program, least)) refuse_code(program, least, plane.key);
-  if (!is_code(program, most)) refuse_code(program, most, plane.key);
+  return inputs;
 }
 
 // The codes of the components that are not given.
@@ -126,74 +105,58 @@ RegisterFile default_codes(const RunnableProgram& program) {
 }
 
 // One fragment after the other: in real numbers, a batch cannot vary constants.
-void run_in_rows(Program program, const Planes& planes, std::size_t count, RegisterBatch& registers, OutputBatch& out) {
-  for (std::size_t i = 0; i < count; ++i) {
-    RegisterFile file;
-    for (std::size_t r = 0; r < kRegisterCount; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        file.value[r][c] = registers.plane[r][c][i];
-        const auto reg = static_cast<Register>(r);
-        if (planes.constants.contains(reg, static_cast<int>(c))) {
-          replace_constant(program, reg, static_cast<int>(c), file.value[r][c]);
-        }
+void run_in_rows(const Program& program, const Inputs& inputs, std::size_t begin, std::size_t end) {
+  const FragmentArrays& samples = inputs.samples;
+  for (std::size_t i = begin; i < end; ++i) {
+    Program own = program;
+    for (const Register reg : {Register::constant0, Register::constant1}) {
+      for (int c = kRed; c <= kAlpha; ++c) {
+        if (!inputs.constants.contains(reg, c)) continue;
+        const InputArray& from = samples.input[static_cast<std::size_t>(reg)][static_cast<std::size_t>(c)];
+        const auto* const at = static_cast<const std::byte*>(from.first) + static_cast<std::ptrdiff_t>(i) * from.stride;
+        replace_constant(own, reg, c,
+                         from.type == ElementType::byte ? static_cast<s9>(*at) : *reinterpret_cast<const s9*>(at));
       }
     }
-    const EvaluatedFragment result = evaluate_fragment(program, file);
-    for (std::size_t c = 0; c < 4; ++c) out.plane[c][i] = result.color[c];
-    for (std::size_t r = 0; r < kRegisterCount; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) registers.plane[r][c][i] = result.registers.value[r][c];
-    }
+    evaluate(BatchProgram(own), samples, i, i + 1);
   }
 }
 
-struct Results {
-  s9* color = nullptr;
-  s9* after = nullptr;  // nullptr: not wanted
-};
-
-void run(const RunnableProgram& program, const BatchProgram& batch, const Planes& planes, const Results& to,
-         const std::atomic<bool>& stopped) {
-  const auto registers = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
-  const RegisterFile defaults = default_codes(program);
-  const bool in_rows = planes.any_constants && program.program.datapath.arithmetic != Arithmetic::integer;
-  for (std::size_t begin = 0; begin < planes.count && !stopped; begin += kBatchSize) {
-    const std::size_t count = std::min(kBatchSize, planes.count - begin);
-    for (std::size_t r = 0; r < kRegisterCount; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        const InputPlane& plane = planes.plane[r][c];
-        s9* const codes = registers->plane[r][c].data();
-        if (plane.from == nullptr) {
-          std::fill_n(codes, count, defaults.value[r][c]);
-        } else if (plane.bytes) {
-          take<std::uint8_t>(plane, begin, count, program.program, codes);
-        } else {
-          take<s9>(plane, begin, count, program.program, codes);
-        }
-      }
+// Calls body(begin, end) for parts of all fragments, on all processors where there are many, until it is stopped.
+template <class Body>
+void in_parts(std::size_t count, const std::atomic<bool>& stopped, const Body& body) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    while (!stopped) {
+      const std::size_t begin = next.fetch_add(kPart);
+      if (begin >= count) return;
+      body(begin, std::min(begin + kPart, count));
     }
-    if (in_rows) {
-      run_in_rows(program.program, planes, count, *registers, *out);
-    } else {
-      batch.run(*registers, count, *out);
-    }
-    for (std::size_t c = 0; c < 4; ++c) std::copy_n(out->plane[c].data(), count, to.color + c * planes.count + begin);
-    if (to.after == nullptr) continue;
-    for (std::size_t r = kFirstRegister; r < kRegisterCount; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        std::copy_n(registers->plane[r][c].data(), count,
-                    to.after + (4 * (r - kFirstRegister) + c) * planes.count + begin);
-      }
-    }
-  }
+  };
+  const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t helpers = std::min(processors, std::max<std::size_t>(1, count / kManyFragments)) - 1;
+  std::vector<std::future<void>> others;
+  for (std::size_t i = 0; i < helpers; ++i) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
 }
 
-s9* samples_of(const Codes& array, const std::vector<std::size_t>& shape, const char* name) {
-  bool fits = array.ndim() == static_cast<py::ssize_t>(shape.size()) && array.writeable();
-  for (std::size_t i = 0; fits && i < shape.size(); ++i)
-    fits = static_cast<std::size_t>(array.shape(static_cast<int>(i))) == shape[i];
-  if (!fits) throw py::value_error(std::string(name) + " does not have the shape of the results, or cannot be written");
-  return const_cast<s9*>(array.data());
+// The four components of an array of results, of the shape (4, count), with any strides.
+std::array<OutputArray, 4> outputs_of(const py::array& array, std::size_t count, const char* name) {
+  const bool bytes = py::isinstance<py::array_t<std::uint8_t>>(array);
+  const bool is_right = (bytes || py::isinstance<py::array_t<s9>>(array)) && array.writeable() && array.ndim() == 2 &&
+                        array.shape(0) == 4 && static_cast<std::size_t>(array.shape(1)) == count;
+  if (!is_right) {
+    throw py::value_error(std::string(name) +
+                          " must be an array of uint8 or int16 with the shape of the results, which can be written");
+  }
+  std::array<OutputArray, 4> outputs;
+  for (py::ssize_t c = 0; c < 4; ++c) {
+    auto* const first = static_cast<std::byte*>(const_cast<void*>(array.data())) + c * array.strides(0);
+    outputs[static_cast<std::size_t>(c)] = {first, static_cast<std::ptrdiff_t>(array.strides(1)),
+                                            bytes ? ElementType::byte : ElementType::code};
+  }
+  return outputs;
 }
 
 }  // namespace
@@ -205,17 +168,36 @@ std::vector<std::string> register_names() {
   return names;
 }
 
-void evaluate(const RunnableProgram& program, const py::dict& inputs, std::size_t count, const Codes& color,
-              const std::optional<Codes>& after) {
-  const Planes planes = planes_of(inputs, count);
-  const Results to{.color = samples_of(color, {4, count}, "color"),
-                   .after = after ? samples_of(*after, {kRegisterCount - kFirstRegister, 4, count}, "after") : nullptr};
+void evaluate(const RunnableProgram& program, const py::dict& planes, std::size_t count, const py::array& color,
+              const std::vector<py::array>& after) {
+  Inputs inputs = inputs_of(planes, count);
+  FragmentArrays& samples = inputs.samples;
+  if (const auto wrong = find_code_out_of_range(program.program, samples)) {
+    const char letter = "rgba"[wrong->component];
+    refuse_code(program.program, wrong->code, std::string(short_name(wrong->reg)) + '.' + letter);
+  }
+  samples.otherwise = default_codes(program);
+  // As in `ninebit eval`, spare0's alpha starts as texture 0's.
+  InputArray& spare0_alpha = samples.input[static_cast<std::size_t>(Register::spare0)][kAlpha];
+  if (spare0_alpha.first == nullptr) spare0_alpha = samples.input[static_cast<std::size_t>(Register::texture0)][kAlpha];
+  samples.color = outputs_of(color, count, "color");
+  for (std::size_t i = 0; i < after.size() && i < kRegisterCount - kFirstRegister; ++i) {
+    samples.after[kFirstRegister + i] = outputs_of(after[i], count, "after");
+  }
+
+  const bool in_rows = inputs.any_constants && program.program.datapath.arithmetic != Arithmetic::integer;
   std::optional<BatchProgram> own;
-  if (after || planes.any_constants)
-    own.emplace(program.program, BatchOutputs{.registers = after.has_value()}, planes.constants);
-  const BatchProgram& batch = own ? *own : program.batch;
+  if (!after.empty() || inputs.any_constants) {
+    own.emplace(program.program, BatchOutputs{.registers = !after.empty()}, inputs.constants);
+  }
+  const BatchProgram& batch = own ? *own : inputs.not_negative ? program.of_bytes : program.batch;
   std::atomic<bool> stopped = false;
-  const auto work = [&] { run(program, batch, planes, to, stopped); };
+  const auto work = [&] {
+    in_parts(count, stopped, [&](std::size_t begin, std::size_t end) {
+      if (in_rows) return run_in_rows(program.program, inputs, begin, end);
+      evaluate(batch, samples, begin, end);
+    });
+  };
   if (count > kManyFragments) return work_beside(work, [&] { stopped = true; });
   const py::gil_scoped_release others_may_run;
   work();

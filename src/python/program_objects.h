@@ -23,6 +23,7 @@ struct RunnableProgram {
   State state;
   Program program;
   BatchProgram batch;
+  BatchProgram of_bytes;  // the same for registers that are not negative
 };
 
 }  // namespace ninebit::python

@@ -102,7 +102,7 @@ RunnableProgram compiled(const State& state) {
   if (const auto wrong = validate(both, *state.profile.profile); !wrong.empty()) throw Error{wrong.front().message};
   const auto program = compile(state.state, *state.profile.profile);
   if (!program) throw Error{program.error().text()};
-  return {state, *program, BatchProgram(*program)};
+  return {state, *program, BatchProgram(*program), BatchProgram(*program, {}, {}, BatchInputs::not_negative)};
 }
 
 std::string explained(const RunnableProgram& p) {

@@ -61,6 +61,9 @@ class BatchProgram {
   // The components that run() reads before it writes them. The others need not be filled.
   [[nodiscard]] const ComponentSet& reads() const { return reads_; }
 
+  // Whether run() leaves the registers as they were: integer arithmetic, and BatchOutputs::registers is false.
+  [[nodiscard]] bool keeps_registers() const { return keeps_registers_; }
+
   // Evaluates the first `count` (at most kBatchSize) fragments. Their registers hold codes in [lowest, one],
   // or in [0, one] for `not_negative`.
   // On return the wanted components of `out` hold the colours, codes in [0, one]; the others are unspecified.
@@ -76,6 +79,7 @@ class BatchProgram {
  private:
   Program program_;
   ComponentSet reads_;
+  bool keeps_registers_ = false;
   std::shared_ptr<const detail::VectorCode> code_;  // none for real numbers
 };
 

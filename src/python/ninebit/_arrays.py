@@ -122,10 +122,15 @@ class Fragments:
             return plane.reshape(1)
         return (plane if plane.shape == self.shape else np.broadcast_to(plane, self.shape)).reshape(-1)
 
-    def result(self, planes):
-        """Planes of the shape (4, count) in the layout of the inputs."""
-        shaped = planes.reshape((4, *self.shape))
-        return np.ascontiguousarray(np.moveaxis(shaped, 0, -1)) if self.axis == -1 else shaped
+    def component_planes(self, array):
+        """A view of a contiguous array of results, of the shape (4, count)."""
+        return array.reshape(self.count, 4).T if self.axis == -1 else array.reshape(4, self.count)
+
+    def can_be_written(self, out):
+        """Whether results can go into `out` one by one while inputs are read."""
+        if out is None or out.dtype not in (np.dtype(np.uint8), np.dtype(np.int16)) or not out.flags.c_contiguous:
+            return False
+        return out.flags.aligned and not any(np.may_share_memory(out, plane) for plane in self.planes.values())
 
 
 def check_out(out, shape, one):

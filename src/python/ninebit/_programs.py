@@ -90,17 +90,14 @@ class Program(_combiner.Program):
         shape = (*fragments.shape, 4) if fragments.axis == -1 else (4, *fragments.shape)
         if out is not None:
             check_out(out, shape, self.one)
-        color = np.empty((4, fragments.count), np.int16)
-        names = _combiner.REGISTERS
-        after = np.empty((len(names), 4, fragments.count), np.int16) if registers else None
-        self._evaluate(fragments.planes, fragments.count, color, after)
-        result = fragments.result(color)
-        if out is not None:
-            np.copyto(out, result, casting="unsafe")  # check_out() has found that it fits
-            result = out
-        if not registers:
-            return result
-        return {"out": result, **{name: fragments.result(planes) for name, planes in zip(names, after)}}
+        color = out if fragments.can_be_written(out) else np.empty(shape, np.int16)
+        after = {name: np.empty(shape, np.int16) for name in (_combiner.REGISTERS if registers else ())}
+        planes = [fragments.component_planes(array) for array in (color, *after.values())]
+        self._evaluate(fragments.planes, fragments.count, planes[0], planes[1:])
+        if out is not None and color is not out:
+            np.copyto(out, color, casting="unsafe")  # check_out() has found that it fits
+            color = out
+        return {"out": color, **after} if registers else color
 
     def trace(self, registers=None, /, **keywords):
         """Every step of one fragment, as `ninebit trace --json` prints it: a dictionary that Jupyter shows as a diagram.
