@@ -6,6 +6,7 @@
 #include <string>
 
 #include "combiner_tests/playground/support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/numerics/profile_fields.h"
 
 namespace ninebit::test {
@@ -74,10 +75,11 @@ TEST(PlaygroundProfile, FieldsThatTheArithmeticDoesNotReadGo) {
 // Any field to any value that its control offers, again and again.
 TEST(PlaygroundProfile, EveryStepIsValid) {
   std::mt19937 random(1);
+  constexpr int kSteps = ninebit::test::kSlowBuild ? 30 : 150;
   int coupled = 0;
   for (const char* base : {"geforce2", "nv2a", "geforce256-8bit", "float-shader", "ideal"}) {
     PageJson profile = base;
-    for (int step = 0; step < 150; ++step) {
+    for (int step = 0; step < kSteps; ++step) {
       const PageJson fields = fields_of(profile);
       ASSERT_TRUE(fields.is_array()) << profile;
       // Half of the steps change one of the fields that others depend on.
@@ -101,7 +103,7 @@ TEST(PlaygroundProfile, EveryStepIsValid) {
       ASSERT_EQ(field_of(profile, field["name"])["value"], value) << profile;
     }
   }
-  EXPECT_GT(coupled, 50);
+  EXPECT_GT(coupled, kSteps / 3);
 }
 
 TEST(PlaygroundProfile, ExactCombinersHaveTheArithmeticOfIdealAlone) {

@@ -94,6 +94,14 @@ class Shapes(unittest.TestCase):
             varied = one.evaluate({"tex0.r": 40, "const1.r": [255, 0]}, registers=True)
             self.assertEqual(varied["spare0"][0].tolist(), [40, 0], profile)
 
+    def test_registers_have_their_names_in_the_languages(self):
+        expected = program.evaluate(tex0=[9, 8, 7, 6], primary=[4, 3, 2, 1]).tolist()
+        self.assertEqual(program.evaluate(t0=[9, 8, 7, 6], v0=[4, 3, 2, 1]).tolist(), expected)
+        self.assertEqual(program.evaluate({"tex0": [9, 8, 7, 6], "col0": [4, 3, 2, 1]}).tolist(), expected)
+        self.assertEqual(program.trace({"t0.r": 9, "v0.r": 255})["out"], program.trace({"tex0.r": 9, "col0.r": 255})["out"])
+        with self.assertRaisesRegex(ninebit.Error, "tex0.r is given twice"):
+            program.evaluate({"tex0.r": 1, "t0.r": 2})
+
     def test_out(self):
         picture = random.integers(0, 256, (5, 7, 4), dtype=np.uint8)
         for out in (np.empty((5, 7, 4), np.uint8), np.empty((5, 7, 4), np.int64), np.empty((10, 7, 4), np.int16)[::2], picture):

@@ -42,8 +42,9 @@ class Comparison {
 
 template <class Check>
 void for_all_pairs(const Check& check) {
-  for (int a = 0; a < 256; ++a) {
-    for (int b = 0; b < 256; ++b) check(a, b);
+  constexpr int kStep = ninebit::test::kSlowBuild ? 5 : 1;  // 255 is a multiple of both
+  for (int a = 0; a < 256; a += kStep) {
+    for (int b = 0; b < 256; b += kStep) check(a, b);
   }
 }
 

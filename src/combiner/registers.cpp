@@ -69,4 +69,23 @@ std::string_view short_name(Register r) {
   }
 }
 
+std::optional<Register> register_named(std::string_view name) {
+  struct Name {
+    std::string_view name;
+    Register reg;
+  };
+  constexpr std::array names{
+      Name{"col0", Register::primary}, Name{"col1", Register::secondary}, Name{"v0", Register::primary},
+      Name{"v1", Register::secondary}, Name{"t0", Register::texture0},    Name{"t1", Register::texture1},
+      Name{"t2", Register::texture2},  Name{"t3", Register::texture3},    Name{"r0", Register::spare0},
+      Name{"r1", Register::spare1},    Name{"c0", Register::constant0},   Name{"c1", Register::constant1}};
+  for (std::size_t r = static_cast<std::size_t>(Register::constant0); r < kRegisterCount; ++r) {
+    if (short_name(static_cast<Register>(r)) == name) return static_cast<Register>(r);
+  }
+  for (const Name& known : names) {
+    if (known.name == name) return known.reg;
+  }
+  return std::nullopt;
+}
+
 }  // namespace ninebit

@@ -17,12 +17,9 @@ struct GivenRegisters {
 };
 
 std::optional<Register> register_called(std::string_view name, const HardwareProfile& profile) {
-  for (std::size_t i = static_cast<std::size_t>(Register::constant0); i < kRegisterCount; ++i) {
-    const auto reg = static_cast<Register>(i);
-    if (is_texture(reg) && texture_unit_of(reg) >= profile.texture_units) continue;
-    if (short_name(reg) == name) return reg;
-  }
-  return std::nullopt;
+  const std::optional<Register> reg = register_named(name);
+  if (reg && is_texture(*reg) && texture_unit_of(*reg) >= profile.texture_units) return std::nullopt;
+  return reg;
 }
 
 GivenRegisters given_registers(Request& request, const HardwareProfile& profile) {

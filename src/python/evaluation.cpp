@@ -36,11 +36,9 @@ struct Component {
 
 Component component_of(const std::string& key) {
   const std::size_t dot = std::min(key.find('.'), key.size());
-  for (std::size_t r = kFirstRegister; r < kRegisterCount; ++r) {
-    if (short_name(static_cast<Register>(r)) != std::string_view(key).substr(0, dot)) continue;
-    const std::size_t component = key.size() == dot + 2 ? std::string_view("rgba").find(key[dot + 1]) : 4;
-    if (component < 4) return {r, component};
-  }
+  const std::optional<Register> reg = register_named(std::string_view(key).substr(0, dot));
+  const std::size_t component = key.size() == dot + 2 ? std::string_view("rgba").find(key[dot + 1]) : 4;
+  if (reg && component < 4) return {static_cast<std::size_t>(*reg), component};
   throw Error{"'" + key + "' is not a component of a register; expected a name such as tex0.r"};
 }
 

@@ -153,6 +153,10 @@ void add_state(py::module_& module) {
 void add_programs(py::module_& module) {
   add_state(module);
   module.attr("REGISTERS") = py::tuple(py::cast(register_names()));
+  module.def("register_named", [](const std::string& name) -> std::optional<std::string> {
+    const std::optional<Register> reg = register_named(name);
+    return reg ? std::optional<std::string>(short_name(*reg)) : std::nullopt;
+  });
   py::class_<RunnableProgram>(module, "Program")
       .def(py::init(&compiled), py::arg("state"))
       .def_property_readonly(

@@ -139,8 +139,7 @@ int compare(const CompareFlags& flags, ComparedPoints points) {
   bool usage = false;
   if (Status done = run_comparison(flags, comparison, written, usage); !done) {
     if (!usage) return report(done.error());
-    say_error(fmt::format("{} (see: ninebit compare --help)", done.error().message));
-    return kWrongUsage;
+    return wrong_usage("compare", done.error().message);
   }
   if (!flags.common.quiet) {
     for (const auto& file : written) say_written(file);

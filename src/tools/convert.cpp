@@ -46,11 +46,6 @@ int write(const ConvertFlags& flags, const std::string& text) {
   return kDone;
 }
 
-int wrong_convert(const std::string& message) {
-  say_error(fmt::format("{} (see: ninebit convert --help)", message));
-  return kWrongUsage;
-}
-
 // Lists the set-ups of a log.
 int list(const ConvertFlags& flags, ProgramSource source) {
   const HardwareProfile& profile = profile_of(flags.common);
@@ -64,8 +59,8 @@ int list(const ConvertFlags& flags, ProgramSource source) {
     say(fmt::format("ninebit: note: {}\n", detail::kReadForOlderChip));
   }
   if (frame && *frame > found.frames) {
-    return wrong_convert(fmt::format("--frame {}: out of range; the log has {} frame{} with draws", *frame,
-                                     found.frames, found.frames == 1 ? "" : "s"));
+    return wrong_usage("convert", fmt::format("--frame {}: out of range; the log has {} frame{} with draws", *frame,
+                                              found.frames, found.frames == 1 ? "" : "s"));
   }
   if (!flags.common.json) return write(flags, log_table(found, frame, source.name, profile));
   const Json object = log_json(found, frame, source.name, profile, flags.common.profile);
@@ -102,11 +97,11 @@ int run(const ConvertFlags& flags) {
   if (misuses_source_flags(flags.program, source->name, source->form)) return kWrongUsage;
   const bool is_log = source->form == ProgramForm::log;
   if (flags.frame != 0 && !is_log) {
-    return wrong_convert(fmt::format("--frame is for logs of register writes; {} is not one", source->name));
+    return wrong_usage("convert", fmt::format("--frame is for logs of register writes; {} is not one", source->name));
   }
   if (flags.to.empty()) {
     if (is_log && !source->setup) return list(flags, std::move(*source));
-    return wrong_convert("--to is required; only a log's set-ups are listed without it");
+    return wrong_usage("convert", "--to is required; only a log's set-ups are listed without it");
   }
   int exit_code = kDone;
   const auto program = load(flags, std::move(*source), exit_code);

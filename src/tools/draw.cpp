@@ -196,27 +196,24 @@ int print_answer(const DrawFlags& flags, const Effect& effect, const HardwarePro
   return kDone;
 }
 
-int wrong_usage(const std::string& message) {
-  say_error(fmt::format("{} (see: ninebit draw --help)", message));
-  return kWrongUsage;
-}
-
 int draw(const DrawFlags& flags) {
   const auto start = Clock::now();
   const ThreadLimit limit(flags.common.threads);
-  if (flags.output.empty() && !flags.only.empty()) return wrong_usage("--only names files; expected it with --output");
+  if (flags.output.empty() && !flags.only.empty())
+    return wrong_usage("draw", "--only names files; expected it with --output");
   if (!flags.output.empty() && std::filesystem::path(flags.output).extension() != ".png") {
-    return wrong_usage(fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
+    return wrong_usage("draw", fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
   }
-  if (Status checked = check_files(flags); !checked) return wrong_usage(checked.error().message);
+  if (Status checked = check_files(flags); !checked) return wrong_usage("draw", checked.error().message);
   DrawnFile file = read_effect_file(flags.file, flags.allow_outside);
   if (file.exit_code != kDone) return file.exit_code;
   const bool is_effect = file.effect.has_value();
   if (is_effect) {
-    if (Status changed = override_effect(flags, *file.effect); !changed) return wrong_usage(changed.error().message);
+    if (Status changed = override_effect(flags, *file.effect); !changed)
+      return wrong_usage("draw", changed.error().message);
   } else {
     auto effect = effect_of(flags);
-    if (!effect) return wrong_usage(effect.error().message);
+    if (!effect) return wrong_usage("draw", effect.error().message);
     file.effect.emplace(std::move(*effect));
   }
   const auto profile =

@@ -1,7 +1,9 @@
 // `ninebit eval`: evaluates a program on each row of a table of register codes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/eval/eval_engine.h"
+#include "src/tools/eval/eval_pictures.h"
 #include "src/tools/eval/eval_stages.h"
 
 namespace ninebit::tools {
@@ -23,6 +26,8 @@ struct EvalFlags {
   std::string output;
   bool registers = false;
   std::string engine = "simd";
+  UnitPictures textures{};
+  std::vector<std::string> set;
 };
 
 // Writes the results as CSV or as the rows of the JSON answer.
@@ -209,14 +214,74 @@ Result<std::size_t> evaluate_table(const EvalFlags& flags, const TextProgram& pr
   return evaluate_registers(flags, program, table, progress);
 }
 
-int run(const EvalFlags& flags) {
+// What is wrong with the flags of pictures; empty: nothing.
+std::string complain_about_pictures(const EvalFlags& flags, const TraceInputs& set) {
+  if (!flags.inputs.empty()) return "--inputs is a table, and --tex0 to --tex3 are pictures; expected one of both";
+  if (flags.output.empty()) return "-o FILE.png is required with pictures";
+  if (std::filesystem::path(flags.output).extension() != ".png") {
+    return fmt::format("-o {}: expected the name of a .png file, as the inputs are pictures", printable(flags.output));
+  }
+  const int units = profile_of(flags.common).texture_units;
+  for (int unit = 0; unit < 4; ++unit) {
+    if (flags.textures[static_cast<std::size_t>(unit)].empty()) continue;
+    if (unit >= units)
+      return fmt::format("--tex{}: profile {} has {} texture units", unit, profile_of(flags.common).name, units);
+    for (const EvalColumn& column : set.set) {
+      if (column.reg == texture_register(unit)) {
+        return fmt::format("--set {}: --tex{} gives its values", column.name(), unit);
+      }
+    }
+  }
+  return {};
+}
+
+int run_on_pictures(const EvalFlags& flags, const TextProgram& program) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  const auto set = parse_trace_inputs(flags.set, profile);
+  if (!set) return wrong_usage("eval", set.error().message);
+  if (const std::string complaint = complain_about_pictures(flags, *set); !complaint.empty()) {
+    return wrong_usage("eval", complaint);
+  }
+  if (!flags.common.quiet) {
+    say_assumed_constants(flags.program.file, normalize(program.state, profile), set->set);
+    if (!only_reads_textures(program.texture_shader)) {
+      say(fmt::format("ninebit: note: {}: the texture-shader stages are not run; the pictures are tex0 to tex3\n",
+                      printable(flags.program.file)));
+    }
+  }
+  std::optional<ProgressLine> progress(std::in_place, flags.common.quiet);
+  const auto picture = evaluate_pictures(program.state, profile, flags.textures, *set);
+  progress.reset();
+  if (!picture) return report(picture.error());
+  const auto bytes = encode_png(*picture);
+  if (!bytes) return report(bytes.error());
+  if (Status written = write_output(flags.output, *bytes); !written) return report(written.error());
+  if (!flags.common.quiet) say_written(flags.output);
+  if (!flags.common.json) return kDone;
+  return answer(Json{{"command", "eval"},
+                     {"version", NINEBIT_VERSION},
+                     {"profile", flags.common.profile},
+                     {"size", {picture->width, picture->height}},
+                     {"fragments", picture->pixels.size() / 4},
+                     {"files", Json::array({flags.output})}});
+}
+
+int run(const EvalFlags& flags, const CLI::App& verb) {
+  const bool on_pictures =
+      std::any_of(flags.textures.begin(), flags.textures.end(), [](const std::string& file) { return !file.empty(); });
+  if (!on_pictures && flags.inputs.empty())
+    return wrong_usage("eval", "--inputs FILE.csv or --tex0 PICTURE is required");
+  if (!on_pictures && !flags.set.empty()) return wrong_usage("eval", "--set is for pictures; a table has columns");
+  for (const char* const flag : {"--registers", "--engine"}) {
+    if (on_pictures && verb.count(flag) > 0) return wrong_usage("eval", fmt::format("{} is for tables", flag));
+  }
   if (flags.program.file == "-" && flags.inputs == "-") {
-    say("ninebit: error: only one of PROGRAM and --inputs can be standard input (see: ninebit eval --help)\n");
-    return kWrongUsage;
+    return wrong_usage("eval", "only one of PROGRAM and --inputs can be standard input");
   }
   int exit_code = kDone;
   const auto program = load_text_program(flags.program, profile_of(flags.common), flags.common.quiet, exit_code);
   if (!program) return exit_code;
+  if (on_pictures) return run_on_pictures(flags, *program);
 
   std::optional<ProgressLine> progress(std::in_place, flags.common.quiet || posix::is_terminal(posix::kStandardOutput));
   const auto total = evaluate_table(flags, *program, *progress);
@@ -233,7 +298,7 @@ int run(const EvalFlags& flags) {
 }  // namespace
 
 void add_eval(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("eval", "Evaluate a program on a table of register codes");
+  CLI::App* verb = app.add_subcommand("eval", "Evaluate a program on a table of register codes, or on pictures");
   verb->footer(
       "The table has a header such as primary.r,tex0.a,const0.g,spare0.a; its rows are whole numbers. In most\n"
       "profiles, 255 is 1.0. Defaults for missing columns:\n"
@@ -247,7 +312,10 @@ void add_eval(CLI::App& app, int& exit_code) {
       "the colour, tex0 to tex3, whether the fragment is culled, its replaced depth, and where textures are read.\n"
       "A column for a constant replaces the constant in every stage. Results are written to standard output as\n"
       "they are computed; if a row is invalid, the rows before it have already been written.\n"
+      "Pictures are read texel by texel, in any size, all in the same one; what no picture and no --set gives has the\n"
+      "defaults above. The result has a picture's four bytes.\n"
       "Examples:\n"
+      "  ninebit eval sepia.rc1 --tex0 photograph.png -o sepia.png\n"
       "  ninebit eval compare.gl --inputs codes.csv -o out.csv\n"
       "  ninebit eval compare.gl --inputs - --registers --engine reference < codes.csv");
   auto flags = std::make_shared<EvalFlags>();
@@ -255,16 +323,24 @@ void add_eval(CLI::App& app, int& exit_code) {
   add_profile_flag(*verb, flags->common);
   add_program_flags(*verb, flags->program);
   add_include_flag(*verb, flags->program.allow_outside);
-  verb->add_option("--inputs", flags->inputs, "Table of register codes; - reads standard input")
-      ->required()
-      ->type_name("FILE.csv");
+  verb->add_option("--inputs", flags->inputs, "Table of register codes; - reads standard input")->type_name("FILE.csv");
+  for (std::size_t unit = 0; unit < 4; ++unit) {
+    verb->add_option(fmt::format("--tex{}", unit), flags->textures[unit],
+                     fmt::format("Picture whose texels texture register {} holds", unit))
+        ->type_name("PICTURE");
+  }
+  verb->add_option(
+          "--set", flags->set,
+          "With pictures: the codes of a register, REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE; repeat for more")
+      ->type_name("REGISTER=CODES")
+      ->allow_extra_args(false);
   verb->add_option("-o,--output", flags->output, "Write the results to this file instead of standard output")
-      ->type_name("FILE.csv");
+      ->type_name("FILE");
   verb->add_flag("--registers", flags->registers, "Also write every register after the last general combiner");
   verb->add_option("--engine", flags->engine, "Evaluator to use; both compute the same bits")
       ->capture_default_str()
       ->check(CLI::IsMember({"reference", "simd"}));
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+  verb->callback([flags, verb, &exit_code] { exit_code = run(*flags, *verb); });
 }
 
 }  // namespace ninebit::tools

@@ -181,14 +181,12 @@ int render(const RenderFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   const auto settings = checked_settings(flags);
   if (!settings) {
-    say_error(fmt::format("{} (see: ninebit render --help)", settings.error().message));
-    return kWrongUsage;
+    return wrong_usage("render", settings.error().message);
   }
   FinishedRender done{.settings = *settings};
   if (Status finished = run(flags, done); !finished) {
     if (!done.wrong_only) return report(finished.error());
-    say_error(fmt::format("{} (see: ninebit render --help)", finished.error().message));
-    return kWrongUsage;
+    return wrong_usage("render", finished.error().message);
   }
   print_warnings(flags, done);
   const int printed = print_answer(flags, done);

@@ -42,11 +42,6 @@ struct Drawn {
   const HardwareProfile* profile = nullptr;
 };
 
-int wrong_usage(const std::string& message) {
-  say_error(fmt::format("{} (see: ninebit trace --help)", message));
-  return kWrongUsage;
-}
-
 // The texts for people: the pixel, then the traced fragment.
 std::string text_of(const TraceFacts& facts, const Program* program, const Trace* traced, TraceLayout layout) {
   std::string lines = facts.pixel != nullptr ? pixel_text(*facts.pixel) : "";
@@ -94,7 +89,7 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
 
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {
   const auto inputs = parse_trace_inputs(flags.set, profile_of(flags.common));
-  if (!inputs) return wrong_usage(inputs.error().message);
+  if (!inputs) return wrong_usage("trace", inputs.error().message);
   std::vector<EvalColumn> given;
   for (const auto& [column, code] : inputs->constants) given.push_back(column);
   if (!flags.common.quiet) say_assumed_constants(flags.program.file, *program, given);
@@ -105,7 +100,7 @@ int trace_set(const TraceFlags& flags, std::optional<Program> program) {
 int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) {
   const RenderSettings settings = settings_of(flags.scene, flags.common);
   const auto at = window_pixel("--pixel", flags.pixel, settings);
-  if (!at) return wrong_usage(at.error().message);
+  if (!at) return wrong_usage("trace", at.error().message);
   const int y = settings.height - 1 - at->y;
   const auto pixel = render_pixel(flags.scene, flags.common, at->x, y, program.has_value());
   if (!pixel) return report(pixel.error());
@@ -131,20 +126,22 @@ int trace_effect(const TraceFlags& flags) {
 int run(const TraceFlags& flags) {
   const HardwareProfile& profile = profile_of(flags.common);
   if (!flags.effect.empty()) {
-    if (!flags.program.file.empty()) return wrong_usage("--effect traces the effect's own programs, not PROGRAM");
-    return flags.pixel.empty() ? wrong_usage("--effect requires --pixel X,Y") : trace_effect(flags);
+    if (!flags.program.file.empty())
+      return wrong_usage("trace", "--effect traces the effect's own programs, not PROGRAM");
+    return flags.pixel.empty() ? wrong_usage("trace", "--effect requires --pixel X,Y") : trace_effect(flags);
   }
   if (flags.program.file.empty() && flags.scene.file.empty()) {
-    return wrong_usage("PROGRAM, --scene or --effect is required");
+    return wrong_usage("trace", "PROGRAM, --scene or --effect is required");
   }
   if (!flags.program.defines.empty() && flags.program.file.empty()) {
-    return wrong_usage("--define requires PROGRAM or --effect");
+    return wrong_usage("trace", "--define requires PROGRAM or --effect");
   }
   if (flags.scene.file.empty() && flags.threads->count() != 0) {
-    return wrong_usage("--threads requires --scene or --effect: a trace of given registers has one thread");
+    return wrong_usage("trace", "--threads requires --scene or --effect: a trace of given registers has one thread");
   }
-  if (flags.scene.file.empty() && !flags.pixel.empty()) return wrong_usage("--pixel requires --scene or --effect");
-  if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("--scene requires --pixel X,Y");
+  if (flags.scene.file.empty() && !flags.pixel.empty())
+    return wrong_usage("trace", "--pixel requires --scene or --effect");
+  if (!flags.scene.file.empty() && flags.pixel.empty()) return wrong_usage("trace", "--scene requires --pixel X,Y");
   std::optional<Program> program;
   if (!flags.program.file.empty()) {
     int exit_code = kDone;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "ninebit/numerics/visibility.h"
@@ -84,5 +85,10 @@ inline constexpr std::array kInputMappings{InputMapping::unsigned_identity, Inpu
 
 // Returns a register's name in tables, equations and traces: "tex0", "const1", "primary"; name_of() for the others.
 [[nodiscard]] std::string_view short_name(Register r);
+
+// The register of a short name, or of its name in a language: "col0" and "col1" of !!RC1.0 are the two colours, as are
+// "v0" and "v1" of pixel shaders, whose "t0" to "t3" are textures, "r0" and "r1" spare0 and spare1, "c0" and "c1" the
+// constants. One of the first kRegisterCount but zero; nothing for other names.
+[[nodiscard]] std::optional<Register> register_named(std::string_view name);
 
 }  // namespace ninebit

@@ -33,6 +33,8 @@ struct TextureReadOptions {
   // Pictures may have any sides from 1 to 16384, as glTF permits; a side that is not a power of two is resampled to the
   // next one (resample_to_powers_of_two). Not for DDS files and the faces of cube maps.
   bool any_size = false;
+  bool rectangle =
+      false;  // any sides from 1 to 16384, which are kept: a rectangle texture of level 0. Not for cube maps
   std::function<void(int width, int height)> on_resample{};  // called with a resampled picture's own size; may be empty
   // OpenImageIO runs in a child process that can read only that file and is limited to 1.5 GiB of memory and 8 s of
   // processor time, plus 64 bytes per byte of the file and 1 s per 4 MiB. A file that crashes it or exceeds the limits

@@ -83,6 +83,13 @@ void flip(FileTexture& texture) {
 // Resamples a picture where the options permit that, and flips it. Reports sides that are not powers of two.
 Status fit(const std::filesystem::path& file, const TextureReadOptions& options, FileTexture& texture) {
   const int width = texture.faces[0][0].width, height = texture.faces[0][0].height;
+  if (options.rectangle) {
+    if (texture.target != TextureTarget::texture_2d) return invalid_input(file, "is a cube map; expected one picture");
+    texture.target = TextureTarget::rectangle;
+    texture.faces[0].resize(1);
+    if (options.flip) flip(texture);
+    return {};
+  }
   if (std::string complaint = complain_about_texture_size(width, height); !complaint.empty()) {
     if (!options.any_size) return invalid_input(file, "the picture " + complaint);
     resample_to_powers_of_two(texture);

@@ -1,19 +1,20 @@
 """Register codes in the shapes of NumPy: what Program.evaluate takes and returns."""
 import numpy as np
 
-from ._combiner import REGISTERS, Error, nearest_name
+from ._combiner import REGISTERS, Error, nearest_name, register_named
 
 _LETTERS = "rgba"
 _COMPONENTS = [f"{register}.{letter}" for register in REGISTERS for letter in _LETTERS]
 
 
 def register_of(name, keyword=False):
-    """The register and the component, or None, of 'tex0' or 'tex0.r'."""
+    """The register and the component, or None, of 'tex0' or 'tex0.r', and of the languages' names, such as 't0.r'."""
     if not isinstance(name, str):
         raise TypeError(f"a register's name must be str, such as 'tex0' or 'tex0.r', not {type(name).__name__}")
     register, dot, letter = name.partition(".")
-    if register in REGISTERS and (not dot or (len(letter) == 1 and letter in _LETTERS)):
-        return register, _LETTERS.index(letter) if dot else None
+    known = register_named(register)
+    if known and (not dot or (len(letter) == 1 and letter in _LETTERS)):
+        return known, _LETTERS.index(letter) if dot else None
     known = [*REGISTERS, *(["out", "axis", "registers"] if keyword else _COMPONENTS)]
     raise (TypeError if keyword else Error)(
         f"'{name}' is not a register{' or an option' if keyword else ''}; expected one of {', '.join(REGISTERS)}"

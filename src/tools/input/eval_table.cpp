@@ -21,6 +21,19 @@ std::string EvalColumn::name() const {
   return std::string(short_name(reg)) + '.' + kComponents[static_cast<std::size_t>(component)];
 }
 
+std::vector<EvalColumn> columns_named(std::string_view name, const HardwareProfile& profile) {
+  const std::size_t dot = std::min(name.find('.'), name.size());
+  const std::optional<Register> reg = register_named(name.substr(0, dot));
+  std::vector<EvalColumn> found;
+  if (!reg) return found;
+  for (const EvalColumn& column : eval_columns(profile)) {
+    const bool is_meant =
+        dot == name.size() || name.substr(dot + 1) == kComponents.substr(static_cast<std::size_t>(column.component), 1);
+    if (column.reg == *reg && is_meant) found.push_back(column);
+  }
+  return found;
+}
+
 std::vector<EvalColumn> eval_columns(const HardwareProfile& profile) {
   std::vector<EvalColumn> columns;
   for (std::size_t i = 0; i < kRegisterCount; ++i) {
@@ -33,25 +46,24 @@ std::vector<EvalColumn> eval_columns(const HardwareProfile& profile) {
 
 Result<std::vector<EvalColumn>> read_header(const CsvLine& line, const std::string& file,
                                             const HardwareProfile& profile) {
-  const std::vector<EvalColumn> known = eval_columns(profile);
   std::vector<EvalColumn> columns;
   std::string_view rest = line.text;
   while (true) {
     const std::size_t comma = rest.find(',');
     const std::string_view field = trimmed(rest.substr(0, comma));
     const std::size_t at = column_of(line, field.empty() ? rest : field);
-    const auto found = std::find_if(known.begin(), known.end(), [&](const EvalColumn& c) { return c.name() == field; });
-    if (found == known.end()) {
+    const std::vector<EvalColumn> found = columns_named(field, profile);
+    if (found.size() != 1) {
       return csv_fault(
           file, line.number, at,
           fmt::format("unknown column '{}'; expected REGISTER.COMPONENT with a register of const0, const1, "
                       "fog, primary, secondary, spare0, spare1, tex0 to tex{} and a component of r, g, b, a",
                       shown(field), profile.texture_units - 1));
     }
-    if (std::find(columns.begin(), columns.end(), *found) != columns.end()) {
-      return csv_fault(file, line.number, at, fmt::format("duplicate column {}", found->name()));
+    if (std::find(columns.begin(), columns.end(), found[0]) != columns.end()) {
+      return csv_fault(file, line.number, at, fmt::format("duplicate column {}", found[0].name()));
     }
-    columns.push_back(*found);
+    columns.push_back(found[0]);
     if (comma == std::string_view::npos) return columns;
     rest.remove_prefix(comma + 1);
   }

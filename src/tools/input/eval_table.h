@@ -22,6 +22,10 @@ struct EvalColumn {
   friend bool operator==(const EvalColumn&, const EvalColumn&) = default;
 };
 
+// The components of a name in any language (register_named): one of "tex0.a" or "t0.a", four of "tex0"; none for
+// others.
+[[nodiscard]] std::vector<EvalColumn> columns_named(std::string_view name, const HardwareProfile& profile);
+
 // Every register component that a table may have with the profile, in the order of the registers.
 [[nodiscard]] std::vector<EvalColumn> eval_columns(const HardwareProfile& profile);
 

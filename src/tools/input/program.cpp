@@ -172,6 +172,11 @@ void say_error(std::string_view message) {
   print_error(message);
 }
 
+int wrong_usage(std::string_view verb, std::string_view message) {
+  say_error(fmt::format("{} (see: ninebit {} --help)", message, verb));
+  return kWrongUsage;
+}
+
 void say_warning(std::string_view message) {
   say(fmt::format("ninebit: warning: {}\n", printable_briefly(message)));
 }

@@ -90,6 +90,8 @@ void say(std::string_view text) noexcept;
 
 // Prints "ninebit: error: MESSAGE", "ninebit: warning: MESSAGE" or "wrote FILE" to stderr, always on one line.
 void say_error(std::string_view message);
+// The same of wrong usage, with the help of the verb to read; returns kWrongUsage.
+int wrong_usage(std::string_view verb, std::string_view message);
 void say_warning(std::string_view message);
 void say_written(const std::filesystem::path& file);
 

@@ -23,11 +23,11 @@ Result<std::vector<ProofInput>> inputs_of(const std::string& text) {
     name.resize(name.size() - 2);
   }
   std::vector<ProofInput> inputs;
-  const auto constant = constant_called(name);
-  for (const Register reg : {Register::fog, Register::primary, Register::secondary, Register::texture0,
-                             Register::texture1, Register::texture2, Register::texture3}) {
-    if (short_name(reg) != name) continue;
-    for (const int c : components) inputs.push_back({reg, c, 0, {}});
+  const std::optional<Register> reg = register_named(name);
+  const bool is_register = reg && *reg >= Register::fog && *reg != Register::spare0 && *reg != Register::spare1;
+  const auto constant = constant_called(reg ? short_name(*reg) : name);
+  if (is_register) {
+    for (const int c : components) inputs.push_back({*reg, c, 0, {}});
   }
   for (std::size_t i = 0; constant && i < components.size(); ++i) {
     inputs.push_back({Register::zero, components[i], 0, constant});
@@ -69,7 +69,8 @@ void add_proof_flags(CLI::App& verb, ProofFlags& flags) {
 
 Status choose_inputs(const ProofFlags& flags, const std::vector<AskedProgram>& programs, EquivalenceOptions& options) {
   for (const std::string& text : flags.free) {
-    const auto name = constant_called(text);
+    const std::optional<Register> reg = register_named(text);
+    const auto name = constant_called(reg ? short_name(*reg) : text);
     bool found = false;
     for (const AskedProgram& one : programs) found = (name && free_constant(*one.state, *name)) || found;
     if (!found) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "src/system/number_list.h"
 
@@ -15,24 +16,14 @@ struct Setting {
   std::vector<s9> codes;
 };
 
-// The columns of a name: one component, or all four of a register; empty for an unknown name.
-std::vector<EvalColumn> columns_named(std::string_view name, const std::vector<EvalColumn>& known) {
-  std::vector<EvalColumn> found;
-  for (const EvalColumn& column : known) {
-    if (column.name() == name || short_name(column.reg) == name) found.push_back(column);
-  }
-  return found;
-}
-
-Result<Setting> parse_setting(const std::string& text, const std::vector<EvalColumn>& known,
-                              const HardwareProfile& profile) {
+Result<Setting> parse_setting(const std::string& text, const HardwareProfile& profile) {
   const auto wrong = [&](const std::string& why) { return Diagnostic{.message = "--set: " + why}; };
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) {
     return wrong(fmt::format("'{}' has no value; expected REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE", text));
   }
   const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
-  Setting setting{.columns = columns_named(name, known), .codes = {}};
+  Setting setting{.columns = columns_named(name, profile), .codes = {}};
   if (setting.columns.empty()) {
     return wrong(
         fmt::format("unknown register '{}'; expected const0, const1, fog, primary, secondary, "
@@ -55,11 +46,10 @@ Result<Setting> parse_setting(const std::string& text, const std::vector<EvalCol
 }  // namespace
 
 Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts, const HardwareProfile& profile) {
-  const std::vector<EvalColumn> known = eval_columns(profile);
   std::vector<EvalColumn> set;
   std::vector<s9> codes;
   for (const std::string& text : texts) {
-    const auto setting = parse_setting(text, known, profile);
+    const auto setting = parse_setting(text, profile);
     if (!setting) return setting.error();
     for (std::size_t i = 0; i < setting->columns.size(); ++i) {
       const EvalColumn& column = setting->columns[i];
@@ -87,6 +77,7 @@ Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts, co
     const bool constant = set[i].reg == Register::constant0 || set[i].reg == Register::constant1;
     if (constant) inputs.constants.emplace_back(set[i], codes[i]);
   }
+  inputs.set = std::move(set);
   return inputs;
 }
 

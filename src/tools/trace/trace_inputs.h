@@ -13,6 +13,7 @@ namespace ninebit::tools {
 struct TraceInputs {
   RegisterFile registers;                              // with eval's defaults for registers that are not set
   std::vector<std::pair<EvalColumn, s9>> constants{};  // components of constants that were set
+  std::vector<EvalColumn> set{};                       // all components that were
 };
 
 // Parses texts of the form REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE, in codes of the profile. The Diagnostic is
