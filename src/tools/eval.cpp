@@ -215,7 +215,7 @@ Result<std::size_t> evaluate_table(const EvalFlags& flags, const TextProgram& pr
 }
 
 // What is wrong with the flags of pictures; empty: nothing.
-std::string complain_about_pictures(const EvalFlags& flags, const TraceInputs& set) {
+std::string complain_about_pictures(const EvalFlags& flags, const RegisterSettings& set) {
   if (!flags.inputs.empty()) return "--inputs is a table, and --tex0 to --tex3 are pictures; expected one of both";
   if (flags.output.empty()) return "-o FILE.png is required with pictures";
   if (std::filesystem::path(flags.output).extension() != ".png") {
@@ -237,7 +237,7 @@ std::string complain_about_pictures(const EvalFlags& flags, const TraceInputs& s
 
 int run_on_pictures(const EvalFlags& flags, const TextProgram& program) {
   const HardwareProfile& profile = profile_of(flags.common);
-  const auto set = parse_trace_inputs(flags.set, profile);
+  const auto set = parse_register_settings(flags.set, profile);
   if (!set) return wrong_usage("eval", set.error().message);
   if (const std::string complaint = complain_about_pictures(flags, *set); !complaint.empty()) {
     return wrong_usage("eval", complaint);

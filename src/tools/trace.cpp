@@ -16,7 +16,7 @@
 #include "src/tools/common/technique_flags.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
-#include "src/tools/trace/trace_inputs.h"
+#include "src/tools/input/register_settings.h"
 #include "src/tools/trace/trace_page.h"
 #include "src/tools/trace/trace_pixel.h"
 #include "src/tools/trace/trace_text.h"
@@ -88,7 +88,7 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
 }
 
 int trace_set(const TraceFlags& flags, std::optional<Program> program) {
-  const auto inputs = parse_trace_inputs(flags.set, profile_of(flags.common));
+  const auto inputs = parse_register_settings(flags.set, profile_of(flags.common));
   if (!inputs) return wrong_usage("trace", inputs.error().message);
   std::vector<EvalColumn> given;
   for (const auto& [column, code] : inputs->constants) given.push_back(column);

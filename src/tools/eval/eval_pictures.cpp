@@ -60,7 +60,7 @@ void read_register(Register reg, const PictureCodes& picture, FragmentArrays& ar
 }  // namespace
 
 Result<Image8> evaluate_pictures(const CombinerState& state, const HardwareProfile& profile, const UnitPictures& files,
-                                 const TraceInputs& set) {
+                                 const RegisterSettings& set) {
   Program program = normalize(state, profile);
   for (const auto& [column, code] : set.constants) replace_constant(program, column.reg, column.component, code);
   FragmentArrays arrays{.otherwise = set.registers};

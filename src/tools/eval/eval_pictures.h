@@ -7,7 +7,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/numerics/result.h"
-#include "src/tools/trace/trace_inputs.h"
+#include "src/tools/input/register_settings.h"
 
 namespace ninebit::tools {
 
@@ -19,6 +19,6 @@ using UnitPictures = std::array<std::string, 4>;
 // another size than the first, and those of floats or depths, which are no bytes. Requires a ProgressLine, which may
 // stop it.
 [[nodiscard]] Result<Image8> evaluate_pictures(const CombinerState& state, const HardwareProfile& profile,
-                                               const UnitPictures& files, const TraceInputs& set);
+                                               const UnitPictures& files, const RegisterSettings& set);
 
 }  // namespace ninebit::tools

@@ -1,4 +1,4 @@
-#include "src/tools/trace/trace_inputs.h"
+#include "src/tools/input/register_settings.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +45,8 @@ Result<Setting> parse_setting(const std::string& text, const HardwareProfile& pr
 
 }  // namespace
 
-Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts, const HardwareProfile& profile) {
+Result<RegisterSettings> parse_register_settings(const std::vector<std::string>& texts,
+                                                 const HardwareProfile& profile) {
   std::vector<EvalColumn> set;
   std::vector<s9> codes;
   for (const std::string& text : texts) {
@@ -67,7 +68,7 @@ Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts, co
   for (std::size_t i = 0; i < set.size(); ++i) batch->registers(set[i].reg, set[i].component)[0] = codes[i];
   batch->count = 1;
   row.end(*batch);
-  TraceInputs inputs;
+  RegisterSettings inputs;
   for (std::size_t r = static_cast<std::size_t>(Register::fog); r < kRegisterCount; ++r) {
     for (std::size_t c = 0; c < 4; ++c) {
       inputs.registers.value[r][c] = batch->registers(static_cast<Register>(r), static_cast<int>(c))[0];

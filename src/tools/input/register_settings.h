@@ -10,7 +10,7 @@
 
 namespace ninebit::tools {
 
-struct TraceInputs {
+struct RegisterSettings {
   RegisterFile registers;                              // with eval's defaults for registers that are not set
   std::vector<std::pair<EvalColumn, s9>> constants{};  // components of constants that were set
   std::vector<EvalColumn> set{};                       // all components that were
@@ -18,7 +18,7 @@ struct TraceInputs {
 
 // Parses texts of the form REGISTER=R,G,B,A or REGISTER.COMPONENT=VALUE, in codes of the profile. The Diagnostic is
 // wrong usage.
-[[nodiscard]] Result<TraceInputs> parse_trace_inputs(const std::vector<std::string>& texts,
-                                                     const HardwareProfile& profile);
+[[nodiscard]] Result<RegisterSettings> parse_register_settings(const std::vector<std::string>& texts,
+                                                               const HardwareProfile& profile);
 
 }  // namespace ninebit::tools
