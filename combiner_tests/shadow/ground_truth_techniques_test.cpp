@@ -57,6 +57,41 @@ TEST(JudgedTechniques, HaveTheCausesOfTheirKind) {
   }
 }
 
+// One pixel alone is judged as among all, and what its cause is about is there.
+TEST(JudgedTechniques, OnePixelAlone) {
+  std::size_t wrong = 0, blocked = 0;
+  for (const char* name : {"index-cube", "depth-cube", "shadow-volume"}) {
+    SCOPED_TRACE(name);
+    const Technique& technique = *find_technique(name);
+    const Scene scene = room_for(technique);
+    const RenderSettings settings = room_settings();
+    const auto rendering = technique.render(scene, settings, {});
+    ASSERT_TRUE(rendering);
+    const auto rays = GroundTruthScene::make(scene);
+    ASSERT_TRUE(rays);
+    const auto truth = measure(*rays, settings, *rendering);
+    ASSERT_TRUE(truth);
+    for (std::size_t i = 0; i < truth->truth.size(); ++i) {
+      if (truth->cause[i] == ErrorCause::none && i % 97 != 0) continue;
+      const auto pixel = judge_pixel(*rays, settings, *rendering, static_cast<int>(i % 160), static_cast<int>(i / 160));
+      ASSERT_TRUE(pixel);
+      ASSERT_EQ(pixel->truth, truth->truth[i]) << i;
+      ASSERT_EQ(pixel->cause, truth->cause[i]) << i;
+      ASSERT_EQ(pixel->shown.has_value(), pixel->truth != PixelTruth::background);
+      EXPECT_EQ(pixel->occluder.has_value(), pixel->truth == PixelTruth::shadowed) << i;  // a point light, both sides
+      wrong += pixel->cause != ErrorCause::none ? 1U : 0U;
+      blocked += pixel->occluder ? 1U : 0U;
+      if (pixel->cause == ErrorCause::joint) {
+        ASSERT_TRUE(pixel->fetched && *pixel->fetched != *pixel->shown);
+      }
+    }
+    EXPECT_FALSE(judge_pixel(*rays, settings, *rendering, 160, 0));
+    EXPECT_FALSE(judge_pixel(*rays, settings, *rendering, 0, -1));
+  }
+  EXPECT_GT(wrong, 50U);
+  EXPECT_GT(blocked, 50U);
+}
+
 // Two ways to the same shadows that have nothing in common: volumes counted in the stencil buffer, and rays.
 TEST(JudgedTechniques, ShadowVolumesAgreeWithRays) {
   const Judged j = judged_by("shadow-volume", room_settings());

@@ -9,6 +9,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/support/stored_pictures.h"
 #include "combiner_tests/tools/program_support.h"
+#include "ninebit/shadow/ground_truth.h"
 
 namespace tools_test {
 namespace {
@@ -266,6 +267,49 @@ TEST_F(TraceVerb, PixelsOfTheRoom) {
   }
   EXPECT_GT(states["lit"], 5);
   EXPECT_GT(states["shadowed"], 2);
+}
+
+// The truth about some pixels, against the layers of a judged rendering; another pass than the one that decided.
+TEST_F(TraceVerb, GroundTruthOfAPixel) {
+  ASSERT_EQ(ninebit(small_render(kRoom, folder_ / "out", {"--layers", "--ground-truth", "--quiet"})).code, 0);
+  std::map<std::string, std::vector<double>> layers;
+  for (const test::StoredPart& part : test::read_exr(folder_ / "out/layers.exr")) {
+    layers[part.name] = part.channels.begin()->second.numbers();
+  }
+  const std::vector<const char*> states{"background", "lit", "shadowed"};
+  const auto trace = [&](std::size_t at, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "trace",  "--scene", kRoom,        "--pixel", std::to_string(at % 48) + "," + std::to_string(at / 48),
+        "--size", "48x36",   "--map-size", "32"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ninebit(arguments);
+  };
+  int right = 0, wrong = 0;
+  for (std::size_t at = 0; at < 48 * 36; ++at) {
+    const auto cause = static_cast<std::size_t>(layers["cause"][at]);
+    if (cause == 0 ? at % 331 != 0 : wrong >= 6) continue;
+    SCOPED_TRACE(at);
+    ++(cause == 0 ? right : wrong);
+    const Json truth = json_of(trace(at, {"--ground-truth", "--json"}))["truth"];
+    EXPECT_EQ(truth["state"], states[static_cast<std::size_t>(layers["truth"][at])]);
+    EXPECT_EQ(truth["cause"], name_of(static_cast<ErrorCause>(cause)));
+    EXPECT_EQ(truth["polygon"], layers["polygon"][at]);
+    EXPECT_EQ(truth["occluder"].is_null(), truth["state"] == "lit");
+    const std::string text = trace(at, {"--ground-truth"}).out;
+    const std::string says =
+        cause == 0 ? "the pixel is right" : "the pixel is wrong (" + truth["cause"].get<std::string>() + "): ";
+    EXPECT_NE(text.find(says), std::string::npos) << text;
+  }
+  EXPECT_GE(right, 4);
+  EXPECT_EQ(wrong, 6);
+  const Json lit = json_of(trace(0, {"--pass", "lit", "--json"}));
+  EXPECT_EQ(lit["scene"]["pass"], "lit");
+  EXPECT_FALSE(lit.contains("truth"));
+  const Outcome other = trace(0, {"--pass", "blur"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("--pass blur: there is no such pass; expected one of depth, comparison, lit, shadow"),
+            std::string::npos)
+      << other.err;
 }
 
 // A picture that shows the sky: the trace says so, and traces nothing.

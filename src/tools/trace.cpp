@@ -31,6 +31,8 @@ struct TraceFlags {
   SceneFlags scene;
   std::string effect;
   std::string pixel;
+  std::string pass;
+  bool ground_truth = false;
   std::string output;
   CLI::Option* profile = nullptr;  // --profile; whether it was given
   CLI::Option* threads = nullptr;  // the same for --threads
@@ -40,11 +42,13 @@ struct TraceFlags {
 struct Drawn {
   const TracedPixel* pixel = nullptr;
   const HardwareProfile* profile = nullptr;
+  const JudgedPixel* truth = nullptr;  // of --ground-truth
 };
 
 // The texts for people: the pixel, then the traced fragment.
 std::string text_of(const TraceFacts& facts, const Program* program, const Trace* traced, TraceLayout layout) {
   std::string lines = facts.pixel != nullptr ? pixel_text(*facts.pixel) : "";
+  if (facts.truth != nullptr) lines += truth_text(*facts.pixel, *facts.truth);
   if (traced != nullptr) {
     if (!facts.program.empty()) lines += fmt::format("program {}, ", printable(facts.program));
     lines += fmt::format("profile {}\n", printable(facts.profile));
@@ -65,11 +69,13 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
   const TraceFacts facts{.program = flags.program.file,
                          .profile = profile,
                          .pixel = drawn.pixel,
+                         .truth = drawn.truth,
                          .hardware = drawn.profile,
                          .given = flags.program.file.empty() ? nullptr : program,
                          .registers = registers};
   const TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = drawn.pixel};
   Json object = trace_answer(heading, program, shown);
+  if (drawn.truth != nullptr) object["truth"] = truth_json(*drawn.truth);
   if (!flags.output.empty() || host() != nullptr) {
     DiagramPage page = trace_page(facts);
     page.text = text_of(facts, program, shown, {});
@@ -102,10 +108,16 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
   const auto at = window_pixel("--pixel", flags.pixel, settings);
   if (!at) return wrong_usage("trace", at.error().message);
   const int y = settings.height - 1 - at->y;
-  const auto pixel = render_pixel(flags.scene, flags.common, at->x, y, program.has_value());
-  if (!pixel) return report(pixel.error());
+  auto rendered = render_pixel(flags.scene, flags.common, {at->x, y, program.has_value(), flags.ground_truth});
+  if (!rendered) return report(rendered.error());
+  TracedPixel* const pixel = &rendered->traced;
+  if (!flags.pass.empty()) {
+    if (Status chosen = choose_pass_named(flags.pass, program.has_value(), *pixel); !chosen) {
+      return wrong_usage("trace", chosen.error().message);
+    }
+  }
   warn_of_unused_order(settings, pixel->index_order, flags.common.quiet);
-  const Drawn drawn{&*pixel, &profile_of(flags.common)};
+  const Drawn drawn{pixel, &profile_of(flags.common), rendered->truth ? &*rendered->truth : nullptr};
   if (!pixel->fragment) return print(flags, drawn, nullptr, {});
   const ProbedPass& pass = pixel->passes[*pixel->pass];
   return print(flags, drawn, program ? &*program : &*pass.program, pass.fragments[*pixel->fragment].registers);
@@ -167,6 +179,7 @@ void add_trace(CLI::App& app, int& exit_code) {
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"
       "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256\n"
+      "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256 --ground-truth\n"
       "  ninebit trace --effect scenes/effects/dot3_specular.json --pixel 128,80\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 -o compare.html");
   auto flags = std::make_shared<TraceFlags>();
@@ -184,6 +197,12 @@ void add_trace(CLI::App& app, int& exit_code) {
       ->excludes(set)
       ->excludes(scene);
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
+  verb->add_option("--pass", flags->pass, "Pass to trace, by its name (default: the one that decided the shadow)")
+      ->type_name("NAME")
+      ->needs(scene);
+  verb->add_flag("--ground-truth", flags->ground_truth,
+                 "Also say by ray casting whether the pixel is right, and why not (default: off)")
+      ->needs(scene);
   add_page_flag(*verb, flags->output);
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->get_option("--allow-outside")

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -92,6 +93,21 @@ class GroundTruthScene {
 // size than the settings', and Fault::cancelled if `progress` returns false.
 [[nodiscard]] Result<GroundTruth> measure(const GroundTruthScene& scene, const RenderSettings& settings,
                                           const Rendering& rendering, const Progress& progress = {});
+
+// One pixel, judged, with the triangles that its cause is about.
+struct JudgedPixel {
+  PixelTruth truth = PixelTruth::background;  // its correct state
+  ErrorCause cause = ErrorCause::none;        // none: it is right
+  std::optional<std::uint32_t> shown{};       // the triangle that it shows; empty: background
+  std::optional<std::uint32_t> fetched{};     // that of the texel which its fragment looked up; empty: none, or no map
+  std::optional<std::uint32_t> occluder{};    // of those between it and the light the one nearest to the light
+  bool turned_away = false;                   // settings.light_facing, and its triangle faces away from the light
+  bool outside_spot = false;                  // a spot light does not reach it
+};
+
+// The same for pixel (x, y), y up, alone. Reports what measure() reports, and a pixel outside of the rendering.
+[[nodiscard]] Result<JudgedPixel> judge_pixel(const GroundTruthScene& scene, const RenderSettings& settings,
+                                              const Rendering& rendering, int x, int y);
 
 // The rendering, dimmed and grey, with wrong pixels in colours that colour-blind viewers can distinguish: orange for
 // lit pixels that should be in shadow, blue for the reverse.

@@ -29,6 +29,15 @@ Result<GroundTruth> measure(const GroundTruthScene& scene, const RenderSettings&
   return judge.finish();
 }
 
+Result<JudgedPixel> judge_pixel(const GroundTruthScene& scene, const RenderSettings& settings,
+                                const Rendering& rendering, int x, int y) {
+  if (Status good = check_rendering(settings, rendering); !good) return good.error();
+  if (x < 0 || y < 0 || x >= settings.width || y >= settings.height) {
+    return Diagnostic{.message = "the pixel is outside of the rendering"};
+  }
+  return Judge(scene.rays(), settings, rendering).judged(x, y);
+}
+
 namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;

@@ -9,6 +9,16 @@
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
+namespace {
+
+// The polygon that the light sees in the pixel's direction: the one nearest to the light of those in between.
+const RayCrossing* seen_by_light(std::span<const RayCrossing> between) {
+  const auto nearer = [](const RayCrossing& l, const RayCrossing& r) { return l.at < r.at; };
+  const auto found = std::max_element(between.begin(), between.end(), nearer);
+  return found == between.end() ? nullptr : &*found;
+}
+
+}  // namespace
 
 Status check_rendering(const RenderSettings& settings, const Rendering& rendering) {
   const Surface& frame = rendering.frame;
@@ -69,6 +79,29 @@ void Judge::judge_pixel(int x, int y, std::vector<RayCrossing>& between) {
   truth_.cause[i] = cause_of(scene_, evidence, {.lit = drawn_lit, .own = own, .fetched = fetched, .between = between});
 }
 
+JudgedPixel Judge::judged(int x, int y) const {
+  const std::size_t i =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) + static_cast<std::size_t>(x);
+  const std::uint32_t own = rendering_.frame.primitive()[i];
+  if (own >= scene_.triangles.size()) return {};
+  const Corners corners = corners_of(scene_, own);
+  const LightRay ray = light_ray(light_, pixel_rays_.point_on(corners, x, y));
+  std::vector<RayCrossing> between;
+  rays_.find_all(ray, own, between);
+  const ShadowEvidence& evidence = *rendering_.evidence;
+  const std::uint32_t fetched = evidence.fetched.empty() ? 0 : evidence.fetched[i];
+  JudgedPixel pixel{.shown = own, .turned_away = turns_away(corners), .outside_spot = outside_spot(ray.from)};
+  if (fetched != 0) pixel.fetched = fetched - 1;
+  if (const RayCrossing* const first = seen_by_light(between)) pixel.occluder = first->triangle;
+  const bool shadowed = pixel.turned_away || pixel.outside_spot || pixel.occluder;
+  pixel.truth = shadowed ? PixelTruth::shadowed : PixelTruth::lit;
+  const bool lit = rendering_.frame.stencil()[i] == 0;
+  if (lit == shadowed) {
+    pixel.cause = cause_of(scene_, evidence, {.lit = lit, .own = own, .fetched = fetched, .between = between});
+  }
+  return pixel;
+}
+
 bool Judge::turns_away(const Corners& t) const {
   return settings_.light_facing && glm::dot(glm::cross(t.b - t.a, t.c - t.a), light_ray(light_, t.a).way) <= 0.0;
 }
@@ -83,13 +116,6 @@ constexpr std::array kIndexCauses{ErrorCause::truncation, ErrorCause::joint, Err
                                   ErrorCause::sampling};
 constexpr std::array kDepthCauses{ErrorCause::acne, ErrorCause::detached, ErrorCause::sampling};
 constexpr std::array kMaplessCauses{ErrorCause::sampling};
-
-// The polygon that the light sees in the pixel's direction: the one nearest to the light of those in between.
-const RayCrossing* seen_by_light(std::span<const RayCrossing> between) {
-  const auto nearer = [](const RayCrossing& l, const RayCrossing& r) { return l.at < r.at; };
-  const auto found = std::max_element(between.begin(), between.end(), nearer);
-  return found == between.end() ? nullptr : &*found;
-}
 
 bool texel_holds_neighbour(const Scene& scene, const WrongPixel& pixel) {
   return pixel.fetched != 0 && are_neighbours(scene, pixel.own, pixel.fetched - 1);

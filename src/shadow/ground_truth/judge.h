@@ -21,6 +21,9 @@ class Judge {
   // Judges rows [first, last), counted from the lowest.
   void judge_rows(int first, int last);
 
+  // One pixel with all that is known of it.
+  [[nodiscard]] JudgedPixel judged(int x, int y) const;
+
   // The truth about all rows, after all of them were judged once. The judge is empty then.
   [[nodiscard]] GroundTruth finish();
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -70,6 +71,12 @@ DiagramPage trace_page(const TraceFacts& facts) {
     if (!pixel->technique.empty()) fact("Technique", pixel->technique);
     fact("Size", pixel->size);
     fact("State", pixel->state);
+    if (facts.truth != nullptr) {
+      std::string truth = truth_text(*pixel, *facts.truth);
+      truth.pop_back();
+      std::replace(truth.begin(), truth.end(), '\n', ';');
+      fact("Ground truth", truth);
+    }
     if (pixel->pass) fact("Pass", pixel->passes[*pixel->pass].name);
   }
   fact("Profile", facts.profile);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ninebit/combiner/trace.h"
+#include "ninebit/shadow/ground_truth.h"
 #include "src/effect/traced_pixel.h"
 #include "src/page/diagram_page.h"
 
@@ -14,6 +15,7 @@ struct TraceFacts {
   std::string program{};                      // file; empty: the program of the pixel's pass
   std::string profile{};                      // its name for people
   const TracedPixel* pixel = nullptr;         // nullptr: registers were given
+  const JudgedPixel* truth = nullptr;         // of the pixel; nullptr: not asked
   const HardwareProfile* hardware = nullptr;  // that the fragments were drawn with
   const Program* given = nullptr;             // the program of the file; nullptr: those of the passes
   RegisterFile registers{};                   // without a pixel

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "ninebit/effect/effect_json.h"
@@ -21,23 +22,34 @@ std::string state_of(const Surface& frame, std::size_t at) {
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
 }
 
-// Without a program there is nothing to trace in the pass that decided.
-void choose(const Rendering& rendering, bool other_program, TracedPixel& pixel) {
-  const ProbedPass* const decided = deciding_pass(rendering);
-  if (decided == nullptr) return;
-  const auto pass = static_cast<std::size_t>(decided - rendering.probed.data());
+// Without a program there is nothing to trace in the pass.
+void choose(std::size_t pass, bool other_program, TracedPixel& pixel) {
   choose_pass(pixel, pass);
   pixel.pass = pass;
-  if (!decided->program && !other_program) pixel.fragment.reset();
+  if (!pixel.passes[pass].program && !other_program) pixel.fragment.reset();
 }
 
 }  // namespace
 
-Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y, bool other_program) {
+Status choose_pass_named(const std::string& name, bool other_program, TracedPixel& pixel) {
+  std::string names;
+  for (std::size_t i = 0; i < pixel.passes.size(); ++i) {
+    if (pixel.passes[i].name == name) {
+      choose(i, other_program, pixel);
+      return {};
+    }
+    names += (names.empty() ? "one of " : ", ") + pixel.passes[i].name;
+  }
+  return Diagnostic{.message = fmt::format("--pass {}: there is no such pass; expected {}", printable(name),
+                                           names.empty() ? "none, as nothing was drawn at the pixel" : names)};
+}
+
+Result<RenderedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, const PixelQuestion& question) {
   const ThreadLimit limit(common.threads);
   RenderSettings settings = settings_of(flags, common);
-  const int row = settings.height - 1 - y;
+  const int x = question.x, row = settings.height - 1 - question.y;
   settings.pixel = glm::ivec2(x, row);
+  settings.evidence = question.ground_truth;
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
   const auto loaded = load_drawn_scene(flags, settings, common.quiet);
@@ -49,9 +61,10 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
 
   const auto at =
       static_cast<std::size_t>(row) * static_cast<std::size_t>(settings.width) + static_cast<std::size_t>(x);
-  TracedPixel pixel;
+  RenderedPixel out;
+  TracedPixel& pixel = out.traced;
   pixel.x = x;
-  pixel.y = y;
+  pixel.y = question.y;
   pixel.file = flags.file;
   pixel.technique = flags.technique;
   pixel.size = flags.size;
@@ -60,15 +73,80 @@ Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& com
   pixel.index_order = std::move(rendering->index_order);
   for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
   pixel.object_of = scene->triangle_object;
-  choose(*rendering, other_program, pixel);
-  return pixel;
+  if (const ProbedPass* const decided = deciding_pass(*rendering)) {
+    choose(static_cast<std::size_t>(decided - rendering->probed.data()), question.other_program, pixel);
+  }
+  if (!question.ground_truth) return out;
+  const auto rays = GroundTruthScene::make(*scene);
+  if (!rays) return rays.error();
+  const auto judged = judge_pixel(*rays, settings, *rendering, x, row);
+  if (!judged) return judged.error();
+  out.truth = *judged;
+  return out;
+}
+
+namespace {
+
+std::string polygon_text(const TracedPixel& pixel, std::uint32_t polygon) {
+  const std::uint32_t object = pixel.object_of[polygon];
+  return fmt::format("polygon {} of object {} '{}'", polygon + 1, object + 1, printable(pixel.objects[object]));
+}
+
+// Why a pixel that should be in shadow is so.
+std::string shadow_text(const TracedPixel& pixel, const JudgedPixel& truth) {
+  if (truth.occluder) return polygon_text(pixel, *truth.occluder) + " lies between it and the light";
+  return truth.turned_away ? "its polygon faces away from the light" : "the spot light does not reach it";
+}
+
+// The rules are in docs/techniques/ground-truth.md.
+std::string cause_text(const TracedPixel& pixel, const JudgedPixel& truth) {
+  const std::string fetched =
+      truth.fetched ? polygon_text(pixel, *truth.fetched) : std::string("no polygon: the map was cleared there");
+  switch (truth.cause) {
+    case ErrorCause::truncation:
+      return fmt::format("its texel names {}, and the two indices are different, but compare equal", fetched);
+    case ErrorCause::joint:
+      return fmt::format("its texel names {}, a neighbour on the same surface", fetched);
+    case ErrorCause::vanished:
+      return "its polygon owns no texel of the map";
+    case ErrorCause::shared:
+      return "the polygon that casts the shadow has the same index";
+    case ErrorCause::acne:
+      return fmt::format("its texel holds {}, the same surface, which shadows it", fetched);
+    case ErrorCause::detached:
+      return fmt::format("its texel holds {}, which casts the shadow, but the comparison lets light through", fetched);
+    case ErrorCause::sampling:
+      return fmt::format("its texel holds {}: the texel's centre does not see what the pixel's ray sees", fetched);
+    case ErrorCause::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string truth_text(const TracedPixel& pixel, const JudgedPixel& truth) {
+  if (truth.truth == PixelTruth::background) return "truth: background\n";
+  const bool shadowed = truth.truth == PixelTruth::shadowed;
+  std::string text = fmt::format("truth: {}, as {}\n", shadowed ? "shadowed" : "lit",
+                                 shadowed ? shadow_text(pixel, truth) : "nothing lies between it and the light");
+  if (truth.cause == ErrorCause::none) return text + "the pixel is right\n";
+  return text + fmt::format("the pixel is wrong ({}): {}\n", name_of(truth.cause), cause_text(pixel, truth));
+}
+
+Json truth_json(const JudgedPixel& truth) {
+  constexpr std::array<const char*, 3> states{"background", "lit", "shadowed"};
+  const auto number = [](std::optional<std::uint32_t> polygon) { return polygon ? Json(*polygon + 1) : Json(); };
+  return {{"state", states[static_cast<std::size_t>(truth.truth)]},
+          {"cause", name_of(truth.cause)},
+          {"polygon", number(truth.shown)},
+          {"fetched", number(truth.fetched)},
+          {"occluder", number(truth.occluder)}};
 }
 
 std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
-  const std::uint32_t object = pixel.object_of[f.primitive];
-  return fmt::format("polygon {} of object {} '{}': depth {}{} against stored {}, {}", f.primitive + 1, object + 1,
-                     printable(pixel.objects[object]), f.depth, f.stages && f.stages->depth ? " (replaced)" : "",
-                     f.stored_depth, text_of_fate(f.fate));
+  return fmt::format("{}: depth {}{} against stored {}, {}", polygon_text(pixel, f.primitive), f.depth,
+                     f.stages && f.stages->depth ? " (replaced)" : "", f.stored_depth, text_of_fate(f.fate));
 }
 
 namespace {

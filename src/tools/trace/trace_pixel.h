@@ -7,18 +7,38 @@
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/shadow/ground_truth.h"
 #include "src/effect/traced_pixel.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 
-// Renders the scene and probes the pixel, which must be inside the picture. The traced fragment is the one that decided
-// the result of deciding_pass(); without a program it is traced only if `other_program` replaces it.
-[[nodiscard]] Result<TracedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, int x, int y,
-                                               bool other_program);
+// What is asked about a pixel of a scene.
+struct PixelQuestion {
+  int x = 0, y = 0;            // from the top left, inside the picture
+  bool other_program = false;  // a program replaces that of the pass
+  bool ground_truth = false;   // --ground-truth
+};
+struct RenderedPixel {
+  TracedPixel traced;
+  std::optional<JudgedPixel> truth;  // of --ground-truth
+};
+
+// Renders the scene and probes the pixel. The traced fragment is the one that decided the result of deciding_pass();
+// without a program it is traced only if another one replaces it.
+[[nodiscard]] Result<RenderedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common,
+                                                 const PixelQuestion& question);
+
+// Selects another pass. Reports a name that no pass has, which is wrong usage.
+[[nodiscard]] Status choose_pass_named(const std::string& name, bool other_program, TracedPixel& pixel);
 
 [[nodiscard]] std::string pixel_text(const TracedPixel& pixel);
+
+// What is true of the pixel, and why: "wrong (joint): …", a sentence.
+[[nodiscard]] std::string truth_text(const TracedPixel& pixel, const JudgedPixel& truth);
+// The same as `truth` of the answer; polygons count from 1.
+[[nodiscard]] Json truth_json(const JudgedPixel& truth);
 
 // One fragment of it: "polygon 3 of object 1 'torus': depth … against stored …, written".
 [[nodiscard]] std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& fragment);
