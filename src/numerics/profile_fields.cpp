@@ -60,6 +60,7 @@ constexpr std::array kSlopes{FieldWord{"larger", "the larger of |dz/dx| and |dz/
                              FieldWord{"root", "the root of their squares' sum"}};
 constexpr std::array kInterpolations{FieldWord{"perspective", "in perspective"}, FieldWord{"affine", "affine"}};
 constexpr std::array kWeights{FieldWord{"exact", "exact"}, FieldWord{"8-bits", "8 bits"}};
+constexpr std::array kSurfaceBlends{FieldWord{"zeros", "as zeros"}, FieldWord{"bytes", "as in bytes"}};
 constexpr std::array kRoundings{FieldWord{"once", "once"}, FieldWord{"each-blend", "each blend of two"}};
 constexpr std::array kLineShapes{FieldWord{"diamonds", "diamonds"}, FieldWord{"rectangles", "rectangles"}};
 constexpr std::array kPointShapes{FieldWord{"whole-pixels", "whole pixels"}, FieldWord{"squares", "squares"}};
@@ -148,6 +149,8 @@ constexpr std::array kFields{
                                   "Whether smooth colours follow the perspective or run straight across the window."),
     word<&P::color_weights>("color_weights", rasterizer, kWeights, "27",
                             "How fine the weights of a polygon's corners are in its smooth colours."),
+    word<&P::surface_blend>("surface_blend", rasterizer, kSurfaceBlends, "43",
+                            "How blending reads the low bits that a surface of fewer bits does not store."),
     word<&P::depth_narrowing>("depth_narrowing", rasterizer, kNarrowings, "28",
                               "How a fragment's depth becomes a depth code."),
     word<&P::fog_narrowing>("fog_narrowing", rasterizer, kNarrowings, "25",

@@ -64,6 +64,11 @@ enum class ColorWeights : std::uint8_t {
   exact,      // shares, in floats
   eight_bits  // whole 256ths: the first and the third vertex's cut, the second has the rest
 };
+// What blending takes for the low bits that a surface of fewer bits does not store.
+enum class SurfaceBlend : std::uint8_t {
+  zeros,  // zeros, of the fragment's colour as well
+  bytes   // those of the byte that stands for the stored number; the fragment's colour stays whole
+};
 // Where linear filters round.
 enum class FilterRounding : std::uint8_t {
   once,       // the weighted sum of all texels
@@ -143,6 +148,7 @@ struct HardwareProfile {
   Choice<OffsetSlope> polygon_offset_slope;  // m of the polygon offset factor × m + r × units
   Choice<ColorInterpolation> color_interpolation;  // of smooth primary and secondary colours
   Choice<ColorWeights> color_weights;              // of smooth primary and secondary colours
+  Choice<SurfaceBlend> surface_blend;              // of surfaces with fewer bits than bytes
   Choice<Narrowing> depth_narrowing;               // of a fragment's depth on its primitive, to a depth code
   Choice<Narrowing> fog_narrowing;                 // of a fragment's fog factor, times 255, to a byte
   Choice<int> texture_weight_bits;                 // fraction bits of the weights of linear filters
@@ -205,6 +211,7 @@ inline constexpr HardwareProfile geforce2{
     .color_interpolation = {ColorInterpolation::perspective, Evidence::inferred,
                             "rule 27: in perspective on NV2A; OpenGL allows both; rival: affine"},
     .color_weights = {ColorWeights::eight_bits, Evidence::inferred, "rule 27, measured on NV2A"},
+    .surface_blend = {SurfaceBlend::zeros, Evidence::inferred, "rule 43, measured on NV2A"},
     .depth_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 28, measured on NV2A"},
     .fog_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 25, measured on NV2A"},
     .texture_weight_bits = {8, Evidence::inferred, "rule 26, measured on NV2A"},
@@ -271,6 +278,7 @@ consteval HardwareProfile xbox() {
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::measured,
                            "rule 27: 359,729 pixels; affine where a bit of NV097_SET_CONTROL0 is off"};
   p.color_weights = {ColorWeights::eight_bits, Evidence::measured, "rule 27: 1.2 million pixels"};
+  p.surface_blend = {SurfaceBlend::zeros, Evidence::measured, "rule 43: 1,823,808 pixels, none wrong"};
   p.depth_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 28: 216,525 of 216,529 pixels"};
   p.fog_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 25: 662 of 680 pixels"};
   p.texture_weight_bits = {8, Evidence::measured, "rule 26: a ramp of 84 pixels"};
@@ -322,6 +330,7 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::assumed, as_nv2a};
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, as_nv2a};
   p.color_weights = {ColorWeights::exact, Evidence::specified, "OpenGL 1.3, 3.5.1"};
+  p.surface_blend = {SurfaceBlend::bytes, Evidence::specified, "OpenGL 1.3, 4.1.6: the numbers that the bits stand for"};
   p.depth_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: depths are rounded to nearest"};
   p.fog_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: colours are rounded to nearest"};
   p.texture_weight_bits = {8, Evidence::assumed, as_nv2a};

@@ -15,6 +15,7 @@
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/raster/color_format.h"
 #include "ninebit/raster/plane_samples.h"
 
 namespace NINEBIT_PUBLIC ninebit {
@@ -99,6 +100,8 @@ struct RenderTarget {
   int width = 0;                               // pixels, 1 to kMaxSurfaceSize
   int height = 0;                              // pixels, 1 to kMaxSurfaceSize
   std::array<Plane<std::uint8_t>, 4> color{};  // red, green, blue, alpha
+  // Of colour: every colour that is written becomes one that the format has; see stored_color().
+  ColorFormat color_format = ColorFormat::a8r8g8b8;
   DepthStencilFormat format =
       DepthStencilFormat::d24s8;       // of depth and stencil; decides the arithmetic even without these planes
   Plane<std::uint32_t> depth{};        // codes of format's depth bits: 0 near, max_depth(format) far
@@ -114,10 +117,11 @@ struct ClearValues {
   int stencil = 0;                      // its low bits
 };
 
-// The planes of a surface besides colour.
+// The planes of a surface.
 struct SurfaceFormat {
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // format of depth and stencil
   bool with_primitive = false;  // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
+  ColorFormat color = ColorFormat::a8r8g8b8;  // format of colour; all four planes are there in any
   // Colour, depth and the stencil bits start uninitialized: fill them, or clear them with the first draw. If a stencil
   // value has fewer than 8 bits, the other bits of its byte are 0, and clear() keeps them.
   bool undrawn = false;
@@ -134,6 +138,8 @@ class Surface {
   [[nodiscard]] int height() const { return height_; }
   // As constructed.
   [[nodiscard]] DepthStencilFormat format() const { return format_; }
+
+  [[nodiscard]] ColorFormat color_format() const { return color_format_; }
 
   // Views of all planes, valid until this surface is moved from or destroyed.
   [[nodiscard]] RenderTarget target();
@@ -154,6 +160,7 @@ class Surface {
   int width_;
   int height_;
   DepthStencilFormat format_;
+  ColorFormat color_format_;
   std::array<PlaneSamples<std::uint8_t>, 4> color_;
   PlaneSamples<std::uint32_t> depth_;
   PlaneSamples<std::uint8_t> stencil_;

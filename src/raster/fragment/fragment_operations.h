@@ -9,6 +9,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/fragment/stencil.h"
+#include "src/raster/surface/color_store.h"
 
 namespace ninebit {
 
@@ -87,7 +88,8 @@ class FragmentOperations {
     return depth;
   }
 
-  void write(const UncoloredFragment& f, const ColorBytes& color) const {
+  void write(const UncoloredFragment& f, const ColorBytes& whole) const {
+    const ColorBytes color = store_(whole);
     for (std::size_t i = 0; i < 4; ++i) {
       if (color_mask_[i]) target_.color[i].at(f.x, f.y) = color[i];
     }
@@ -109,6 +111,8 @@ class FragmentOperations {
   bool early_depth_back_;
   std::array<bool, 4> color_mask_;  // false also where the target has no such plane
   Blend blend_;
+  ColorStore store_;
+  BlendReads reads_;
   StencilSide front_;
   StencilSide back_;
 };

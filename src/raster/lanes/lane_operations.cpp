@@ -39,6 +39,7 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
       depth(state.depth_test.enabled && target.depth),
       depth_write(depth && state.depth_test.write),
       replaces_depth(with_replaced_depth),
+      store(target.color_format),
       alpha_test(comparison(state.alpha_test.function)),
       depth_test(comparison(state.depth_test.function)),
       alpha_reference(state.alpha_test.reference) {

@@ -5,6 +5,7 @@
 
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
+#include "src/raster/surface/color_store.h"
 
 namespace ninebit {
 
@@ -43,6 +44,7 @@ struct LaneOperations {
   bool depth_write = false;
   bool replaces_depth = false;
   bool color = false;  // true if any colour plane is written
+  ColorStore store;    // of colours that are written
   LaneComparison alpha_test;
   LaneComparison depth_test;
   std::uint32_t alpha_reference = 0;

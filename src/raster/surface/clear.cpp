@@ -50,8 +50,9 @@ Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues
   if (Status checked = check_target(state, target); !checked) return checked;
   const PixelRect rect = scissored(state, target);
   if (buffers.color) {
+    const std::array<std::uint8_t, 4> color = stored_color(target.color_format, values.color);
     for (std::size_t i = 0; i < 4; ++i) {
-      if (state.color_mask[i]) fill(rect, target.color[i], values.color[i]);
+      if (state.color_mask[i]) fill(rect, target.color[i], color[i]);
     }
   }
   if (buffers.depth && state.depth_test.write) fill(rect, target.depth, depth_code(target.format, values.depth));

@@ -21,7 +21,7 @@ std::size_t next_plane_offset() {
 }
 
 Surface::Surface(int width, int height, SurfaceFormat format)
-    : width_(width), height_(height), format_(format.depth_stencil) {
+    : width_(width), height_(height), format_(format.depth_stencil), color_format_(format.color) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const ClearValues start;
   const auto make = [&]<class T>(PlaneSamples<T>& samples, T value, bool undrawn) {
@@ -31,7 +31,8 @@ Surface::Surface(int width, int height, SurfaceFormat format)
       samples.resize(count, value);
     }
   };
-  for (std::size_t i = 0; i < 4; ++i) make(color_[i], start.color[i], format.undrawn);
+  const std::array<std::uint8_t, 4> color = stored_color(color_format_, start.color);
+  for (std::size_t i = 0; i < 4; ++i) make(color_[i], color[i], format.undrawn);
   make(depth_, depth_code(format_, start.depth), format.undrawn);
   // clear() writes the stencil bits and keeps the others. A byte with other bits therefore needs a value here.
   const bool clear_fills_bytes = stencil_bits(format_) == 8;
@@ -54,6 +55,7 @@ RenderTarget Surface::target() {
   RenderTarget target;
   target.width = width_;
   target.height = height_;
+  target.color_format = color_format_;
   target.format = format_;
   for (std::size_t i = 0; i < 4; ++i) target.color[i] = {color_[i].data(), width_};
   target.depth = {depth_.data(), width_};
@@ -66,7 +68,8 @@ RenderTarget Surface::target() {
 }
 
 void Surface::fill(const ClearValues& values) {
-  for (std::size_t i = 0; i < 4; ++i) std::fill(color_[i].begin(), color_[i].end(), values.color[i]);
+  const std::array<std::uint8_t, 4> color = stored_color(color_format_, values.color);
+  for (std::size_t i = 0; i < 4; ++i) std::fill(color_[i].begin(), color_[i].end(), color[i]);
   std::fill(depth_.begin(), depth_.end(), depth_code(format_, values.depth));
   std::fill(stencil_.begin(), stencil_.end(), stencil_value(format_, values.stencil));
   std::fill(primitive_.begin(), primitive_.end(), kNoPrimitive);

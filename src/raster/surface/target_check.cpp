@@ -147,6 +147,10 @@ Status check_target(const PipelineState& state, const RenderTarget& target) {
     return fault("the scissor is " + std::to_string(state.scissor->width) + "x" +
                  std::to_string(state.scissor->height) + "; its sides must not be negative");
   }
+  if (const ColorFormatFacts& facts = facts_of(target.color_format); state.blend.enabled && !facts.blends()) {
+    return fault("the chip does not blend into surfaces of format " + std::string(facts.name) +
+                 "; disable blending, or choose a format with red");
+  }
   return check_planes(state, target);
 }
 

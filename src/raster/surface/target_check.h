@@ -9,7 +9,7 @@
 namespace ninebit {
 
 // Reports sizes out of range, planes that the state's enabled tests need but the target does not have, rows that
-// overlap, scissors of negative size, blend factors on the wrong side, output planes with an invalid source, a
+// overlap, scissors of negative size, blending into a format that the chip does not blend into, output planes with an invalid source, a
 // component, register or attribute out of range, or samples that cannot hold their source.
 [[nodiscard]] Status check_target(const PipelineState& state, const RenderTarget& target);
 
