@@ -144,8 +144,8 @@ void read_named(EffectReader& read, const Value& value, std::vector<T>& into, st
 
 Effect read_root(EffectReader& read, const Value& root, PartPlaces& places) {
   Effect effect;
-  if (!read.reader().object(root, {"ninebit", "version", "title", "note", "profile", "size", "color_format", "depth_stencil",
-                                   "scene", "textures", "targets", "passes"})) {
+  if (!read.reader().object(root, {"ninebit", "version", "title", "note", "profile", "size", "color_format",
+                                   "depth_stencil", "scene", "textures", "targets", "passes"})) {
     return effect;
   }
   read.with(root, "title", [&](const Value& v) { read.text(v, effect.title); });

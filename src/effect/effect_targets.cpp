@@ -21,7 +21,8 @@ Status EffectTargets::allocate(const Effect& effect) {
   for (const EffectTarget& from : all) {
     Target target{.name = from.name, .format = from.format};
     for (std::size_t f = 0; f < (from.cube ? 6U : 1U); ++f) {
-      auto surface = Surface::make(from.width, from.height, {.depth_stencil = from.depth_stencil, .color = from.color_format});
+      auto surface =
+          Surface::make(from.width, from.height, {.depth_stencil = from.depth_stencil, .color = from.color_format});
       if (!surface) return fault_in("target " + effect_detail::in_quotes(from.name), surface.error());
       target.faces.push_back(std::move(*surface));
     }

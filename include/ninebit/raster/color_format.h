@@ -17,8 +17,8 @@ enum class ColorFormat : std::uint8_t {
   x8r8g8b8_o,
   x1a7r8g8b8_z,  // 32 bits with 7 bits of alpha
   x1a7r8g8b8_o,
-  r5g6b5,       // 16 bits without alpha
-  x1r5g5b5_z,   // likewise
+  r5g6b5,      // 16 bits without alpha
+  x1r5g5b5_z,  // likewise
   x1r5g5b5_o,
   g8b8,  // 16 bits: green and blue; cannot be blended
   b8     // 8 bits: blue; cannot be blended

@@ -15,6 +15,7 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
       depth_write_(depth_enabled_ && state.depth_test.write),
       writes_color_(false),
       blends_(state.blend.enabled && !replaces(state.blend)),
+      cuts_coverage_(state.profile.coverage_narrowing.value == Narrowing::toward_zero),
       early_stencil_(false),
       early_depth_front_(false),
       early_depth_back_(false),

@@ -195,7 +195,7 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
     return false;
   }
   if (state.front_mode != PolygonMode::fill || state.back_mode != PolygonMode::fill) return false;
-  if (!context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
+  if (state.polygon_smooth || !context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
   if (!context.has_flat_result) {
     if (state.fog.enabled && !arrays.fog_factors.empty() && context.reads[static_cast<std::size_t>(Register::fog)]) {
       return false;

@@ -3,6 +3,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "src/raster/surface/color_words.h"
+#include "src/raster/surface/sample_planes.h"
 #include "src/raster/surface/target_check.h"
 
 namespace ninebit {
@@ -47,6 +48,14 @@ std::uint8_t stencil_value(DepthStencilFormat format, int stencil) {
 }
 
 Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues& values, RenderTarget& target) {
+  if (target.samples != SampleMode::center_1) {
+    if (Status checked = check_samples(state, target); !checked) return checked;
+    for (const SamplePlace& sample : sample_places(target.samples)) {
+      RenderTarget planes = planes_of_sample(target, sample);
+      if (Status cleared = clear(state, buffers, values, planes); !cleared) return cleared;
+    }
+    return {};
+  }
   if (Status checked = check_target(state, target); !checked) return checked;
   const PixelRect rect = scissored(state, target);
   if (buffers.color) {
