@@ -76,12 +76,12 @@ TEST(ColorFormats, TheAlphaTestReadsTheWholeAlpha) {
   for (const ColorFormat format : {ColorFormat::x1a7r8g8b8_z, ColorFormat::x1r5g5b5_o}) {
     for (const bool with_program : {false, true}) {
       for (const bool with_outputs : {false, true}) {
-        Surface surface = Surface::make(40, 9, {.color = format, .with_primitive = with_outputs}).value();
+        Surface surface = Surface::make(40, 9, {.with_primitive = with_outputs, .color = format}).value();
         RenderTarget target = surface.target();
         PipelineState state;
         if (with_program) state.program = pass_through(Register::primary, Register::primary);
         state.alpha_test = {true, CompareFunction::equal, 0x51};
-        for (const std::uint8_t alpha : {0x50, 0x51, 0x52}) {
+        for (const std::uint8_t alpha : std::array<std::uint8_t, 3>{0x50, 0x51, 0x52}) {
           const std::array<ColorBytes, 3> colors{{{alpha, 9, 9, alpha}, {alpha, 9, 9, alpha}, {alpha, 9, 9, alpha}}};
           ASSERT_TRUE(
               rasterize(state, kIdentity, {.positions = kWholeTarget, .vertex_colors = colors}, {}, target).ok());
@@ -120,7 +120,7 @@ TEST(ColorFormats, SurfacesStartAndAreClearedWithColorsOfTheFormat) {
 TEST(ColorFormats, BlendingReadsZerosOrWhatTheProfileSays) {
   for (const bool zeros : {true, false}) {
     Surface surface = Surface::make(1, 1, {.color = ColorFormat::r5g6b5}).value();
-    surface.fill({.color = {25, 25, 31, 0}});
+    surface.fill({.color = {25, 25, 132, 0}});
     RenderTarget target = surface.target();
     PipelineState state;
     state.profile.surface_blend.value = zeros ? SurfaceBlend::zeros : SurfaceBlend::bytes;
@@ -132,8 +132,8 @@ TEST(ColorFormats, BlendingReadsZerosOrWhatTheProfileSays) {
               oracle::kept(ColorFormat::r5g6b5, {static_cast<std::uint8_t>(zeros ? 32 : 39), 0, 0, 0})[0]);
     EXPECT_EQ(surface.color(kGreen)[0],
               oracle::kept(ColorFormat::r5g6b5, {0, static_cast<std::uint8_t>(zeros ? 32 : 34), 0, 0})[1]);
-    // Blue is 24 and 3 / 8 below: 8 + 24 = 32, or 15 + 27 = 42, one code more.
-    EXPECT_EQ(surface.color(kBlue)[0], zeros ? 33 : 41);
+    // Code 16 of blue is 128, or 132 with its bits repeated: 8 + 128 = 136 of code 17, or 15 + 132 = 147 of code 18.
+    EXPECT_EQ(surface.color(kBlue)[0], zeros ? 140 : 148);
   }
 }
 

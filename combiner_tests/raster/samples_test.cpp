@@ -159,8 +159,8 @@ TEST(PointSprites, RunAcrossThePoint) {
         // In sixteenths, of which the size has twice its eighths.
         const std::int64_t from_left = 16 * x + 8 - (centre.x_q4 - eighths);
         const std::int64_t from_top = centre.y_q4 + eighths - (16 * y + 8);
-        const auto column = runs ? std::min<std::int64_t>(kSide * from_left / (2 * eighths), kSide) % kSide : 4;
-        const auto row = runs ? std::min<std::int64_t>(kSide * from_top / (2 * eighths), kSide) % kSide : 14;
+        const auto column = runs ? std::min<std::int64_t>(kSide * from_left / (2 * eighths), kSide - 1) : 4;
+        const auto row = runs ? std::min<std::int64_t>(kSide * from_top / (2 * eighths), kSide - 1) : 14;
         ASSERT_EQ(target.color[0].at(x, y), column) << index << ' ' << x << ' ' << y;
         ASSERT_EQ(target.color[1].at(x, y), row) << index << ' ' << x << ' ' << y;
         ++drawn;
@@ -214,6 +214,7 @@ TEST(Stipple, IsOfFilledPolygons) {
   const std::array<glm::vec3, 3> whole{glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
   PipelineState state;
   state.polygon_stipple.emplace();
+  state.point_size = 3.0F;
   const auto count = [&](PrimitiveType type) {
     Surface surface = Surface::make(40, 40).value();
     RenderTarget target = surface.target();
