@@ -91,7 +91,7 @@ HWY_INLINE LaneResult<D> operate(const BatchOperations& batch, std::size_t i, M 
 // A vector of the batch's colours, as they are stored.
 HWY_INLINE V stored_colors(const LaneDraw<D>& draw, V colors) {
   if (HWY_LIKELY(draw.operations.store.is_exact)) return colors;
-  return stored_color(VectorValues<D>(), colors, draw.operations.store);
+  return stored_color(VectorValues<D>(), colors, draw.operations.store.masks);
 }
 
 HWY_INLINE V load_stored(const TilePlanes& tile, const LaneFragments::Span& span) {

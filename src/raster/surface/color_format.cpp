@@ -34,25 +34,25 @@ ColorStore::ColorStore(ColorFormat format) : is_exact(format == ColorFormat::a8r
   for (std::size_t k = 0; k < 4; ++k) {
     const int bits = facts.bits[k];
     const std::uint32_t low = 0xFFU >> bits;
-    kept &= ~byte_of_word(low, k);
-    if (bits == 0 && k == 3) set |= byte_of_word(0xFF, k);
-    if (bits == 5) low_of_5 |= byte_of_word(low, k);
-    if (bits == 6) low_of_6 |= byte_of_word(low, k);
-    if (bits == 7) low_of_7 |= byte_of_word(low, k);
+    masks.kept &= ~byte_of_word(low, k);
+    if (bits == 0 && k == 3) masks.set |= byte_of_word(0xFF, k);
+    if (bits == 5) masks.low_of_5 |= byte_of_word(low, k);
+    if (bits == 6) masks.low_of_6 |= byte_of_word(low, k);
+    if (bits == 7) masks.low_of_7 |= byte_of_word(low, k);
   }
 }
 
 std::uint32_t ColorStore::operator()(std::uint32_t color) const {
   return static_cast<std::uint32_t>(
-      one_fragment::stored_color(one_fragment::Numbers(), static_cast<std::int32_t>(color), *this));
+      one_fragment::stored_color(one_fragment::Numbers(), static_cast<std::int32_t>(color), masks));
 }
 
 // Alpha is never cut; what is not stored of the destination has its plane's value.
 BlendReads::BlendReads(ColorFormat format, SurfaceBlend reading) {
   constexpr std::uint32_t kAlphaByte = 0xFF000000;
   const ColorStore store(format);
-  set = store.set;
-  if (reading == SurfaceBlend::zeros) kept = store.kept | kAlphaByte;
+  set = store.masks.set;
+  if (reading == SurfaceBlend::zeros) kept = store.masks.kept | kAlphaByte;
 }
 
 }  // namespace ninebit
