@@ -127,6 +127,7 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
     return loses_farther &&
            tile.farthest.are_nearer(left - x, bottom - y, right - x, top - y, std::min({p.z24[0], p.z24[1], p.z24[2]}));
   };
+  const bool stores_all = pass.operations.store.is_exact;
   TileTriangles t;
   for (std::size_t i = 0; i < indices.size();) {
     const PrimitiveGroup group = place_group(t, list, i, tile.planes.pixels);
@@ -139,8 +140,8 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
         if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);
         std::memcpy(&current.color, color.data(), sizeof(current.color));
-        current.alpha = color[3];
-        if (!pass.operations.store.is_exact) current.color = pass.operations.store(current.color);
+        if constexpr (kDrawing == Drawing::flat) current.alpha = color[3];
+        if (HWY_UNLIKELY(!stores_all)) current.color = pass.operations.store(current.color);
       };
       if (p.kind == SetupKind::pixel) {
         if (is_lost(p, p.box.left, p.box.bottom, p.box.right, p.box.top)) continue;
