@@ -2,10 +2,13 @@
 // oracle; point sprites (rule 46) and stipple (rule 45) by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "combiner_tests/raster/fragment_support.h"
 #include "combiner_tests/raster/support.h"
+#include "ninebit/raster/fragment_probe.h"
+#include "ninebit/raster/prepared_draw.h"
 
 namespace ninebit::test {
 namespace {

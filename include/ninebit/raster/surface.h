@@ -158,8 +158,8 @@ class Surface {
   // As constructed.
   [[nodiscard]] DepthStencilFormat format() const { return format_; }
 
-  [[nodiscard]] ColorFormat color_format() const { return color_format_; }
-  [[nodiscard]] SampleMode samples() const { return samples_; }
+  [[nodiscard]] ColorFormat color_format() const { return color_format_; }  // as constructed
+  [[nodiscard]] SampleMode samples() const { return samples_; }             // as constructed
 
   // Views of all planes, valid until this surface is moved from or destroyed.
   [[nodiscard]] RenderTarget target();
