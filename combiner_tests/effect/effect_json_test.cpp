@@ -22,11 +22,11 @@ Parsed<Effect> parse(const std::string& body) {
 
 TEST(EffectJson, ReadsAllOfAPass) {
   const auto parsed = parse(R"(
-    "title": "t", "profile": "nv2a", "size": [64, 32], "depth_stencil": "d16",
+    "title": "t", "profile": "nv2a", "size": [64, 32], "color_format": "r5g6b5", "depth_stencil": "d16",
     "scene": {"mesh": "cube", "camera": [0, 1, 5], "fov": 30, "light": [1, 2, 3], "light_type": "spot", "floor": -1},
     "textures": {"a": {"source": "normals:h.png", "steepness": 2, "filter": "linear", "wrap": "clamp"},
                  "b": {"source": "target:m"}},
-    "targets": {"m": {"size": 16, "cube": true, "format": "rgb8"}},
+    "targets": {"m": {"size": 16, "cube": true, "format": "rgb8", "color_format": "x1a7r8g8b8_o"}},
     "passes": [{"target": "m", "primary": "index:la,3"},
                {"name": "last", "program": "p.rc1", "constants": {"const1": [0, 0.5, 1, 0.25]},
                 "units": [null, {"texture": "b", "coordinates": "from-light",
@@ -42,6 +42,8 @@ TEST(EffectJson, ReadsAllOfAPass) {
   const Effect& e = *parsed;
   EXPECT_EQ(e.width, 64);
   EXPECT_EQ(e.height, 32);
+  EXPECT_EQ(e.color_format, ColorFormat::r5g6b5);
+  EXPECT_EQ(e.targets[0].color_format, ColorFormat::x1a7r8g8b8_o);
   EXPECT_EQ(e.depth_stencil, DepthStencilFormat::d16);
   EXPECT_EQ(e.profile, "nv2a");
   EXPECT_EQ(e.scene.setup.floor, FloorChoice::at_height);
@@ -84,6 +86,9 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
       {R"("passes": [])", 1, "0 passes"},
       {R"("targets": {"m": {"size": 4}}, "passes": [{"target": "m"}])", 1, "no pass draws the picture"},
       {"\n\"passes\": [{\"programm\": \"x\"}]", 2, "unknown key \"programm\""},
+      {"\n\"color_format\": \"rgb565\", \"passes\": [{}]", 2, "colour format"},
+      {"\n\"color_format\": \"b8\",\n\"passes\": [{\"blend\": {\"source\": \"one\", \"destination\": \"one\"}}]", 3,
+       "blends into target 'picture' of format b8, which the chip does not"},
       {"\n\"size\": [0, 4], \"passes\": [{}]", 2, "whole number from 1"},
       {"\n\"passes\": [{}, \n{\"units\": [{\"texture\": \"nothing\"}]}]", 3, "unknown texture 'nothing'"},
       {"\n\"passes\": [{\"target\": \"nowhere\"}]", 2, "unknown target 'nowhere'; expected 'picture'"},

@@ -108,6 +108,39 @@ TEST(EffectRenderer, TheRectangleIsEvaluation) {
   }
 }
 
+// A target of 16 bits reads as its bits repeated, and the picture may have a format of its own.
+TEST(EffectRenderer, TargetsHaveColorFormats) {
+  Effect effect;
+  effect.width = effect.height = 8;
+  effect.color_format = ColorFormat::b8;
+  effect.targets.push_back({.name = "m", .width = 8, .height = 8, .color_format = ColorFormat::r5g6b5});
+  EffectTexture texture;
+  texture.name = "t";
+  texture.origin = TextureOrigin::target_color;
+  texture.target = "m";
+  texture.sampler = kNearestSampler;
+  effect.textures.push_back(texture);
+  EffectPass first{.name = "first", .geometry = EffectGeometry::rectangle, .target = "m"};
+  first.primary.constant = {200 / 255.0F, 100 / 255.0F, 50 / 255.0F, 7 / 255.0F};
+  EffectPass second{.name = "second", .geometry = EffectGeometry::rectangle, .program = "p"};
+  second.units[0].texture = "t";
+  effect.passes = {first, second};
+  for (const bool to_bytes : {false, true}) {
+    if (to_bytes) effect.color_format = ColorFormat::a8r8g8b8;
+    auto renderer =
+        EffectRenderer::make(effect, profiles::geforce2,
+                             readers_of("!!RC1.0\n{ rgb { spare0 = tex0; } }\nout.rgb = tex0; out.a = tex0.a;\n", {}));
+    ASSERT_TRUE(renderer) << renderer.error().text();
+    ASSERT_TRUE(renderer->draw());
+    const std::array<std::uint8_t, 4> read{206, 101, 49, 255};
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_EQ(renderer->target("m")[0].color(static_cast<int>(k))[9], read[k]) << k;
+      const bool is_kept = to_bytes || k >= 2;
+      EXPECT_EQ(renderer->picture().color(static_cast<int>(k))[9], is_kept ? read[k] : 0) << k;
+    }
+  }
+}
+
 TEST(EffectRenderer, WarnsOfUnitsWithoutTexture) {
   Effect effect = rectangle_effect();
   effect.passes[0].units[0].texture.clear();

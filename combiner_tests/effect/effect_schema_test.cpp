@@ -65,6 +65,13 @@ TEST(EffectSchema, HasTheWordsOfTheReader) {
     EXPECT_EQ(accepts(R"({"blend": {"equation": ")" + word + R"("}})"), "");
   }
   for (const std::string& word : words_of(kCullFaces)) EXPECT_EQ(accepts(R"({"cull": ")" + word + R"("})"), "");
+  for (const std::string& word : words_of(kColorFormatWords)) {
+    const std::string key = R"("color_format": ")" + word + '"';
+    const std::string targets = R"("targets": {"t": {"size": 4, )" + key + "}}";
+    EXPECT_EQ(complaint(Json::parse(R"({"ninebit": "effect", "version": 1, )" + key + ", " + targets +
+                                    R"(, "passes": [{}]})")),
+              "");
+  }
   for (const std::string& word : words_of(kShadeModels)) EXPECT_EQ(accepts(R"({"shade": ")" + word + R"("})"), "");
 }
 

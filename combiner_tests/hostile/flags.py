@@ -38,6 +38,7 @@ def drawing(random, cookie=None):
     technique = "light-cookie" if cookie else random.choice(TECHNIQUES)
     flags = ["--technique", technique, "--size", random.choice(["8x8", "16x16", "7x33", "64x48"]),
              "--threads", random.choice(["1", "1", "1", "3"])]
+    flags += some(random, 0.2, "--color-format", random.choice(["a8r8g8b8", "r5g6b5", "x1a7r8g8b8_z", "b8"]))
     flags += some(random, 0.2, "--depth-stencil", random.choice(["d24s8", "d16", "d15s1"]))
     flags += some(random, 0.1, "--cull", random.choice(["back", "front"])) + some(random, 0.1, "--light-facing")
     flags += some(random, 0.1, "--style", "cartoon")

@@ -21,9 +21,14 @@ Wide floor_of(Wide n, Wide d) {
   return quotient;
 }
 
-// Twice the signed area of a, b and the pixel's centre.
-Wide area_with_centre(const WindowVertex& a, const WindowVertex& b, int px, int py) {
-  const Wide x = Wide{16} * px + 8, y = Wide{16} * py + 8;
+// The pixel's centre.
+Place centre_of(int px, int py) {
+  return {std::int64_t{16} * px + 8, std::int64_t{16} * py + 8};
+}
+
+// Twice the signed area of a, b and the place.
+Wide area_with(const WindowVertex& a, const WindowVertex& b, const Place& place) {
+  const Wide x = place.x_q4, y = place.y_q4;
   return (Wide{b.x_q4} - a.x_q4) * (y - a.y_q4) - (Wide{b.y_q4} - a.y_q4) * (x - a.x_q4);
 }
 
@@ -32,10 +37,10 @@ Wide area_of(const WindowTriangle& t) {
          (Wide{t[1].y_q4} - t[0].y_q4) * (Wide{t[2].x_q4} - t[0].x_q4);
 }
 
-// On which side of the line from a to b the centre lies after it has moved to the right by less than any distance, and
+// On which side of the line from a to b the place lies after it has moved to the right by less than any distance, and
 // down by even less. A point moved so is on no edge, and it is inside where a top or a left edge held it before.
-int side(const WindowVertex& a, const WindowVertex& b, int px, int py) {
-  if (const int exact = sign(area_with_centre(a, b, px, py)); exact != 0) return exact;
+int side(const WindowVertex& a, const WindowVertex& b, const Place& place) {
+  if (const int exact = sign(area_with(a, b, place)); exact != 0) return exact;
   if (const int moved_right = -sign(Wide{b.y_q4} - a.y_q4); moved_right != 0) return moved_right;
   return -sign(Wide{b.x_q4} - a.x_q4);
 }
@@ -66,15 +71,46 @@ bool less(const Crossing& a, const Crossing& b) {
 }  // namespace
 
 bool covers(const WindowTriangle& t, int px, int py) {
+  const Place centre = centre_of(px, py);
+  return covers_place(t, centre.x_q4, centre.y_q4);
+}
+
+bool covers_place(const WindowTriangle& t, std::int64_t x_q4, std::int64_t y_q4) {
+  const Place place{x_q4, y_q4};
   const int facing = sign(area_of(t));
-  return facing != 0 && side(t[0], t[1], px, py) == facing && side(t[1], t[2], px, py) == facing &&
-         side(t[2], t[0], px, py) == facing;
+  return facing != 0 && side(t[0], t[1], place) == facing && side(t[1], t[2], place) == facing &&
+         side(t[2], t[0], place) == facing;
+}
+
+Place coverage_place(int px, int py, int i) {
+  return {std::int64_t{16} * px + 2 * i, std::int64_t{16} * (py + 1) - 2 * (3 * i % 8)};
+}
+
+Within nearest_within(const WindowTriangle& t, int px, int py, bool is_cut) {
+  const Place centre = centre_of(px, py);
+  const int facing = sign(area_of(t));
+  std::array<Wide, 3> part{facing * area_with(t[1], t[2], centre), facing * area_with(t[2], t[0], centre),
+                           facing * area_with(t[0], t[1], centre)};
+  Wide whole = 0, depth = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (part[i] < 0) part[i] = 0;
+    whole += part[i];
+    depth += part[i] * t[i].z24;
+  }
+  Within within;
+  for (std::size_t i = 0; i < 3; ++i) within.share[i] = static_cast<double>(part[i]) / static_cast<double>(whole);
+  within.z24 = static_cast<std::int64_t>(is_cut ? floor_of(depth, whole) : floor_of(2 * depth + whole, 2 * whole));
+  return within;
 }
 
 std::int64_t depth_at(const WindowTriangle& t, int px, int py, bool is_cut) {
+  return depth_at_place(t, centre_of(px, py), is_cut);
+}
+
+std::int64_t depth_at_place(const WindowTriangle& t, const Place& place, bool is_cut) {
   Wide area = area_of(t);
-  Wide sum = area_with_centre(t[1], t[2], px, py) * t[0].z24 + area_with_centre(t[2], t[0], px, py) * t[1].z24 +
-             area_with_centre(t[0], t[1], px, py) * t[2].z24;
+  Wide sum = area_with(t[1], t[2], place) * t[0].z24 + area_with(t[2], t[0], place) * t[1].z24 +
+             area_with(t[0], t[1], place) * t[2].z24;
   if (area < 0) {
     area = -area;
     sum = -sum;
@@ -113,21 +149,25 @@ bool exits_diamond(const WindowLine& line, int px, int py) {
 }
 
 bool rectangle_covers(const WindowLine& line, int width, int px, int py) {
+  return rectangle_covers_place(line, width, centre_of(px, py));
+}
+
+bool rectangle_covers_place(const WindowLine& line, int width, const Place& place) {
   const Wide dx = line[1].x_q4 - line[0].x_q4, dy = line[1].y_q4 - line[0].y_q4;
   if (dx == 0 && dy == 0) return false;
   // h is (-dy, dx) times a fraction, which has the squared length below the line. All is multiplied by twice that.
   const Wide ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy;
   const Wide above = width * (ax + ay + (ax > ay ? ax : ay)), scale = 2 * (dx * dx + dy * dy);
-  struct Place {
+  struct WidePlace {
     Wide x, y;
   };
   const auto corner = [&](std::size_t end, int up) {
-    return Place{scale * line[end].x_q4 - up * above * dy, scale * line[end].y_q4 + up * above * dx};
+    return WidePlace{scale * line[end].x_q4 - up * above * dy, scale * line[end].y_q4 + up * above * dx};
   };
-  const Place centre{scale * (16 * px + 8), scale * (16 * py + 8)};
-  const std::array<Place, 4> corners{corner(0, -1), corner(1, -1), corner(1, 1), corner(0, 1)};
+  const WidePlace centre{scale * place.x_q4, scale * place.y_q4};
+  const std::array<WidePlace, 4> corners{corner(0, -1), corner(1, -1), corner(1, 1), corner(0, 1)};
   for (std::size_t i = 0; i < 4; ++i) {
-    const Place &a = corners[i], &b = corners[(i + 1) % 4];
+    const WidePlace &a = corners[i], &b = corners[(i + 1) % 4];
     const Wide x = b.x - a.x, y = b.y - a.y;
     int inner = sign(x * (centre.y - a.y) - y * (centre.x - a.x));
     // A centre on a side moves a little: to the right, then down, or of slanted lines to the left.

@@ -27,8 +27,27 @@ using WindowLine = std::array<WindowVertex, 2>;
 // Whether the triangle draws the pixel: its centre lies inside, or on a top or left edge (y up).
 [[nodiscard]] bool covers(const WindowTriangle& triangle, int px, int py);
 
+// The same for a place of the window in 1/16 pixel instead of a centre.
+[[nodiscard]] bool covers_place(const WindowTriangle& triangle, std::int64_t x_q4, std::int64_t y_q4);
+
+// Where the NV2A looks whether a pixel of a smoothed primitive is covered: sample i of eight lies i/8 of a pixel to the
+// right of its upper left corner and (3 i mod 8)/8 below it. In 1/16 pixel, y up.
+struct Place {
+  std::int64_t x_q4 = 0;
+  std::int64_t y_q4 = 0;
+};
+[[nodiscard]] Place coverage_place(int px, int py, int i);
+
 // The triangle's depth plane at the pixel's centre, cut, or rounded to nearest, halves up. The triangle has an area.
 [[nodiscard]] std::int64_t depth_at(const WindowTriangle& triangle, int px, int py, bool is_cut = true);
+[[nodiscard]] std::int64_t depth_at_place(const WindowTriangle& triangle, const Place& place, bool is_cut = true);
+
+// The shares of the corners at the pixel's centre, without those below 0, and their depth.
+struct Within {
+  std::array<double, 3> share{};
+  std::int64_t z24 = 0;
+};
+[[nodiscard]] Within nearest_within(const WindowTriangle& triangle, int px, int py, bool is_cut);
 
 // The diamond-exit rule for a line of width 1: whether the line, its ends moved by (-e, -e²), meets the open diamond of
 // the pixel and does not end in it.
@@ -39,6 +58,7 @@ using WindowLine = std::array<WindowVertex, 2>;
 // Centres on the sides of a level or upright line follow the top-left rule; of other lines the sides to the right have
 // them. `width` is in eighths of a pixel.
 [[nodiscard]] bool rectangle_covers(const WindowLine& line, int width, int px, int py);
+[[nodiscard]] bool rectangle_covers_place(const WindowLine& line, int width, const Place& place);
 
 // Whether a point of the NV2A draws the pixel: its centre lies in the square around the position, or on its left or top
 // side; unless the size is a power of two, also on another side. Without size, the pixel that holds the position has

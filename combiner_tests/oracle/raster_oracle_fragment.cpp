@@ -94,7 +94,65 @@ std::uint8_t nearest_byte(int wide) {
   return found.at(static_cast<std::size_t>(wide - kLowest));
 }
 
+// The bits of red, green, blue and alpha in a surface's words.
+std::array<int, 4> widths(ColorFormat format) {
+  switch (format) {
+    case ColorFormat::a8r8g8b8:
+      return {8, 8, 8, 8};
+    case ColorFormat::x8r8g8b8_z:
+    case ColorFormat::x8r8g8b8_o:
+      return {8, 8, 8, 0};
+    case ColorFormat::x1a7r8g8b8_z:
+    case ColorFormat::x1a7r8g8b8_o:
+      return {8, 8, 8, 7};
+    case ColorFormat::r5g6b5:
+      return {5, 6, 5, 0};
+    case ColorFormat::x1r5g5b5_z:
+    case ColorFormat::x1r5g5b5_o:
+      return {5, 5, 5, 0};
+    case ColorFormat::g8b8:
+      return {0, 8, 8, 0};
+    case ColorFormat::b8:
+      return {0, 0, 8, 0};
+  }
+  return {8, 8, 8, 8};
+}
+
+// The source's colour is cut first; its alpha is not. Stored colours have zeros below their bits; seven bits of alpha
+// are repeated; an alpha that is not there is 255.
+Bytes blended_in(const PipelineState& state, ColorFormat format, Bytes source, Bytes there) {
+  const std::array<int, 4> bits = widths(format);
+  for (std::size_t i = 0; i < 3 && state.profile.surface_blend.value == SurfaceBlend::zeros; ++i) {
+    const int step = 1 << (8 - bits[i]);
+    source[i] = static_cast<std::uint8_t>(source[i] / step * step);
+    there[i] = static_cast<std::uint8_t>(there[i] / step * step);
+  }
+  if (bits[3] == 7) there[3] = static_cast<std::uint8_t>(there[3] / 2 * 2 + there[3] / 128);
+  if (bits[3] == 0) there[3] = 255;
+  return blended(state.blend, source, there);
+}
+
+// So many of eight samples as an alpha: 31, 63, 95, …, 255.
+int coverage_alpha(int samples) {
+  return samples == 0 ? 0 : 32 * samples - 1;
+}
+
 }  // namespace
+
+Bytes kept(ColorFormat format, const Bytes& color) {
+  const std::array<int, 4> bits = widths(format);
+  Bytes result{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (bits[i] == 0) {
+      result[i] = i == 3 ? 255 : 0;
+      continue;
+    }
+    const int code = color[i] / (1 << (8 - bits[i]));
+    const int wide = code * (1 << (8 - bits[i]));
+    result[i] = static_cast<std::uint8_t>(bits[i] == 8 ? wide : wide + code / (1 << (2 * bits[i] - 8)));
+  }
+  return result;
+}
 
 int after_stencil(const StencilFace& face, StencilOperation operation, int bits, int memory) {
   const int values = 1 << bits, stored = memory % values;
@@ -148,7 +206,8 @@ Bytes blended(const Blend& blend, const Bytes& source, const Bytes& destination)
   return result;
 }
 
-void process(const PipelineState& state, const Incoming& f, Picture& picture, Tally& tally) {
+void process(const PipelineState& state, const Incoming& given, Picture& picture, Tally& tally) {
+  Incoming f = given;
   if (state.scissor) {
     const PixelRect& s = *state.scissor;
     if (f.x < s.x || f.y < s.y) return;
@@ -161,6 +220,11 @@ void process(const PipelineState& state, const Incoming& f, Picture& picture, Ta
       !state.depth_test.enabled || passes(state.depth_test.function, f.depth, std::int64_t{picture.depth[at]});
   if (depth_passes) picture.captured[at] = f.color[0];
 
+  if (f.coverage != 8) {
+    const int product = f.color[3] * coverage_alpha(f.coverage);
+    const bool cut = state.profile.coverage_narrowing.value == Narrowing::toward_zero;
+    f.color[3] = cut ? static_cast<std::uint8_t>(product / 255) : nearest_byte(product);
+  }
   if (state.alpha_test.enabled && !passes(state.alpha_test.function, f.color[3], state.alpha_test.reference)) {
     ++tally.alpha_fail;
     return;
@@ -187,7 +251,8 @@ void process(const PipelineState& state, const Incoming& f, Picture& picture, Ta
   if (state.depth_test.enabled && state.depth_test.write) picture.depth[at] = static_cast<std::uint32_t>(f.depth);
   Bytes there = picture.color[at];
   if (!picture.has_alpha) there[3] = 255;
-  const Bytes color = state.blend.enabled ? blended(state.blend, f.color, there) : f.color;
+  const Bytes whole = state.blend.enabled ? blended_in(state, picture.color_format, f.color, there) : f.color;
+  const Bytes color = kept(picture.color_format, whole);
   for (std::size_t i = 0; i < 4; ++i) {
     if ((i < 3 || picture.has_alpha) && state.color_mask[i]) picture.color[at][i] = color[i];
   }

@@ -2,8 +2,9 @@
 // library's.
 //
 // It is written from chapter 4.1 of the OpenGL 1.3 specification, from EXT_stencil_wrap and EXT_blend_minmax, and from
-// the contracts in pipeline_state.h and surface.h (arithmetic of blending, planes). It shares no code with what it
-// judges: of the library's headers it includes those two, for the state and the format as the question.
+// the contracts in pipeline_state.h and surface.h (arithmetic of blending, planes), and from what pictures of an NV2A
+// show of its surfaces and its coverage. It shares no code with what it judges: of the library's headers it includes
+// those two, for the state and the format as the question.
 #pragma once
 
 #include <array>
@@ -22,6 +23,7 @@ struct Picture {
   int width = 0;
   int height = 0;
   DepthStencilFormat format = DepthStencilFormat::d24s8;
+  ColorFormat color_format = ColorFormat::a8r8g8b8;
   bool has_alpha = true;  // a plane of alpha
   std::vector<Bytes> color;
   std::vector<std::uint32_t> depth;      // codes of the format
@@ -48,6 +50,7 @@ struct Incoming {
   std::uint32_t number = 0;
   bool front_facing = true;
   Bytes color{};
+  int coverage = 8;  // eighths of the pixel
 };
 
 // Takes the fragment through scissor, alpha, stencil and depth test, blending and masks.
@@ -55,6 +58,9 @@ void process(const PipelineState& state, const Incoming& fragment, Picture& pict
 
 // An operation's result for a byte of memory, of which the stencil buffer has the low `bits` bits.
 [[nodiscard]] int after_stencil(const StencilFace& face, StencilOperation operation, int bits, int memory);
+
+// The colour that a surface of the format keeps, as a texture shows it: bits cut off, the others repeated below.
+[[nodiscard]] Bytes kept(ColorFormat format, const Bytes& color);
 
 // The result of blending two colours, without other operations.
 [[nodiscard]] Bytes blended(const Blend& blend, const Bytes& source, const Bytes& destination);

@@ -63,7 +63,7 @@ class Drawing {
 
   void line(const Source& source, const DrawnVertex& a, const DrawnVertex& b) {
     if (beyond_sides({a.position, b.position})) return;
-    if (state_.profile.line_shape.value == LineShape::rectangles) {
+    if (state_.profile.line_shape.value == LineShape::rectangles || state_.line_smooth) {
       rectangle(source, a, b);
       return;
     }
@@ -211,9 +211,15 @@ class Drawing {
       if (16 * py < y_low - border || 16 * py > y_high + border) continue;
       for (int px = viewport_.left; px < viewport_.right; ++px) {
         if (16 * px < x_low - border || 16 * px > x_high + border) continue;
-        if (!rectangle_covers(ends, width, px, py)) continue;
+        int coverage = rectangle_covers(ends, width, px, py) ? 8 : 0;
+        if (state_.line_smooth) {
+          coverage = 0;
+          for (int i = 0; i < 8; ++i)
+            coverage += rectangle_covers_place(ends, width, coverage_place(px, py, i)) ? 1 : 0;
+        }
+        if (coverage == 0) continue;
         const OnLine at = on_line(source, a, b, along_line(ends, px, py));
-        fragment(source, px, py, at.z24, at.color);
+        fragment(source, px, py, at.z24, at.color, coverage);
       }
     }
   }
@@ -231,9 +237,10 @@ class Drawing {
     const auto [y_low, y_high] = std::minmax({t[0].y_q4, t[1].y_q4, t[2].y_q4});
     const auto from = [](std::int64_t low, int start) { return low < 16 * start ? start : static_cast<int>(low / 16); };
     const auto to = [](std::int64_t high, int end) { return high >= 16 * end ? end : static_cast<int>(high / 16) + 1; };
+    if (state_.polygon_smooth) return smoothed(source, t, colors);
     for (int py = from(y_low, viewport_.bottom); py < to(y_high, viewport_.top); ++py) {
       for (int px = from(x_low, viewport_.left); px < to(x_high, viewport_.right); ++px) {
-        if (!covers(t, px, py)) continue;
+        if (!covers(t, px, py) || !is_stippled(px, py)) continue;
         const Bytes color =
             color_of(source, colors.data(), std::array{share(0, px, py), share(1, px, py), share(2, px, py)});
         fragment(source, px, py, depth_at(t, px, py, cuts_depth()), color);
@@ -241,19 +248,51 @@ class Drawing {
     }
   }
 
+  // Whether a polygon is drawn at the pixel: bits from the left, rows from below, both again after 32.
+  bool is_stippled(int px, int py) const {
+    if (!state_.polygon_stipple) return true;
+    const int byte = (*state_.polygon_stipple)[static_cast<std::size_t>(py % 32 * 4 + px % 32 / 8)];
+    return byte / (1 << (7 - px % 8)) % 2 == 1;
+  }
+
+  // A triangle whose pixels are drawn if any of eight samples lies inside.
+  void smoothed(const Source& source, const WindowTriangle& t, const std::array<Bytes, 3>& colors) {
+    const auto [x_low, x_high] = std::minmax({t[0].x_q4, t[1].x_q4, t[2].x_q4});
+    const auto [y_low, y_high] = std::minmax({t[0].y_q4, t[1].y_q4, t[2].y_q4});
+    for (int py = viewport_.bottom; py < viewport_.top; ++py) {
+      if (16 * py + 16 < y_low || 16 * py > y_high) continue;
+      for (int px = viewport_.left; px < viewport_.right; ++px) {
+        if (16 * px + 16 < x_low || 16 * px > x_high || !is_stippled(px, py)) continue;
+        int coverage = 0;
+        for (int i = 0; i < 8; ++i) {
+          const Place place = coverage_place(px, py, i);
+          coverage += covers_place(t, place.x_q4, place.y_q4) ? 1 : 0;
+        }
+        if (coverage == 0) continue;
+        const Within within = nearest_within(t, px, py, cuts_depth());
+        fragment(source, px, py, within.z24, color_of(source, colors.data(), within.share), coverage);
+      }
+    }
+  }
+
   // The NV2A cuts depths to codes.
   bool cuts_depth() const { return state_.profile.depth_narrowing.value == Narrowing::toward_zero; }
 
-  void fragment(const Source& source, int x, int y, std::int64_t z24, const Bytes& color) {
+  void fragment(const Source& source, int x, int y, std::int64_t z24, const Bytes& color, int coverage = 8) {
     if (!viewport_.holds(x, y)) return;
     const std::int64_t step = std::int64_t{1} << (24 - depth_bits(picture_.format));
     const std::int64_t deepest = step * max_depth(picture_.format);
     const std::int64_t z = std::min(std::max(z24 + source.offset, std::int64_t{0}), deepest);
     const std::int64_t code = !cuts_depth() && z % step * 2 >= step && step > 1 ? z / step + 1 : z / step;
-    process(
-        state_,
-        {.x = x, .y = y, .depth = code, .number = source.number, .front_facing = source.front_facing, .color = color},
-        picture_, tally_);
+    process(state_,
+            {.x = x,
+             .y = y,
+             .depth = code,
+             .number = source.number,
+             .front_facing = source.front_facing,
+             .color = color,
+             .coverage = coverage},
+            picture_, tally_);
   }
 
   const PipelineState& state_;
@@ -351,7 +390,8 @@ void clear(const PipelineState& state, const Clear& values, Picture& picture) {
       if (x < s.x || y < s.y || x - s.x >= s.width || y - s.y >= s.height) continue;
       const auto at = static_cast<std::size_t>(y * picture.width + x);
       for (std::size_t i = 0; i < 4 && values.clears_color; ++i) {
-        if ((i < 3 || picture.has_alpha) && state.color_mask[i]) picture.color[at][i] = values.color[i];
+        const Bytes color = kept(picture.color_format, values.color);
+        if ((i < 3 || picture.has_alpha) && state.color_mask[i]) picture.color[at][i] = color[i];
       }
       if (values.clears_depth && state.depth_test.write) picture.depth[at] = values.depth;
       if (!values.clears_stencil) continue;

@@ -63,6 +63,23 @@ void randomize_fragment_operations(Random& random, PipelineState& state) {
   if (random.one_in(8)) state.color_mask = {};
 }
 
+ColorFormat random_color_format(Random& random, bool blended) {
+  if (random.one_in(2)) return ColorFormat::a8r8g8b8;
+  const auto count = static_cast<int>(kColorFormats.size());
+  return static_cast<ColorFormat>(random.below(blended ? count - 2 : count));
+}
+
+void set_color_format(ColorFormat format, oracle::Picture& picture) {
+  picture.color_format = format;
+  for (oracle::Bytes& color : picture.color) color = oracle::kept(format, color);
+}
+
+StipplePattern random_stipple(Random& random) {
+  StipplePattern pattern{};
+  for (std::uint8_t& bits : pattern) bits = edge_byte(random);
+  return pattern;
+}
+
 std::uint32_t some_depth(Random& random, DepthStencilFormat format) {
   const std::uint32_t largest = max_depth(format), middle = largest / 2;
   if (random.one_in(2)) return random.pick({0U, 1U, middle, middle + 1, largest - 1, largest});
@@ -92,6 +109,7 @@ PicturePlanes::PicturePlanes(const oracle::Picture& p, bool at_depth_pass)
   for (const int captured : p.captured) captured_.push_back(static_cast<std::uint8_t>(captured));
   target.width = p.width;
   target.height = p.height;
+  target.color_format = p.color_format;
   target.format = p.format;
   for (std::size_t i = 0; i < (p.has_alpha ? 4U : 3U); ++i) target.color[i] = {color_[i].data(), p.width};
   target.depth = {depth_.data(), p.width};

@@ -18,6 +18,15 @@ inline constexpr DepthStencilFormat kFormats[] = {DepthStencilFormat::d24s8, Dep
 // which the rasterizer takes short cuts. The scissor stays as it is.
 void randomize_fragment_operations(Random& random, PipelineState& state);
 
+// A format of colour planes; most often one of bytes, if asked for, one that can be blended.
+ColorFormat random_color_format(Random& random, bool blended);
+
+// Gives a picture's planes a format, and only colours that it has.
+void set_color_format(ColorFormat format, oracle::Picture& picture);
+
+// A stipple pattern: a few bits, or some, or nearly all.
+StipplePattern random_stipple(Random& random);
+
 // A byte, most often one of an edge.
 std::uint8_t edge_byte(Random& random);
 

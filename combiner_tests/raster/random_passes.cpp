@@ -198,6 +198,7 @@ void PassScene::begin(Canvas& canvas, bool with_outputs) const {
   canvas.load(start);
   RenderTarget& target = canvas.target;
   target.format = format;
+  target.color_format = color_format;
   if (!with_outputs) target.outputs.clear();
   if (!has_stencil) target.stencil = {};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -216,7 +217,9 @@ PassScene random_passes(Random& random, int passes) {
   scene.has_stencil = stencil_bits(scene.format) > 0 || random.one_in(2);
   const bool some_missing = random.one_in(4);
   for (bool& has : scene.has_color) has = !some_missing || random.one_in(2);
+  scene.color_format = random_color_format(random, false);
   scene.start = random_picture(random, scene.width, scene.height, scene.format);
+  set_color_format(scene.color_format, scene.start);
   add_geometry(random, scene);
   const PipelineState view = random_view(random, scene);
   const bool equal_masks = !random.one_in(4);
@@ -235,7 +238,8 @@ PassScene random_passes(Random& random, int passes) {
       pass.state.profile.depth_narrowing.value = view.profile.depth_narrowing.value;
     }
     randomize_fragment_operations(random, pass.state);
-    if (!random.one_in(12)) pass.state.blend = {};
+    if (!random.one_in(12) || !facts_of(scene.color_format).blends()) pass.state.blend = {};
+    if (random.one_in(6)) pass.state.polygon_stipple = random_stipple(random);
     // All that most draws write, and tests that many fragments pass.
     if (equal_masks) pass.state.color_mask = random.one_in(3) ? std::array<bool, 4>{} : mask;
     if (random.one_in(2)) pass.state.alpha_test.enabled = false;

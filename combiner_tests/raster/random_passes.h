@@ -25,6 +25,7 @@ struct PassScene {
   int width = 1;
   int height = 1;
   DepthStencilFormat format = DepthStencilFormat::d24s8;
+  ColorFormat color_format = ColorFormat::a8r8g8b8;
   std::array<bool, 4> has_color{};  // planes of the target
   bool has_stencil = true;
   oracle::Picture start;

@@ -16,6 +16,8 @@ PipelineState random_state(Random& random, const RandomScene& scene) {
   state.profile.subpixel_bits.value = random.one_in(4) ? random.below(5) : 4;
   if (random.one_in(8)) state.profile.polygon_offset_slope.value = OffsetSlope::root;
   if (random.one_in(4)) state.profile.color_interpolation.value = ColorInterpolation::affine;
+  if (random.one_in(4)) state.profile.surface_blend.value = SurfaceBlend::bytes;
+  if (random.one_in(4)) state.profile.coverage_narrowing.value = Narrowing::toward_zero;
   if (random.one_in(4)) state.profile.depth_narrowing.value = Narrowing::nearest_halves_up;
   if (random.one_in(3)) state.profile.color_weights.value = ColorWeights::exact;
   state.shade_model = random.one_in(2) ? ShadeModel::flat : ShadeModel::smooth;
@@ -46,6 +48,9 @@ PipelineState random_state(Random& random, const RandomScene& scene) {
     r.height = random.between(1, inside ? scene.height - r.y : scene.height + 9);
     return r;
   };
+  state.polygon_smooth = random.one_in(6);
+  state.line_smooth = random.one_in(4);
+  if (random.one_in(5)) state.polygon_stipple = random_stipple(random);
   if (random.one_in(3)) state.viewport = rect(true);
   if (random.one_in(3)) state.scissor = rect(false);
   if (random.one_in(2)) state.program = pass_through(Register::primary, Register::primary);
@@ -222,6 +227,10 @@ RandomScene random_scene(Random& random) {
   // Smooth colours may differ by one, which blending would not leave at that.
   const bool exact = std::all_of(scene.draws.begin(), scene.draws.end(), [](const auto& d) { return d.exact_color; });
   for (RandomDraw& draw : scene.draws) draw.state.blend.enabled = draw.state.blend.enabled && exact;
+  // Nor would formats of fewer bits.
+  const bool blends =
+      std::any_of(scene.draws.begin(), scene.draws.end(), [](const auto& d) { return d.state.blend.enabled; });
+  if (exact) set_color_format(random_color_format(random, blends), scene.start);
   return scene;
 }
 
@@ -262,7 +271,8 @@ LibraryDraw for_library(const RandomDraw& draw, int width, int height) {
 std::string describe(const RandomScene& scene) {
   std::ostringstream out;
   out << scene.width << 'x' << scene.height << " format " << static_cast<int>(scene.start.format) << " alpha "
-      << scene.start.has_alpha << (scene.captures ? ", captures" : "") << '\n';
+      << scene.start.has_alpha << " colours " << facts_of(scene.start.color_format).name
+      << (scene.captures ? ", captures" : "") << '\n';
   const auto rect = [&](const char* name, const std::optional<PixelRect>& r) {
     if (r) out << ", " << name << ' ' << r->x << ' ' << r->y << ' ' << r->width << ' ' << r->height;
   };
@@ -275,9 +285,11 @@ std::string describe(const RandomScene& scene) {
         << static_cast<int>(s.shade_model) << ", cull " << static_cast<int>(s.cull_face) << ", front face "
         << static_cast<int>(s.front_face) << ", modes " << static_cast<int>(s.front_mode) << ' '
         << static_cast<int>(s.back_mode) << ", point size " << s.point_size << ", line width " << s.line_width
-        << ", shapes " << static_cast<int>(s.profile.point_shape.value) << ' '
-        << static_cast<int>(s.profile.line_shape.value) << ", offset " << s.polygon_offset.fill << s.polygon_offset.line
-        << s.polygon_offset.point << ' ' << s.polygon_offset.factor << ' ' << s.polygon_offset.units << " slope "
+        << ", smooth " << s.polygon_smooth << s.line_smooth << ", stipple " << s.polygon_stipple.has_value()
+        << ", blend reads " << static_cast<int>(s.profile.surface_blend.value) << ", shapes "
+        << static_cast<int>(s.profile.point_shape.value) << ' ' << static_cast<int>(s.profile.line_shape.value)
+        << ", offset " << s.polygon_offset.fill << s.polygon_offset.line << s.polygon_offset.point << ' '
+        << s.polygon_offset.factor << ' ' << s.polygon_offset.units << " slope "
         << static_cast<int>(s.profile.polygon_offset_slope.value) << ", depth range " << s.depth_near << ' '
         << s.depth_far << ", program " << s.program.has_value() << ", clear " << d.clear.has_value();
     rect("viewport", s.viewport);

@@ -34,13 +34,15 @@ class StateTable {
  public:
   void add(const std::string& state, int value, std::uint64_t fragments) { count_[state][value] += fragments; }
 
-  void add(const RandomDraw& draw, DepthStencilFormat format, const oracle::Tally& t) {
+  void add(const RandomDraw& draw, const oracle::Picture& start, const oracle::Tally& t) {
+    const DepthStencilFormat format = start.format;
     const PipelineState& s = draw.state;
     const auto number = [](auto value) { return static_cast<int>(value); };
     const std::uint64_t after_alpha = t.fragments - t.alpha_fail, after_stencil = after_alpha - t.stencil_fail;
     const bool is_polygon = draw.type >= PrimitiveType::triangles;
     add("type", number(draw.type), t.fragments);
     add("format", number(format), t.fragments);
+    add("colour format", number(start.color_format), t.drawn);
     add("shade model", number(s.shade_model), t.fragments);
     add("subpixel bits", s.profile.subpixel_bits, t.fragments);
     const std::uint64_t of_points = draw.type == PrimitiveType::points ? t.fragments : 0;
@@ -49,6 +51,7 @@ class StateTable {
     add("point size is odd, or not whole", kind(s.point_size), of_points);
     add("line width is odd, or not whole", kind(s.line_width), of_lines);
     add("shape of points", number(s.profile.point_shape.value), of_points);
+    add("smooth lines", number(s.line_smooth), of_lines);
     add("shape of lines", number(s.profile.line_shape.value), of_lines);
     add("viewport", number(s.viewport.has_value()), t.fragments);
     add("scissor", number(s.scissor.has_value()), t.fragments);
@@ -59,6 +62,8 @@ class StateTable {
     if (is_polygon) {
       add("cull face", number(s.cull_face), s.cull_face == CullFace::front_and_back ? 1000 : t.fragments);
       add("front face", number(s.front_face), t.fragments);
+      add("stipple", number(s.polygon_stipple.has_value()), t.fragments);
+      add("smooth polygons", number(s.polygon_smooth), t.fragments);
       add("modes", 3 * number(s.front_mode) + number(s.back_mode), t.fragments);
       const PolygonOffset& o = s.polygon_offset;
       add("offset", number(o.fill) + 2 * number(o.line) + 4 * number(o.point), t.fragments);
@@ -67,6 +72,7 @@ class StateTable {
     if (s.alpha_test.enabled) add("alpha function", number(s.alpha_test.function), t.fragments);
     if (s.depth_test.enabled) add("depth function", number(s.depth_test.function), after_stencil);
     if (s.blend.enabled) {
+      add("colour format of blends", number(start.color_format), t.drawn);
       add("blend equation", number(s.blend.equation), t.drawn);
       add("blend source", number(s.blend.source), t.drawn);
       add("blend destination", number(s.blend.destination), t.drawn);
@@ -97,6 +103,11 @@ class StateTable {
   void expect_full(std::uint64_t least) const {
     const std::map<std::string, int> buckets{{"type", 10},
                                              {"format", 3},
+                                             {"colour format", 10},
+                                             {"colour format of blends", 8},
+                                             {"stipple", 2},
+                                             {"smooth polygons", 2},
+                                             {"smooth lines", 2},
                                              {"shade model", 2},
                                              {"subpixel bits", 5},
                                              {"viewport", 2},
@@ -143,13 +154,13 @@ struct StatesSeen {
   StateTable states;
   std::uint64_t changed_planes[4]{};  // scenes in which colour, depth, stencil, primitive changed
 
-  void add(const RandomDraw& draw, DepthStencilFormat format, const oracle::Tally& one) {
+  void add(const RandomDraw& draw, const oracle::Picture& start, const oracle::Tally& one) {
     tally.fragments += one.fragments;
     tally.alpha_fail += one.alpha_fail;
     tally.stencil_fail += one.stencil_fail;
     tally.depth_fail += one.depth_fail;
     tally.drawn += one.drawn;
-    states.add(draw, format, one);
+    states.add(draw, start, one);
   }
 };
 
@@ -188,7 +199,7 @@ void run_case(std::uint64_t seed, std::uint64_t index, StatesSeen& seen) {
     if (draw.clear) run_clear(draw, planes, expected);
     oracle::Tally tally;
     oracle::draw(draw.state, for_oracle(draw), expected, tally);
-    seen.add(draw, scene.start.format, tally);
+    seen.add(draw, scene.start, tally);
     if (!draw.exact_color) tolerance = 2;  // two weights may be whole 256ths, where floats fall to either side
 
     const LibraryDraw library = for_library(draw, scene.width, scene.height);

@@ -120,6 +120,7 @@ TEST(Draw, FlagsReplaceTheSceneOfAnEffect) {
                                                                                      {"--mesh", "cube"},
                                                                                      {"--fov", "30"},
                                                                                      {"--look-at", "0.2,0,0"},
+                                                                                     {"--color-format", "r5g6b5"},
                                                                                      {"--floor", "-1"}}) {
     EXPECT_NE(hash(flags), plain) << flags[0];
   }
@@ -138,6 +139,7 @@ TEST(Draw, FlagsOfAPassChangeThePicture) {
                                                                                      {"--blend", "dst_color,zero"},
                                                                                      {"--alpha-test", "less,128"},
                                                                                      {"--depth", "never"},
+                                                                                     {"--color-format", "b8"},
                                                                                      {"--cull", "front"},
                                                                                      {"--color-mask", "r"}}) {
     EXPECT_NE(hash(flags), plain) << flags[0];
@@ -194,6 +196,9 @@ TEST(Draw, BadInputIsOneError) {
   expect_error(ninebit(draw(kSepia, picture, {"--coord0", "color", "--tex0", "gradient"})), 2, {"--coord0"});
   expect_error(ninebit(draw(kSepia, picture, {"--tex0", "target:x"})), 2, {"only effect files"});
   expect_error(ninebit(draw(kEffects + "toon.json", picture, {"--cull", "back"})), 2, {"--cull", "effect file"});
+  expect_error(ninebit(draw(kSepia, picture, {"--color-format", "rgb565"})), 2, {"--color-format", "r5g6b5"});
+  expect_error(ninebit(draw(kSepia, picture, {"--color-format", "b8", "--blend", "one,one"})), 2,
+               {"blends into target 'picture' of format b8, which the chip does not"});
   expect_error(ninebit(draw(kSepia, picture, {"--tex0", folder / "none.png"})), 3, {"none.png"});
   expect_error(ninebit(draw(folder / "none.gl", picture)), 3, {"none.gl"});
   expect_error(ninebit(draw(kSepia, picture, {"--mesh", folder / "none.obj"})), 3, {"none.obj"});

@@ -81,6 +81,40 @@ TEST_F(Verify, TextureShaderStagesOfAnNv2a) {
   EXPECT_EQ(Json::parse(depths.out)["differ"], 2);
 }
 
+TEST_F(Verify, SurfacesAndSamplesOfAnNv2a) {
+  const std::map<std::string, std::string> tables{
+      {"surface_blend", "900 rows: 900 agree, 0 differ\n"}, {"surface_store", "1000 rows: 1000 agree, 0 differ\n"},
+      {"stipple", "900 rows: 900 agree, 0 differ\n"},       {"point_sprite", "600 rows: 600 agree, 0 differ\n"},
+      {"poly_smooth", "300 rows: 300 agree, 0 differ\n"},   {"aa_samples", "264 rows: 264 agree, 0 differ\n"},
+      {"aa_square4", "500 rows: 500 agree, 0 differ\n"}};
+  const std::string folder = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_";
+  for (const auto& [name, answer] : tables) {
+    const Outcome nv2a = ninebit({"verify", folder + name + ".csv", "--profile", "nv2a"});
+    EXPECT_EQ(nv2a.code, 0) << name << nv2a.err;
+    EXPECT_EQ(nv2a.out, answer) << name;
+  }
+  // What OpenGL says of blending differs.
+  EXPECT_EQ(ninebit({"verify", folder + "surface_blend.csv", "--profile", "ideal"}).code, 1);
+}
+
+TEST_F(Verify, WrongTablesOfSurfacesAndSamples) {
+  const auto fault = [this](const std::string& table, const std::string& profile, const std::string& message) {
+    expect_error(verify(table, {"--profile", profile}), 3, {"rows.csv:2:", message});
+  };
+  fault("surface,blend,r,g,b,a,word_hex\nB8,0,1,2,3,4,FF\n", "nv2a", "surface must be one of R5G6B5");
+  fault("surface,blend,r,g,b,a,word_hex\nR5G6B5,0,1,2,3,4,10000\n", "nv2a", "up to four hexadecimal digits");
+  fault("surface,blend,r,g,b,a,word_hex\nR5G6B5,0,1,2,3,4,\n", "nv2a", "up to four hexadecimal digits");
+  fault("pattern,x,y,drawn\nStripes,1,2,1\n", "nv2a", "pattern must be one of Asymmetric, Border or Checkered");
+  const std::string sprites = "test,x,y,r,g,b,a,pic_r,pic_g,pic_b,pic_a\n0,149,83,1,2,3,4,1,2,3,4\n";
+  fault(sprites, "geforce2", "profile geforce2 has no point sprites");
+  fault("test,x,y,r,g,b,a,pic_r,pic_g,pic_b,pic_a\n0,100,83,1,2,3,4,1,2,3,4\n", "nv2a", "must lie within the point");
+  fault("x0,y0,x1,y1,x2,y2,x,y,alpha\n0,0,1,1,1e9,3,0,0,255\n", "nv2a", "x2 must be a number from -4096 to 4096");
+  fault("mode,sample,y,first,last\nCENTER_1,1,9,1,2\n", "nv2a", "CENTER_1 has sample 0 alone");
+  fault("mode,sample,y,first,last\nQUINCUNX,1,9,1,2\n", "nv2a", "mode must be one of CENTER_1 or CENTER_CORNER_2");
+  fault("mode,sample,y,first,last\nCENTER_CORNER_2,1,9,1,2\n", "geforce2", "no surfaces with several samples");
+  fault("column,row,covered\n1,1,0\n", "geforce2", "no surfaces with several samples");
+}
+
 TEST_F(Verify, WrongTablesOfTextureShaderStages) {
   const std::string lum = "scale,offset,L,T,out\n1,0,255,255,255\n";
   EXPECT_EQ(verify(lum, {"--profile", "nv2a"}).code, 0);

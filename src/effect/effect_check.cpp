@@ -136,6 +136,11 @@ class Checker {
       return complain("draws into an unknown target " + in_quotes(pass.target) + known_targets());
     const EffectTarget* const target = target_of(pass.target);
     const bool cube = target != nullptr && target->cube;
+    const ColorFormatFacts& color = facts_of(target == nullptr ? effect_.color_format : target->color_format);
+    if (pass.state.blend.enabled && !color.blends()) {
+      complain("blends into target " + in_quotes(pass.target) + " of format " + std::string(color.name) +
+               ", which the chip does not");
+    }
     const bool mesh = pass.geometry == EffectGeometry::mesh;
     if (mesh && effect_.scene.mesh.empty()) complain("draws a mesh, but the effect has none");
     if (cube && !mesh) complain("draws a rectangle into a cube map; expected a mesh");

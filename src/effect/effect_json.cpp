@@ -115,12 +115,15 @@ void read_size(EffectReader& read, const Value& value, int& width, int& height) 
 
 EffectTarget read_effect_target(EffectReader& read, const Value& value) {
   EffectTarget target;
-  if (!read.reader().object(value, {"size", "cube", "format", "depth_stencil"})) return target;
+  if (!read.reader().object(value, {"size", "cube", "format", "color_format", "depth_stencil"})) return target;
   if (json::Reader::find(value, "size") == nullptr) read.reader().fault(value.offset, "the key \"size\" is missing");
   read.with(value, "size", [&](const Value& v) { read_size(read, v, target.width, target.height); });
   read.with(value, "cube", [&](const Value& v) { read.reader().boolean(v, target.cube); });
   read.with(value, "format",
             [&](const Value& v) { read.word(v, effect_detail::kTargetFormats, "format", target.format); });
+  read.with(value, "color_format", [&](const Value& v) {
+    read.word(v, effect_detail::kColorFormatWords, "colour format", target.color_format);
+  });
   read.with(value, "depth_stencil", [&](const Value& v) {
     read.word(v, effect_detail::kDepthStencilFormats, "depth-stencil format", target.depth_stencil);
   });
@@ -141,14 +144,17 @@ void read_named(EffectReader& read, const Value& value, std::vector<T>& into, st
 
 Effect read_root(EffectReader& read, const Value& root, PartPlaces& places) {
   Effect effect;
-  if (!read.reader().object(root, {"ninebit", "version", "title", "note", "profile", "size", "depth_stencil", "scene",
-                                   "textures", "targets", "passes"})) {
+  if (!read.reader().object(root, {"ninebit", "version", "title", "note", "profile", "size", "color_format",
+                                   "depth_stencil", "scene", "textures", "targets", "passes"})) {
     return effect;
   }
   read.with(root, "title", [&](const Value& v) { read.text(v, effect.title); });
   read.with(root, "note", [&](const Value& v) { read.text(v, effect.note); });
   read.with(root, "profile", [&](const Value& v) { read.text(v, effect.profile); });
   read.with(root, "size", [&](const Value& v) { read_size(read, v, effect.width, effect.height); });
+  read.with(root, "color_format", [&](const Value& v) {
+    read.word(v, effect_detail::kColorFormatWords, "colour format", effect.color_format);
+  });
   read.with(root, "depth_stencil", [&](const Value& v) {
     read.word(v, effect_detail::kDepthStencilFormats, "depth-stencil format", effect.depth_stencil);
   });

@@ -15,12 +15,14 @@ Status EffectTargets::allocate(const Effect& effect) {
                                  .cube = false,
                                  .width = effect.width,
                                  .height = effect.height,
+                                 .color_format = effect.color_format,
                                  .depth_stencil = effect.depth_stencil}};
   all.insert(all.end(), effect.targets.begin(), effect.targets.end());
   for (const EffectTarget& from : all) {
     Target target{.name = from.name, .format = from.format};
     for (std::size_t f = 0; f < (from.cube ? 6U : 1U); ++f) {
-      auto surface = Surface::make(from.width, from.height, {.depth_stencil = from.depth_stencil});
+      auto surface =
+          Surface::make(from.width, from.height, {.depth_stencil = from.depth_stencil, .color = from.color_format});
       if (!surface) return fault_in("target " + effect_detail::in_quotes(from.name), surface.error());
       target.faces.push_back(std::move(*surface));
     }

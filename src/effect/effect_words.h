@@ -149,6 +149,12 @@ inline constexpr Words<DepthComparison, 9> kDepthComparisons{{{"none", DepthComp
 inline constexpr Words<DepthStencilFormat, 3> kDepthStencilFormats{
     {{"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}}};
 
+inline constexpr auto kColorFormatWords = [] {
+  Words<ColorFormat, kColorFormats.size()> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = {kColorFormats[i].name, kColorFormats[i].format};
+  return words;
+}();
+
 inline constexpr Words<InternalFormat, 6> kTargetFormats{{{"rgba8", InternalFormat::rgba8},
                                                           {"rgb8", InternalFormat::rgb8},
                                                           {"luminance8", InternalFormat::luminance8},

@@ -100,6 +100,7 @@ Result<CameraFrame> CameraFrame::make(const Scene& scene, const RenderSettings& 
   auto frame = Surface::make(settings.width, settings.height,
                              {.depth_stencil = settings.depth_stencil,
                               .with_primitive = settings.layers || settings.evidence,
+                              .color = settings.color_format,
                               .undrawn = true});
   if (!frame) return frame.error();
   auto groups = SurfaceGroups::make(scene, settings);

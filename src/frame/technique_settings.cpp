@@ -111,6 +111,11 @@ constexpr std::array kCullWords{word("none", CullFace::none), word("back", CullF
                                 word("front", CullFace::front)};
 constexpr std::array kFrameWords{word("d24s8", DepthStencilFormat::d24s8), word("d16", DepthStencilFormat::d16),
                                  word("d15s1", DepthStencilFormat::d15s1)};
+constexpr std::array kColorWords = [] {
+  std::array<SettingWord, kColorFormats.size()> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = word(kColorFormats[i].name, kColorFormats[i].format);
+  return words;
+}();
 constexpr std::array kStyleWords{word("plain", false), word("cartoon", true)};
 constexpr std::array kFormatWords{word("rgb", IndexFormat::rgb), word("la", IndexFormat::luminance_alpha),
                                   word("l", IndexFormat::luminance), word("a", IndexFormat::alpha)};
@@ -147,6 +152,11 @@ constexpr std::array kSettings{
                             .kind = SettingKind::word,
                             .words = kCullWords,
                             .help = "Faces to cull, in every pass"}),
+    setting<&R::color_format>({.name = "color-format",
+                               .group = &kPicture,
+                               .kind = SettingKind::word,
+                               .words = kColorWords,
+                               .help = "Format of the frame's colours"}),
     setting<&R::depth_stencil>({.name = "depth-stencil",
                                 .group = &kPicture,
                                 .kind = SettingKind::word,

@@ -60,6 +60,7 @@ constexpr std::array kSlopes{FieldWord{"larger", "the larger of |dz/dx| and |dz/
                              FieldWord{"root", "the root of their squares' sum"}};
 constexpr std::array kInterpolations{FieldWord{"perspective", "in perspective"}, FieldWord{"affine", "affine"}};
 constexpr std::array kWeights{FieldWord{"exact", "exact"}, FieldWord{"8-bits", "8 bits"}};
+constexpr std::array kSurfaceBlends{FieldWord{"zeros", "as zeros"}, FieldWord{"bytes", "as in bytes"}};
 constexpr std::array kRoundings{FieldWord{"once", "once"}, FieldWord{"each-blend", "each blend of two"}};
 constexpr std::array kLineShapes{FieldWord{"diamonds", "diamonds"}, FieldWord{"rectangles", "rectangles"}};
 constexpr std::array kPointShapes{FieldWord{"whole-pixels", "whole pixels"}, FieldWord{"squares", "squares"}};
@@ -128,6 +129,10 @@ constexpr std::array kFields{
                                 "Whether spare0 and the secondary colour may go into the colour sum as 1 - x."),
     flag<&P::texture_shaders>("texture_shaders", features, "",
                               "Whether the chip has texture-shader stages (NV_texture_shader and NV_texture_shader2)."),
+    flag<&P::point_sprites>("point_sprites", features, "46",
+                            "Whether texture coordinates may run across each point (NV_point_sprite)."),
+    flag<&P::multisampling>("multisampling", features, "48",
+                            "Whether the chip has surfaces with two and four samples for each pixel."),
     number<&P::spare0_alpha_without_texture0>("spare0_alpha_without_texture0", start_registers, kBytes, kByteEnds, "",
                                               "The byte in spare0's alpha at the start while texture unit 0 is off."),
     number<&P::disabled_texture_alpha>("disabled_texture_alpha", start_registers, kBytes, kByteEnds, "16",
@@ -148,6 +153,10 @@ constexpr std::array kFields{
                                   "Whether smooth colours follow the perspective or run straight across the window."),
     word<&P::color_weights>("color_weights", rasterizer, kWeights, "27",
                             "How fine the weights of a polygon's corners are in its smooth colours."),
+    word<&P::surface_blend>("surface_blend", rasterizer, kSurfaceBlends, "44",
+                            "How blending reads the low bits that a surface of fewer bits does not store."),
+    word<&P::coverage_narrowing>("coverage_narrowing", rasterizer, kNarrowings, "47",
+                                 "How an alpha times the coverage of a smoothed primitive becomes a byte."),
     word<&P::depth_narrowing>("depth_narrowing", rasterizer, kNarrowings, "28",
                               "How a fragment's depth becomes a depth code."),
     word<&P::fog_narrowing>("fog_narrowing", rasterizer, kNarrowings, "25",

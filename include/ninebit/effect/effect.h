@@ -125,6 +125,7 @@ struct EffectTarget {
   int width = 0;                                                 // pixels; of a cube, texels a side
   int height = 0;                                                // pixels; of a cube the same as the width
   InternalFormat format = InternalFormat::rgba8;                 // as a texture: one of the 8-bit formats
+  ColorFormat color_format = ColorFormat::a8r8g8b8;              // of its colour planes
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth and stencil planes
 };
 
@@ -191,12 +192,13 @@ struct EffectScene {
 
 // An effect.
 struct Effect {
-  std::string title{};    // a line for people; may be empty
-  std::string note{};     // what it shows; may be empty
-  std::string profile{};  // the name of a built-in profile; empty: the caller's
-  std::string folder{};   // where relative file names begin; empty: the current folder
-  int width = 512;        // of the picture, pixels, 1 to kMaxSurfaceSize
-  int height = 512;       // likewise
+  std::string title{};                               // a line for people; may be empty
+  std::string note{};                                // what it shows; may be empty
+  std::string profile{};                             // the name of a built-in profile; empty: the caller's
+  std::string folder{};                              // where relative file names begin; empty: the current folder
+  int width = 512;                                   // of the picture, pixels, 1 to kMaxSurfaceSize
+  int height = 512;                                  // likewise
+  ColorFormat color_format = ColorFormat::a8r8g8b8;  // of the picture
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of the picture
   EffectScene scene{};                                           // the mesh
   std::vector<EffectTexture> textures{};                         // by name

@@ -103,6 +103,7 @@ struct RenderSettings {
   bool light_facing = false;  // shadows polygons that face away from the light (the article leaves them lit)
   bool cartoon = false;       // flat shading, with shadows in ink
   CullFace cull_face = CullFace::none;                           // in every pass, from the light and from the camera
+  ColorFormat color_format = ColorFormat::a8r8g8b8;              // of the frame
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of the frame
   bool layers = false;                                           // keeps every intermediate value of the camera's view
   bool evidence = false;                                         // keeps ShadowEvidence, for ground_truth.h

@@ -64,6 +64,11 @@ enum class ColorWeights : std::uint8_t {
   exact,      // shares, in floats
   eight_bits  // whole 256ths: the first and the third vertex's cut, the second has the rest
 };
+// What blending takes for the low bits that a surface of fewer bits does not store.
+enum class SurfaceBlend : std::uint8_t {
+  zeros,  // zeros, of the fragment's colour as well
+  bytes   // those of the byte that stands for the stored number; the fragment's colour stays whole
+};
 // Where linear filters round.
 enum class FilterRounding : std::uint8_t {
   once,       // the weighted sum of all texels
@@ -128,6 +133,8 @@ struct HardwareProfile {
   Choice<bool> mux_by_lowest_bit;    // the mux may test the lowest bit of spare0's alpha
   Choice<bool> color_sum_inverts;    // spare0 and the secondary colour may go into the colour sum as 1 - x
   Choice<bool> texture_shaders;      // NV_texture_shader and NV_texture_shader2
+  Choice<bool> point_sprites;        // NV_point_sprite
+  Choice<bool> multisampling;        // surfaces with two and four samples for each pixel
 
   // Registers before the first general combiner.
   Choice<int> spare0_alpha_without_texture0;  // byte, when texture unit 0 is off
@@ -143,6 +150,8 @@ struct HardwareProfile {
   Choice<OffsetSlope> polygon_offset_slope;  // m of the polygon offset factor × m + r × units
   Choice<ColorInterpolation> color_interpolation;  // of smooth primary and secondary colours
   Choice<ColorWeights> color_weights;              // of smooth primary and secondary colours
+  Choice<SurfaceBlend> surface_blend;              // of surfaces with fewer bits than bytes
+  Choice<Narrowing> coverage_narrowing;            // of an alpha times a smoothed primitive's coverage, to a byte
   Choice<Narrowing> depth_narrowing;               // of a fragment's depth on its primitive, to a depth code
   Choice<Narrowing> fog_narrowing;                 // of a fragment's fog factor, times 255, to a byte
   Choice<int> texture_weight_bits;                 // fraction bits of the weights of linear filters
@@ -193,6 +202,8 @@ inline constexpr HardwareProfile geforce2{
     .mux_by_lowest_bit = {false, Evidence::specified, "NV_register_combiners has the threshold of one half alone"},
     .color_sum_inverts = {false, Evidence::specified, "NV_register_combiners has no such sum"},
     .texture_shaders = {false, Evidence::specified, "NV_texture_shader is of the NV20 class"},
+    .point_sprites = {false, Evidence::specified, "NV_point_sprite is of the NV20 class"},
+    .multisampling = {false, Evidence::assumed, "the chip's driver drew larger pictures instead"},
     .spare0_alpha_without_texture0 = {255, Evidence::assumed, "the extension leaves it unspecified"},
     .disabled_texture_alpha = {255, Evidence::inferred, "rule 16, measured on NV2A"},
     .secondary_alpha = {SecondaryAlpha::one, Evidence::inferred, "drivers up to 56.90 gave 1.0"},
@@ -205,6 +216,9 @@ inline constexpr HardwareProfile geforce2{
     .color_interpolation = {ColorInterpolation::perspective, Evidence::inferred,
                             "rule 27: in perspective on NV2A; OpenGL allows both; rival: affine"},
     .color_weights = {ColorWeights::eight_bits, Evidence::inferred, "rule 27, measured on NV2A"},
+    .surface_blend = {SurfaceBlend::zeros, Evidence::inferred, "rule 44, measured on NV2A"},
+    .coverage_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed,
+                           "rule 47: no picture has another alpha than 255"},
     .depth_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 28, measured on NV2A"},
     .fog_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 25, measured on NV2A"},
     .texture_weight_bits = {8, Evidence::inferred, "rule 26, measured on NV2A"},
@@ -261,6 +275,8 @@ consteval HardwareProfile xbox() {
   p.mux_by_lowest_bit = {true, Evidence::measured, "rule 11: 129 takes CD, 130 and 0 take AB"};
   p.color_sum_inverts = {true, Evidence::measured, "rule 13: 1 - 191/255 is 64/255, by either"};
   p.texture_shaders = {true, Evidence::specified, "NV20 class"};
+  p.point_sprites = {true, Evidence::measured, "rule 46: 7,938 pixels, none wrong"};
+  p.multisampling = {true, Evidence::measured, "rule 48: 460,800 samples, none wrong"};
   p.disabled_texture_alpha = {255, Evidence::measured, "rule 16"};
   p.secondary_alpha = {SecondaryAlpha::as_given, Evidence::specified, "NV_register_combiners2"};
   p.subpixel_bits = {4, Evidence::measured, "rule 21"};
@@ -271,6 +287,7 @@ consteval HardwareProfile xbox() {
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::measured,
                            "rule 27: 359,729 pixels; affine where a bit of NV097_SET_CONTROL0 is off"};
   p.color_weights = {ColorWeights::eight_bits, Evidence::measured, "rule 27: 1.2 million pixels"};
+  p.surface_blend = {SurfaceBlend::zeros, Evidence::measured, "rule 44: 1,823,808 pixels, none wrong"};
   p.depth_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 28: 216,525 of 216,529 pixels"};
   p.fog_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 25: 662 of 680 pixels"};
   p.texture_weight_bits = {8, Evidence::measured, "rule 26: a ramp of 84 pixels"};
@@ -314,6 +331,8 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.mux_by_lowest_bit = {true, Evidence::assumed, as_nv2a};
   p.color_sum_inverts = {true, Evidence::assumed, as_nv2a};
   p.texture_shaders = {true, Evidence::assumed, as_nv2a};
+  p.point_sprites = {true, Evidence::assumed, as_nv2a};
+  p.multisampling = {true, Evidence::assumed, as_nv2a};
   p.disabled_texture_alpha = {255, Evidence::assumed, as_nv2a};
   p.subpixel_bits = {4, Evidence::assumed, as_nv2a};
   p.line_shape = {LineShape::diamonds, Evidence::specified, "OpenGL 1.3, 3.4.1 and 3.4.2"};
@@ -322,6 +341,9 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::assumed, as_nv2a};
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, as_nv2a};
   p.color_weights = {ColorWeights::exact, Evidence::specified, "OpenGL 1.3, 3.5.1"};
+  p.coverage_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: colours are rounded to nearest"};
+  p.surface_blend = {SurfaceBlend::bytes, Evidence::specified,
+                     "OpenGL 1.3, 4.1.6: the numbers that the bits stand for"};
   p.depth_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: depths are rounded to nearest"};
   p.fog_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: colours are rounded to nearest"};
   p.texture_weight_bits = {8, Evidence::assumed, as_nv2a};

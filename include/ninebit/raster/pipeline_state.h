@@ -124,6 +124,17 @@ struct Blend {
   std::array<std::uint8_t, 4> color{};          // the constant colour
 };
 
+// A stipple pattern as glPolygonStipple takes it: 32 rows from the lowest up, of four bytes. The highest bit of a row's
+// first byte is its leftmost pixel.
+using StipplePattern = std::array<std::uint8_t, 128>;
+
+// Texture coordinates that run across each point (NV_point_sprite, rule 46): s from 0 at its left side to 1 at its
+// right one, t from 0 at its upper side to 1 at its lower one, r is 0 and q is 1.
+struct PointSprite {
+  bool enabled = false;                              // GL_POINT_SPRITE_NV
+  std::array<bool, kTextureStages> coord_replace{};  // GL_COORD_REPLACE_NV: the units that have these coordinates
+};
+
 // The fog registers. Programs always read its colour; they read the fragments' factors only while fog is enabled.
 struct Fog {
   bool enabled = false;                 // GL_FOG
@@ -148,6 +159,12 @@ struct PipelineState {
   // to whole pixels, halves up, and a size that becomes 0 counts as 1.
   float point_size = 1.0F;  // 0 to 64; 0 draws one pixel
   float line_width = 1.0F;  // 1/8 to 64
+
+  PointSprite point_sprite;     // of points, also of those of polygon modes
+  bool polygon_smooth = false;  // GL_POLYGON_SMOOTH: of polygons in the mode fill (rule 47)
+  bool line_smooth = false;     // GL_LINE_SMOOTH: of lines, also of those of polygon modes
+  // Of polygons in the mode fill, by pixels of the target; empty: GL_POLYGON_STIPPLE is disabled.
+  std::optional<StipplePattern> polygon_stipple;
 
   // If enabled, the stages give the texture registers, may cull fragments and may replace their depth.
   TextureShaderState texture_shader;

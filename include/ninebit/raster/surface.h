@@ -15,6 +15,7 @@
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/raster/color_format.h"
 #include "ninebit/raster/plane_samples.h"
 
 namespace NINEBIT_PUBLIC ninebit {
@@ -58,6 +59,23 @@ enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1 };
   return (std::uint32_t{1} << depth_bits(format)) - 1;
 }
 
+// How many samples a pixel has and where they lie, by the NV2A's names (rule 48). Every plane of the target then has
+// the samples of a row side by side. Each sample is drawn as a pixel whose centre lies at the sample's place.
+enum class SampleMode : std::uint8_t {
+  center_1,         // one: the pixel's centre
+  center_corner_2,  // two, side by side: the upper left corner, then the centre
+  square_offset_4   // two above two: the upper left corner, the middle of the upper side; the middle of the left side,
+                    // the centre
+};
+
+// The number of samples of a pixel side by side, and one above the other.
+[[nodiscard]] constexpr int sample_columns(SampleMode mode) {
+  return mode == SampleMode::center_1 ? 1 : 2;
+}
+[[nodiscard]] constexpr int sample_rows(SampleMode mode) {
+  return mode == SampleMode::square_offset_4 ? 2 : 1;
+}
+
 // The value that a fragment writes into an output plane.
 enum class OutputSource : std::uint8_t {
   register_code,  // one component of a register after the last general combiner: s9
@@ -94,11 +112,14 @@ inline constexpr std::size_t kMaxOutputPlanes = 32;
 
 struct FragmentProbe;
 
-// The planes that a draw writes. All have the size of the target; any may be the caller's own memory.
+// The planes that a draw writes. All have the size of the target, in samples; any may be the caller's own memory.
 struct RenderTarget {
   int width = 0;                               // pixels, 1 to kMaxSurfaceSize
   int height = 0;                              // pixels, 1 to kMaxSurfaceSize
+  SampleMode samples = SampleMode::center_1;   // of each pixel
   std::array<Plane<std::uint8_t>, 4> color{};  // red, green, blue, alpha
+  // Of colour: every colour that is written becomes one that the format has; see stored_color().
+  ColorFormat color_format = ColorFormat::a8r8g8b8;
   DepthStencilFormat format =
       DepthStencilFormat::d24s8;       // of depth and stencil; decides the arithmetic even without these planes
   Plane<std::uint32_t> depth{};        // codes of format's depth bits: 0 near, max_depth(format) far
@@ -114,10 +135,12 @@ struct ClearValues {
   int stencil = 0;                      // its low bits
 };
 
-// The planes of a surface besides colour.
+// The planes of a surface.
 struct SurfaceFormat {
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // format of depth and stencil
-  bool with_primitive = false;  // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
+  bool with_primitive = false;                // adds a plane of primitive numbers, 0xFFFFFFFF where nothing was drawn
+  ColorFormat color = ColorFormat::a8r8g8b8;  // format of colour; all four planes are there in any
+  SampleMode samples = SampleMode::center_1;  // of each pixel, in all planes
   // Colour, depth and the stencil bits start uninitialized: fill them, or clear them with the first draw. If a stencil
   // value has fewer than 8 bits, the other bits of its byte are 0, and clear() keeps them.
   bool undrawn = false;
@@ -126,7 +149,7 @@ struct SurfaceFormat {
 // A target that owns its planes: colour, depth, stencil if the format has it, and optionally primitive numbers.
 class Surface {
  public:
-  // Reports sizes outside 1 to kMaxSurfaceSize.
+  // Reports sizes outside 1 to kMaxSurfaceSize, in samples.
   [[nodiscard]] static Result<Surface> make(int width, int height, SurfaceFormat format = {});
 
   // In pixels, as constructed.
@@ -134,6 +157,9 @@ class Surface {
   [[nodiscard]] int height() const { return height_; }
   // As constructed.
   [[nodiscard]] DepthStencilFormat format() const { return format_; }
+
+  [[nodiscard]] ColorFormat color_format() const { return color_format_; }  // as constructed
+  [[nodiscard]] SampleMode samples() const { return samples_; }             // as constructed
 
   // Views of all planes, valid until this surface is moved from or destroyed.
   [[nodiscard]] RenderTarget target();
@@ -154,6 +180,8 @@ class Surface {
   int width_;
   int height_;
   DepthStencilFormat format_;
+  ColorFormat color_format_;
+  SampleMode samples_;
   std::array<PlaneSamples<std::uint8_t>, 4> color_;
   PlaneSamples<std::uint32_t> depth_;
   PlaneSamples<std::uint8_t> stencil_;

@@ -15,6 +15,7 @@ RenderTarget PixelProbe::planes_of_one_row() {
   RenderTarget target;
   target.width = real_.width;
   target.height = real_.height;
+  target.color_format = real_.color_format;
   target.format = real_.format;
   const auto row = [&](auto& samples, const auto& real) -> std::remove_cvref_t<decltype(real)> {
     if (!real) return {};

@@ -53,6 +53,8 @@ PipelineState geometry_state(const PipelineState& state) {
   s.polygon_offset = state.polygon_offset;
   s.point_size = state.point_size;
   s.line_width = state.line_width;
+  s.polygon_smooth = state.polygon_smooth;
+  s.line_smooth = state.line_smooth;
   s.scissor = state.scissor;
   return s;
 }
@@ -92,6 +94,8 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
       Part{p.profile.line_shape.value == state.profile.line_shape.value, "shape of lines"},
       Part{p.point_size == state.point_size, "point size"},
       Part{p.line_width == state.line_width, "line width"},
+      Part{p.polygon_smooth == state.polygon_smooth, "smoothing of polygons"},
+      Part{p.line_smooth == state.line_smooth, "smoothing of lines"},
       Part{p.profile.subpixel_bits.value == state.profile.subpixel_bits.value, "number of subpixel bits"},
       Part{g.type == arrays.type, "type of primitives"},
       Part{g.positions == arrays.vertex_count(), "number of positions"},
@@ -145,7 +149,8 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
   PreparedDraw::Geometry& g = *prepared.geometry_;
   g.is_valid = false;
   g.state = geometry_state(state);
-  const RenderTarget bare_target{.width = target.width, .height = target.height, .format = target.format};
+  const RenderTarget bare_target{
+      .width = target.width, .height = target.height, .samples = target.samples, .format = target.format};
   const VertexArrays bare_arrays{.type = arrays.type,
                                  .positions = arrays.positions,
                                  .homogeneous_positions = arrays.homogeneous_positions,

@@ -12,7 +12,7 @@ bool PrimitiveSetup::takes_packed_vertices(const SetupContext& context, const Pr
   const bool is_triangles = assembly.type() == PrimitiveType::triangles ||
                             assembly.type() == PrimitiveType::triangle_strip ||
                             assembly.type() == PrimitiveType::triangle_fan;
-  return is_triangles && context.fills() && vertices > 0 && vertices <= kMaxPackedVertices;
+  return is_triangles && context.fills() && !context.smooth_polygons && vertices > 0 && vertices <= kMaxPackedVertices;
 }
 
 PrimitiveSetup::PrimitiveSetup(const SetupContext& context, const PrimitiveAssembly& assembly,

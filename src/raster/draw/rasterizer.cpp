@@ -15,6 +15,8 @@
 #include "src/raster/fragment/draw_context.h"
 #include "src/raster/setup/arrays_check.h"
 #include "src/raster/setup/setup_context.h"
+#include "src/raster/surface/sample_planes.h"
+#include "src/raster/surface/target_check.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
@@ -77,10 +79,9 @@ void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
   }
 }
 
-}  // namespace
-
-Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
-                 std::span<const TextureUnit> units, RenderTarget& target) {
+// Draws into a target with one sample for each pixel.
+Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
+                   std::span<const TextureUnit> units, RenderTarget& target, const SampleShift& shift) {
   if (Status checked = check_draw(state, arrays, units, target); !checked) return checked;
   if (Status checked = check_indices(arrays); !checked) return checked;
   const DrawContext context(state, arrays, units, target);
@@ -91,7 +92,7 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   const ScratchLease scratch;
   const TileGrid grid(target.width, target.height);
   const SetupContext setup(state, viewport_of(state, target), drawn, target.format,
-                           !context.has_flat_result || target.probe != nullptr);
+                           !context.has_flat_result || target.probe != nullptr, shift);
   const DrawGeometry geometry(setup, clip_from_object, arrays, grid, scratch->packed);
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
@@ -99,6 +100,20 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
   TileLoop tiles(
       {.grid = grid, .drawn = drawn, .passes = {&pass, 1}, .target = target, .actions = {}, .probe = probe.get()});
   draw(geometry, tiles, *scratch);
+  return {};
+}
+
+}  // namespace
+
+Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
+                 std::span<const TextureUnit> units, RenderTarget& target) {
+  if (target.samples == SampleMode::center_1) return draw_sample(state, clip_from_object, arrays, units, target, {});
+  if (Status checked = check_samples(state, target); !checked) return checked;
+  for (const SamplePlace& sample : sample_places(target.samples)) {
+    RenderTarget planes = planes_of_sample(target, sample);
+    Status drawn = draw_sample(state, clip_from_object, arrays, units, planes, sample.shift);
+    if (!drawn) return drawn;
+  }
   return {};
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "src/raster/fragment/stipple.h"
+#include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/line_setup.h"
 #include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/triangle_edges.h"
@@ -51,22 +53,30 @@ class FragmentSink {
         offset_z24_(primitive.offset_z24),
         front_facing_(primitive.front_facing),
         is_code_(primitive.offset_z24 == 0 && context.depth.step_z24() == 1),
+        stipple_(is_polygon(primitive) && context.state.polygon_stipple ? &*context.state.polygon_stipple : nullptr),
         next_(next) {}
 
-  void operator()(int x, int y, std::uint32_t z24, const std::array<std::int64_t, 3>& edge) const {
+  void operator()(int x, int y, std::uint32_t z24, const std::array<std::int64_t, 3>& edge,
+                  std::uint8_t coverage = 255) const {
+    if (stipple_ != nullptr && !has_pixel(*stipple_, x, y)) return;
     const std::uint32_t depth = is_code_ ? z24 : depth_.code(z24, offset_z24_);
     // Two objects: the first stays in registers.
     if (operations_.is_lost_early({x, y, depth, primitive_, front_facing_})) return;
-    next_({x, y, depth, primitive_, front_facing_}, edge);
+    next_({x, y, depth, primitive_, front_facing_, coverage}, edge);
   }
 
  private:
+  static bool is_polygon(const SetupPrimitive& p) {
+    return p.kind == SetupKind::triangle || p.kind == SetupKind::pixel;
+  }
+
   const FragmentOperations& operations_;
   const WindowDepth depth_;
   const std::uint32_t primitive_;
   const std::int32_t offset_z24_;
   const bool front_facing_;
   const bool is_code_;
+  const StipplePattern* const stipple_;  // null: all pixels are drawn
   const Next next_;
 };
 
@@ -89,6 +99,24 @@ template <class Sink>
     for (int x = first; x <= last; ++x, plane.step_right(e)) {
       if (narrow && !plane.inside(e)) continue;
       sink(x, y, plane.z24(e), e);
+    }
+  }
+}
+
+// A pixel with any sample inside is drawn. Where its centre lies outside, an edge function below 0 counts as 0 there:
+// the fragment's values are those of a place on the triangle (assumed).
+template <class Sink>
+[[gnu::noinline]] void draw_smooth_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
+  const TriangleEdges plane(t);
+  const PixelBox box = common_pixels(tile, t.box);
+  for (int y = box.bottom; y < box.top; ++y) {
+    std::array<std::int64_t, 3> e = plane.at(box.left, y);
+    for (int x = box.left; x < box.right; ++x, plane.step_right(e)) {
+      const int inside = plane.samples_inside(e);
+      if (inside == 0) continue;
+      const std::array<std::int64_t, 3> place{std::max(e[0], std::int64_t{0}), std::max(e[1], std::int64_t{0}),
+                                              std::max(e[2], std::int64_t{0})};
+      sink(x, y, plane.z24_of_weights(place), place, coverage_byte(inside));
     }
   }
 }
@@ -159,6 +187,21 @@ void draw_rectangle(const PixelBox& tile, const SetupPrimitive& line, int eighth
 }
 
 template <class Sink>
+void draw_smooth_rectangle(const PixelBox& tile, const SetupPrimitive& line, int eighths, Sink sink) {
+  const LineRectangle rectangle(line, eighths);
+  const AlongLine place(line);
+  const PixelBox box = common_pixels(tile, line.box);
+  for (int y = box.bottom; y < box.top; ++y) {
+    for (int x = box.left; x < box.right; ++x) {
+      const int inside = rectangle.samples_inside(x, y);
+      if (inside == 0) continue;
+      const std::array<std::int64_t, 3> edge = place.at(x, y);
+      sink(x, y, place.z24(edge), edge, coverage_byte(inside));
+    }
+  }
+}
+
+template <class Sink>
 void draw_point(const PixelBox& tile, const SetupPrimitive& point, Sink sink) {
   const PixelBox box = common_pixels(tile, point.box);
   for (int y = box.bottom; y < box.top; ++y) {
@@ -178,10 +221,12 @@ void draw_primitive(const DrawContext& context, const PixelBox& tile, const Setu
   const FragmentSink<Next> sink(context, p, next);
   switch (p.kind) {
     case SetupKind::triangle:
-      draw_triangle(tile, p, sink);
+      context.state.polygon_smooth ? draw_smooth_triangle(tile, p, sink) : draw_triangle(tile, p, sink);
       break;
     case SetupKind::line:
-      if (context.state.profile.line_shape == LineShape::diamonds) {
+      if (context.state.line_smooth) {
+        draw_smooth_rectangle(tile, p, eighths_of(context.state.line_width), sink);
+      } else if (context.state.profile.line_shape == LineShape::diamonds) {
         draw_diamonds(tile, p, whole_pixels(eighths_of(context.state.line_width)), sink);
       } else {
         draw_rectangle(tile, p, eighths_of(context.state.line_width), sink);

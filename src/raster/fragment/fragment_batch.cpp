@@ -27,6 +27,20 @@ std::array<float, 3> eight_bit_weights(const std::array<float, 3>& share, bool i
   return {first, remaining_weight(o, first, third), third};
 }
 
+// The coordinates of a pixel's centre across its point, and their change from pixel to pixel (rule 46).
+struct SpritePlace {
+  float s, t, change;
+};
+
+// A point of size 0 has one pixel, the middle of the texture (assumed).
+SpritePlace sprite_place(const SetupPrimitive& point, int eighths, int x, int y) {
+  if (eighths == 0) return {0.5F, 0.5F, 0.0F};
+  // In sixteenths of a pixel half the size is `eighths`.
+  const int from_left = 16 * x + 8 - (point.x_q4()[0] - eighths), from_top = point.y_q4()[0] + eighths - (16 * y + 8);
+  const auto size = static_cast<float>(2 * eighths);
+  return {static_cast<float>(from_left) / size, static_cast<float>(from_top) / size, 16.0F / size};
+}
+
 }  // namespace
 
 bool FragmentBatch::has_smooth_colors() const {
@@ -123,6 +137,17 @@ void FragmentBatch::fill_texture(std::size_t unit) {
   for (std::size_t i = 0; i < count_ && kinds > 1; ++i) {
     if (place_[i].primitive->kind == SetupKind::point) coordinates_[1][0][i] = context_.point_change[unit];
   }
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (!is_sprite(i, unit)) continue;
+    const int eighths = eighths_of(context_.state.point_size);
+    const SpritePlace at = sprite_place(*place_[i].primitive, eighths, fragment_[i].x, fragment_[i].y);
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+      const bool is_place = kind == 0;
+      coordinates_[kind][0][i] = is_place ? at.s : kind == 1 ? at.change : 0.0F;
+      coordinates_[kind][1][i] = is_place ? at.t : kind == 2 ? -at.change : 0.0F;
+      if (components > 2) coordinates_[kind][2][i] = 0.0F;
+    }
+  }
   TextureCoordinates coordinates;
   for (std::size_t k = 0; k < components; ++k) {
     coordinates.value[k] = coordinates_[0][k].data();
@@ -157,6 +182,18 @@ void FragmentBatch::run_stages() {
       const float change = context_.point_change[unit];
       if (change == 0.0F || place_[i].primitive->kind != SetupKind::point) continue;
       stages_->at(1, unit, 0)[i] = change * stages_->at(0, unit, 3)[i];
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (!is_sprite(i, unit)) continue;
+      const int eighths = eighths_of(context_.state.point_size);
+      const SpritePlace at = sprite_place(*place_[i].primitive, eighths, fragment_[i].x, fragment_[i].y);
+      const std::array<std::array<float, 4>, 3> values{
+          {{at.s, at.t, 0.0F, 1.0F}, {at.change, 0.0F, 0.0F, 0.0F}, {0.0F, -at.change, 0.0F, 0.0F}}};
+      for (std::size_t kind = 0; kind < stages_->kinds(); ++kind) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (stages_->needs(unit, k)) stages_->at(kind, unit, k)[i] = values[kind][k];
+        }
+      }
     }
   }
   stages_->run(count_, registers_);

@@ -52,6 +52,11 @@ class FragmentBatch {
   void fill_texture(std::size_t unit);
   void run_stages();
   void fill_stage_coordinate(std::size_t kind, std::size_t unit, std::size_t k);
+  // Whether fragment i has coordinates that run across its point, of that unit.
+  [[nodiscard]] bool is_sprite(std::size_t i, std::size_t unit) const {
+    const PointSprite& sprite = context_.state.point_sprite;
+    return sprite.enabled && sprite.coord_replace[unit] && place_[i].primitive->kind == SetupKind::point;
+  }
   void divide_coordinates(std::size_t unit, std::size_t components, std::size_t kinds);
   void fill_registers();
   void interpolate_attributes();

@@ -15,11 +15,14 @@ FragmentOperations::FragmentOperations(const PipelineState& state, const RenderT
       depth_write_(depth_enabled_ && state.depth_test.write),
       writes_color_(false),
       blends_(state.blend.enabled && !replaces(state.blend)),
+      cuts_coverage_(state.profile.coverage_narrowing.value == Narrowing::toward_zero),
       early_stencil_(false),
       early_depth_front_(false),
       early_depth_back_(false),
       color_mask_(state.color_mask),
-      blend_(state.blend) {
+      blend_(state.blend),
+      store_(target.color_format),
+      reads_(target.color_format, state.profile.surface_blend) {
   for (std::size_t i = 0; i < 4; ++i) {
     color_mask_[i] = color_mask_[i] && target.color[i];
     writes_color_ = writes_color_ || color_mask_[i];
@@ -52,7 +55,7 @@ void FragmentOperations::write_blended(const UncoloredFragment& f, const ColorBy
   for (std::size_t i = 0; i < 4; ++i) {
     if (target_.color[i]) there[i] = target_.color[i].at(f.x, f.y);
   }
-  write(f, blend(blend_, color, there));
+  write(f, blend(blend_, reads_.source(color), reads_.destination(there)));
 }
 
 }  // namespace ninebit

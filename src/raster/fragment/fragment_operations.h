@@ -9,6 +9,7 @@
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/fragment/stencil.h"
+#include "src/raster/surface/color_store.h"
 
 namespace ninebit {
 
@@ -18,7 +19,8 @@ struct UncoloredFragment {
   int y = 0;
   std::uint32_t depth = 0;  // a code of the target's format
   std::uint32_t primitive = 0;
-  bool front_facing = true;  // false: of a back-facing polygon, in whatever mode
+  bool front_facing = true;     // false: of a back-facing polygon, in whatever mode
+  std::uint8_t coverage = 255;  // of a smoothed primitive
 };
 
 // The operations of one draw call, with every decision of the state taken once. The target must have passed
@@ -43,7 +45,8 @@ class FragmentOperations {
   }
 
   // The fate that `apply` would give the fragment now.
-  [[nodiscard]] FragmentFate fate_of(const UncoloredFragment& f, const ColorBytes& color) const {
+  [[nodiscard]] FragmentFate fate_of(const UncoloredFragment& f, const ColorBytes& whole) const {
+    const ColorBytes color = covered(f, whole);
     if (alpha_enabled_ && !compare(alpha_function_, color[3], alpha_reference_)) return FragmentFate::alpha_failed;
     if (stencil_enabled_ && !side(f).passes(target_.stencil.at(f.x, f.y))) return FragmentFate::stencil_failed;
     return depth_passes(f) ? FragmentFate::written : FragmentFate::depth_failed;
@@ -51,7 +54,8 @@ class FragmentOperations {
 
   // Runs the tests (the alpha test by rule 18) and writes colour, depth and stencil. Returns whether the fragment
   // passed all tests.
-  bool apply(const UncoloredFragment& f, const ColorBytes& color) const {
+  bool apply(const UncoloredFragment& f, const ColorBytes& whole) const {
+    const ColorBytes color = covered(f, whole);
     if (alpha_enabled_ && !compare(alpha_function_, color[3], alpha_reference_)) return false;
     if (stencil_enabled_) {
       if (!apply_stencil(f)) return false;
@@ -72,6 +76,13 @@ class FragmentOperations {
   [[nodiscard]] bool needs_color() const { return alpha_enabled_ || writes_color_; }
 
  private:
+  // The colour with its alpha multiplied by the coverage (rule 47).
+  [[nodiscard]] ColorBytes covered(const UncoloredFragment& f, const ColorBytes& color) const {
+    if (f.coverage == 255) return color;
+    const int product = color[3] * f.coverage;
+    return {color[0], color[1], color[2], static_cast<std::uint8_t>((product + (cuts_coverage_ ? 0 : 127)) / 255)};
+  }
+
   [[nodiscard]] const StencilSide& side(const UncoloredFragment& f) const { return f.front_facing ? front_ : back_; }
 
   // The stencil test, then the depth test; true: both passed.
@@ -87,7 +98,8 @@ class FragmentOperations {
     return depth;
   }
 
-  void write(const UncoloredFragment& f, const ColorBytes& color) const {
+  void write(const UncoloredFragment& f, const ColorBytes& whole) const {
+    const ColorBytes color = store_(whole);
     for (std::size_t i = 0; i < 4; ++i) {
       if (color_mask_[i]) target_.color[i].at(f.x, f.y) = color[i];
     }
@@ -104,11 +116,14 @@ class FragmentOperations {
   bool depth_write_;
   bool writes_color_;
   bool blends_;
+  bool cuts_coverage_;
   bool early_stencil_;
   bool early_depth_front_;
   bool early_depth_back_;
   std::array<bool, 4> color_mask_;  // false also where the target has no such plane
   Blend blend_;
+  ColorStore store_;
+  BlendReads reads_;
   StencilSide front_;
   StencilSide back_;
 };

@@ -88,6 +88,12 @@ HWY_INLINE LaneResult<D> operate(const BatchOperations& batch, std::size_t i, M 
   return {hn::IfThenElse(mask, hn::Or(hn::AndNot(bits, stored), value), stored), mask};
 }
 
+// A vector of the batch's colours, as they are stored.
+HWY_INLINE V stored_colors(const LaneDraw<D>& draw, V colors) {
+  if (HWY_LIKELY(draw.operations.store.is_exact)) return colors;
+  return stored_color(VectorValues<D>(), colors, draw.operations.store.masks);
+}
+
 HWY_INLINE V load_stored(const TilePlanes& tile, const LaneFragments::Span& span) {
   return hn::LoadU(kD, lanes_of(tile.depth_stencil.data()) + span.place);
 }
@@ -112,7 +118,7 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
       auto mask = hn::FirstN(kD, span.count);
       mask = not_culled(culled, span.first, mask);
       if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, load_stored(tile, span)));
-      hn::BlendedStore(hn::LoadU(kD, lanes_of(batch.color.data()) + span.first), mask, kD,
+      hn::BlendedStore(stored_colors(draw, hn::LoadU(kD, lanes_of(batch.color.data()) + span.first)), mask, kD,
                        lanes_of(tile.color.data()) + span.place);
     }
     return;
@@ -125,7 +131,7 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
     const LaneResult<D> result =
         operate({draw, f, by_stencil, culled}, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
     if (writes) hn::StoreU(result.depth_stencil, kD, stored);
-    if (operations.color) hn::BlendedStore(color, result.drawn, kD, colors);
+    if (operations.color) hn::BlendedStore(stored_colors(draw, color), result.drawn, kD, colors);
   }
 }
 
@@ -157,7 +163,8 @@ HWY_INLINE void operate_on_places(TilePlanes& tile, const LaneFragments& f, cons
       hn::ScatterIndex(result.depth_stencil, kD, stored, place);
     }
     if (operations.color) {
-      hn::ScatterIndex(hn::IfThenElse(result.drawn, color, hn::GatherIndex(kD, colors, place)), kD, colors, place);
+      hn::ScatterIndex(hn::IfThenElse(result.drawn, stored_colors(draw, color), hn::GatherIndex(kD, colors, place)), kD,
+                       colors, place);
     }
   }
 }

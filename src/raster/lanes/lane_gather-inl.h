@@ -32,6 +32,13 @@ HWY_INLINE void for_rows(D d, std::size_t place, hn::Mask<D> mask, Visit visit) 
   }
 }
 
+// The fragments of the mask that the pass's stipple pattern draws.
+template <class Rows, class D>
+HWY_INLINE hn::Mask<D> stippled(D d, const PrimitiveDraw& current, std::size_t place, hn::Mask<D> mask) {
+  const auto drawn = Rows::load(d, lanes_of(current.pass.stipple->data()) + place);
+  return hn::And(mask, hn::Ne(drawn, hn::Zero(d)));
+}
+
 // The fragments that have to go into the batch. Flushes the batch if it has no room for them, or has other fragments at
 // their pixels.
 template <class Rows, class D>
@@ -39,6 +46,7 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const PrimitiveDra
                                 hn::Mask<D> mask, hn::Vec<D> depth) {
   const LaneOperations& operations = draw.operations;
   LaneTile& tile = current.tile;
+  if (HWY_UNLIKELY(operations.stipples)) mask = stippled<Rows>(d, current, place, mask);
   const std::int32_t* const at = lanes_of(tile.planes.depth_stencil.data()) + place;
   const auto any_overlaps = [&](hn::Mask<D> lanes) HWY_ATTR {
     bool any = false;

@@ -39,10 +39,12 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
       depth(state.depth_test.enabled && target.depth),
       depth_write(depth && state.depth_test.write),
       replaces_depth(with_replaced_depth),
+      store(target.color_format),
       alpha_test(comparison(state.alpha_test.function)),
       depth_test(comparison(state.depth_test.function)),
       alpha_reference(state.alpha_test.reference) {
   for (std::size_t i = 0; i < 4; ++i) color = color || (state.color_mask[i] && target.color[i]);
+  stipples = state.polygon_stipple.has_value();
   if (stencil) prepare_stencil(state.stencil_test, stencil_bits(target.format));
   find_consequences(state.depth_test.function);
 }
@@ -64,8 +66,8 @@ void LaneOperations::find_consequences(CompareFunction depth_function) {
   tests_change = depth_write || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
   const bool failures_keep = front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
   are_tests_final = !tests_change && failures_keep && !replaces_depth;
-  asks_equal_depth = are_tests_final && depth && depth_function == CompareFunction::equal && !two_sided;
-  is_nearest_alone = depth_write && depth_function == CompareFunction::less && !alpha && !stencil;
+  asks_equal_depth = are_tests_final && depth && depth_function == CompareFunction::equal && !two_sided && !stipples;
+  is_nearest_alone = depth_write && depth_function == CompareFunction::less && !alpha && !stencil && !stipples;
   const bool farther_fails = depth_function == CompareFunction::less || depth_function == CompareFunction::lequal ||
                              depth_function == CompareFunction::equal || depth_function == CompareFunction::never;
   loses_farther = depth && farther_fails && failures_keep && !replaces_depth;

@@ -5,6 +5,7 @@
 
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
+#include "src/raster/surface/color_store.h"
 
 namespace ninebit {
 
@@ -42,7 +43,9 @@ struct LaneOperations {
   bool depth = false;    // true if the depth test is enabled and the target has a depth plane
   bool depth_write = false;
   bool replaces_depth = false;
-  bool color = false;  // true if any colour plane is written
+  bool color = false;     // true if any colour plane is written
+  ColorStore store;       // of colours that are written
+  bool stipples = false;  // true if a stipple pattern leaves pixels out
   LaneComparison alpha_test;
   LaneComparison depth_test;
   std::uint32_t alpha_reference = 0;
@@ -58,7 +61,7 @@ struct LaneOperations {
   // True if tests may be made when a fragment is gathered: fragments in the batch do not change their outcome, and
   // fragments that fail change nothing.
   bool are_tests_final = false;
-  // True if, in addition, the depth test is EQUAL and the stencil test the same for both facings.
+  // True if, in addition, the depth test is EQUAL, the stencil test the same for both facings, and nothing is stippled.
   bool asks_equal_depth = false;
   bool stencil_decides = false;  // true if the stencil test may fail
   // True if a fragment that is farther than the stored depth changes nothing.

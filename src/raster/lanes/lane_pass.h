@@ -6,6 +6,7 @@
 #include "src/raster/fragment/draw_context.h"
 #include "src/raster/lanes/lane_batch.h"
 #include "src/raster/lanes/lane_operations.h"
+#include "src/raster/lanes/tile_planes.h"
 
 namespace ninebit {
 
@@ -22,7 +23,9 @@ struct LanePass {
 
   const DrawContext& context;
   const LaneOperations operations;
-  const bool depths_are_codes;       // true for window depths in codes, without a polygon offset
+  const bool depths_are_codes;  // true for window depths in codes, without a polygon offset
+  // Of a pass that stipples: all ones for the pixels of a tile that are drawn, else 0. (Tiles repeat the pattern.)
+  std::unique_ptr<TileWords> stipple;
   std::unique_ptr<LaneBatch> batch;  // of a pass that gathers fragments: none where the draw's result is flat
 
   // Set by plan_reuse.

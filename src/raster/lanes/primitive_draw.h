@@ -27,7 +27,8 @@ struct PrimitiveDraw {
   const SetupPrimitive& primitive;
   const SetupBlock& block;
   const SetupCorners* corners;  // null for a flat result
-  std::uint32_t color;          // of a flat result
+  std::uint32_t color;          // of a flat result, as it is stored
+  std::uint32_t alpha;          // of Drawing::flat
   std::uint32_t number;         // see PixelOwners
 };
 

@@ -127,6 +127,7 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
     return loses_farther &&
            tile.farthest.are_nearer(left - x, bottom - y, right - x, top - y, std::min({p.z24[0], p.z24[1], p.z24[2]}));
   };
+  const bool stores_all = pass.operations.store.is_exact;
   TileTriangles t;
   for (std::size_t i = 0; i < indices.size();) {
     const PrimitiveGroup group = place_group(t, list, i, tile.planes.pixels);
@@ -134,11 +135,13 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
     for (; i < group.end; ++i) {
       const SetupPrimitive& p = block.primitives[indices[i]];
       const SetupCorners* const corners = kDrawing == Drawing::gathers ? &block.corners_of(p) : nullptr;
-      PrimitiveDraw current{tile, pass, p, block, corners, 0, first_number + static_cast<std::uint32_t>(i)};
+      PrimitiveDraw current{tile, pass, p, block, corners, 0, 0, first_number + static_cast<std::uint32_t>(i)};
       const auto find_color = [&] {
         if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);
         std::memcpy(&current.color, color.data(), sizeof(current.color));
+        if constexpr (kDrawing == Drawing::flat) current.alpha = color[3];
+        if (HWY_UNLIKELY(!stores_all)) current.color = pass.operations.store(current.color);
       };
       if (p.kind == SetupKind::pixel) {
         if (is_lost(p, p.box.left, p.box.bottom, p.box.right, p.box.top)) continue;
@@ -193,7 +196,7 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
     return false;
   }
   if (state.front_mode != PolygonMode::fill || state.back_mode != PolygonMode::fill) return false;
-  if (!context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
+  if (state.polygon_smooth || !context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
   if (!context.has_flat_result) {
     if (state.fog.enabled && !arrays.fog_factors.empty() && context.reads[static_cast<std::size_t>(Register::fog)]) {
       return false;

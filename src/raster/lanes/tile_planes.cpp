@@ -283,8 +283,9 @@ void fill_tile(TilePlanes& tile, const ClearValues& values) {
     for (std::size_t k = 0; k < (tile.colors_are_words ? 1 : 4); ++k) fetch(row.color[k]);
   }
   const DepthStencilFormat format = tile.target.format;
+  const std::array<std::uint8_t, 4> stored = stored_color(tile.target.color_format, values.color);
   std::uint32_t color = 0;
-  std::memcpy(&color, values.color.data(), sizeof(color));
+  std::memcpy(&color, stored.data(), sizeof(color));
   HWY_DYNAMIC_DISPATCH(fill_planes)
   (tile, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil), color);
 }

@@ -11,6 +11,7 @@
 #include "hwy/highway.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/texture.h"
+#include "src/raster/rules/color_masks.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {

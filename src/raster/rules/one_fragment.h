@@ -7,6 +7,7 @@
 
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/texture.h"
+#include "src/raster/rules/color_masks.h"
 
 namespace ninebit::one_fragment {
 

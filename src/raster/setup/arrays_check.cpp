@@ -73,6 +73,9 @@ Status check_state(const PipelineState& state, const RenderTarget& target) {
   }
   if (Status s = check_size("points of size", state.point_size, kLeastPointSize); !s) return s;
   if (Status s = check_size("lines of width", state.line_width, kLeastLineWidth); !s) return s;
+  if (state.point_sprite.enabled && !state.profile.point_sprites) {
+    return fault("profile " + std::string(state.profile.name) + " has no point sprites; disable them");
+  }
   if (std::isnan(state.depth_near) || std::isnan(state.depth_far)) return fault("the depth range is not a number");
   if (!std::isfinite(state.polygon_offset.factor) || !std::isfinite(state.polygon_offset.units)) {
     return fault("the polygon offset's factor and units are not both finite");

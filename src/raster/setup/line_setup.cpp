@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/pixel_span.h"
 #include "src/raster/surface/floor_divider.h"
 
@@ -98,7 +99,7 @@ void add_line(const SetupContext& context, const SetupEnd& a, const SetupEnd& b,
   if (is_beyond_a_side({a.clip, b.clip})) return;
   WindowVertex from = context.window(a.clip), to = context.window(b.clip);
   if (from.x_q4 == to.x_q4 && from.y_q4 == to.y_q4) return;
-  const int reach = LineRectangle::reach_q4(context.line_eighths);
+  const int reach = LineRectangle::reach_q4(context.line_eighths) + (context.smooth_lines ? kCoverageReach_q4 : 0);
   const PixelBounds box = context.line_shape == LineShape::diamonds ? place_diamonds(context, from, to)
                                                                     : box_around(context, from, to, reach, reach);
   if (box.empty()) return;
@@ -186,6 +187,17 @@ bool LineRectangle::span(int y, int& first, int& last) const {
   first = static_cast<int>(low);
   last = static_cast<int>(high);
   return low <= high;
+}
+
+int LineRectangle::samples_inside(int x, int y) const {
+  int inside = 0;
+  for (const CoverageSample& sample : kCoverageSamples) {
+    const auto is_within = [&](const Side& side) {
+      return side.value + side.step_x / 16 * (16 * x + sample.x_q4) + side.step_y / 16 * (16 * y + sample.y_q4) >= 0;
+    };
+    inside += std::all_of(sides_.begin(), sides_.end(), is_within) ? 1 : 0;
+  }
+  return inside;
 }
 
 LineWalk::LineWalk(const SetupPrimitive& line)

@@ -61,6 +61,9 @@ class LineRectangle {
   // Narrows [first, last] to the pixels of row y that the line draws; false: there are none.
   [[nodiscard]] bool span(int y, int& first, int& last) const;
 
+  // How many of a pixel's coverage samples it holds.
+  [[nodiscard]] int samples_inside(int x, int y) const;
+
  private:
   // value + step_x · x + step_y · y, for the centre of pixel (x, y), is not negative on the inner side.
   struct Side {

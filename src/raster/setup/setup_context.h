@@ -16,8 +16,8 @@ struct SetupContext {
   // `viewport` has pixels; `drawn` are those that may be drawn: the target's within viewport and scissor.
   // `corners`: whether fragments take more from their primitives than depths and flat colours.
   SetupContext(const PipelineState& state, const PixelRect& viewport, const PixelBox& drawn_pixels,
-               DepthStencilFormat format, bool corners)
-      : window(state, viewport, format),
+               DepthStencilFormat format, bool corners, const SampleShift& shift = {})
+      : window(state, viewport, format, shift),
         guard{window.guard_x(), window.guard_y()},
         drawn(drawn_pixels),
         counter_clockwise_is_front(state.front_face == FrontFace::counter_clockwise),
@@ -28,7 +28,9 @@ struct SetupContext {
         point_eighths(eighths_of(state.point_size)),
         line_eighths(eighths_of(state.line_width)),
         point_shape(state.profile.point_shape),
-        line_shape(state.profile.line_shape),
+        line_shape(state.line_smooth ? LineShape::rectangles : state.profile.line_shape.value),
+        smooth_polygons(state.polygon_smooth),
+        smooth_lines(state.line_smooth),
         offset(state.polygon_offset),
         slope(state.profile.polygon_offset_slope),
         needs_corners(corners) {}
@@ -61,6 +63,8 @@ struct SetupContext {
   int line_eighths;   // width
   PointShape point_shape;
   LineShape line_shape;
+  bool smooth_polygons;
+  bool smooth_lines;
   PolygonOffset offset;
   OffsetSlope slope;
   bool needs_corners;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "src/raster/rules/one_fragment.h"
+#include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/pixel_span.h"
 #include "src/raster/setup/window_primitives.h"
 #include "src/raster/surface/floor_divider.h"
@@ -35,6 +36,25 @@ class TriangleEdges {
   [[nodiscard]] std::uint32_t z24(const std::array<std::int64_t, 3>& e) const {
     const std::int64_t wide = e[0] * triangle_.z24[0] + e[1] * triangle_.z24[1] + e[2] * triangle_.z24[2];
     return static_cast<std::uint32_t>(divide_(2 * wide + rounding_));
+  }
+
+  // How many coverage samples of a pixel lie inside, whose edge functions these are.
+  [[nodiscard]] int samples_inside(const std::array<std::int64_t, 3>& e) const {
+    int inside_count = 0;
+    for (const CoverageSample& sample : kCoverageSamples) {
+      std::array<std::int64_t, 3> at_sample;
+      for (std::size_t i = 0; i < 3; ++i) {
+        at_sample[i] = e[i] + step_x_[i] / 16 * sample.x_q4 + step_y_[i] / 16 * sample.y_q4;
+      }
+      inside_count += inside(at_sample) ? 1 : 0;
+    }
+    return inside_count;
+  }
+  // The depth plane with such weights, none negative, whatever their sum is.
+  [[nodiscard]] std::uint32_t z24_of_weights(const std::array<std::int64_t, 3>& e) const {
+    const std::int64_t sum = e[0] + e[1] + e[2];
+    const std::int64_t wide = e[0] * triangle_.z24[0] + e[1] * triangle_.z24[1] + e[2] * triangle_.z24[2];
+    return static_cast<std::uint32_t>((2 * wide + (rounding_ == 0 ? 0 : sum)) / (2 * sum));
   }
 
   // Narrows [first, last] to the pixels of row y inside the triangle; false: there are none.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/raster/setup/clip.h"
+#include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/line_setup.h"
 
 namespace ninebit {
@@ -19,7 +20,8 @@ void emit(const SetupContext& context, const PolygonTriangle& triangle, std::arr
           const glm::mat3* weights, std::int32_t offset_z24, SetupBlock& block) {
   const auto [left, right] = std::minmax({v[0].x_q4, v[1].x_q4, v[2].x_q4});
   const auto [low, high] = std::minmax({v[0].y_q4, v[1].y_q4, v[2].y_q4});
-  const PixelBounds box = context.pixels_in(left, low, right, high);
+  const int around = context.smooth_polygons ? kCoverageReach_q4 : 0;
+  const PixelBounds box = context.pixels_in(left - around, low - around, right + around, high + around);
   if (box.empty()) return;  // most small triangles are dropped here
   const std::int64_t area = static_cast<std::int64_t>(v[1].x_q4 - v[0].x_q4) * (v[2].y_q4 - v[0].y_q4) -
                             static_cast<std::int64_t>(v[1].y_q4 - v[0].y_q4) * (v[2].x_q4 - v[0].x_q4);

@@ -61,10 +61,10 @@ HWY_INLINE VI code_of(const WindowScale& s, VF x, VF y, VF z, VF w) {
 }
 
 // Where a coordinate of the view volume lies in the window, in 1/16 pixel.
-HWY_INLINE VI snapped(const WindowScale& s, VF v, float guard, float half, float centre) {
+HWY_INLINE VI snapped(const WindowScale& s, VF v, float guard, float half, float centre, int shift) {
   const VF within = hn::Min(hn::Max(v, set(-guard)), set(guard));
   const VF steps = hn::Mul(hn::Add(hn::Mul(within, set(half)), set(centre)), set(s.steps));
-  return hn::Mul(hn::ConvertTo(kDI, steps), hn::Set(kDI, s.to_q4));
+  return hn::Add(hn::Mul(hn::ConvertTo(kDI, steps), hn::Set(kDI, s.to_q4)), hn::Set(kDI, shift));
 }
 
 // Each takes a row of the matrix to a vector of positions that it has loaded.
@@ -103,8 +103,8 @@ HWY_INLINE void transform_positions(const glm::mat4& m, const WindowScale& s, co
     const auto p = load(in + v);
     const VF x = p.row(m, 0), y = p.row(m, 1), z = p.row(m, 2), w = p.row(m, 3);
     const VF inv_w = hn::Div(set(1.0F), w);
-    const VI x_q4 = snapped(s, hn::Mul(x, inv_w), s.guard_x, s.half_width, s.centre_x);
-    const VI y_q4 = snapped(s, hn::Mul(y, inv_w), s.guard_y, s.half_height, s.centre_y);
+    const VI x_q4 = snapped(s, hn::Mul(x, inv_w), s.guard_x, s.half_width, s.centre_x, s.shift.x_q4);
+    const VI y_q4 = snapped(s, hn::Mul(y, inv_w), s.guard_y, s.half_height, s.centre_y, s.shift.y_q4);
     hn::Store(hn::Or(hn::ShiftLeft<kCodeBits>(x_q4), code_of(s, x, y, z, w)), kDI, step.x_and_code + v);
     hn::Store(y_q4, kDI, step.y + v);
     hn::Store(hn::BitCast(kDI, inv_w), kDI, step.inv_w + v);

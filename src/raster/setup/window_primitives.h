@@ -57,7 +57,7 @@ struct alignas(16) SetupPrimitive {
   bool cuts_depth;                   // depths on its plane are cut, not rounded (rule 28)
   std::array<std::uint32_t, 3> z24;  // window depth, see window_transform.h; of a `pixel` three times the one there
   std::int32_t offset_z24;           // polygon offset
-  PackedPositions position;          // of a wide line of diamonds: moved to its lowest line; of a point not read
+  PackedPositions position;          // of a wide line of diamonds: moved to its lowest line; of a point its centre
 
   [[nodiscard]] std::array<std::int32_t, 3> x_q4() const { return {position.x(0), position.x(1), position.x(2)}; }
   [[nodiscard]] std::array<std::int32_t, 3> y_q4() const { return {position.y(0), position.y(1), position.y(2)}; }

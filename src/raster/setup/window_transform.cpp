@@ -15,7 +15,8 @@ double unit(float depth) {
 
 }  // namespace
 
-WindowTransform::WindowTransform(const PipelineState& state, const PixelRect& viewport, DepthStencilFormat format)
+WindowTransform::WindowTransform(const PipelineState& state, const PixelRect& viewport, DepthStencilFormat format,
+                                 const SampleShift& shift)
     : scale_{.guard_x = guard_factor(viewport.width),
              .guard_y = guard_factor(viewport.height),
              .half_width = static_cast<float>(viewport.width) * 0.5F,
@@ -24,6 +25,7 @@ WindowTransform::WindowTransform(const PipelineState& state, const PixelRect& vi
              .centre_y = static_cast<float>(viewport.y) + static_cast<float>(viewport.height) * 0.5F,
              .steps = static_cast<float>(1 << state.profile.subpixel_bits),
              .to_q4 = 1 << (4 - state.profile.subpixel_bits),
+             .shift = shift,
              .depth_half = (unit(state.depth_far) - unit(state.depth_near)) * 0.5,
              .depth_middle = (unit(state.depth_near) + unit(state.depth_far)) * 0.5},
       depth_(format, state.profile.depth_narrowing) {}

@@ -9,6 +9,7 @@
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/rules/one_fragment.h"
+#include "src/raster/surface/sample_planes.h"
 
 namespace ninebit {
 
@@ -76,13 +77,15 @@ struct WindowScale {
   float centre_x, centre_y;
   float steps;  // of the subpixel grid in a pixel
   int to_q4;
+  SampleShift shift;                // after snapping
   double depth_half, depth_middle;  // (far - near) / 2, (near + far) / 2
 };
 
 class WindowTransform {
  public:
   // `viewport` has pixels.
-  WindowTransform(const PipelineState& state, const PixelRect& viewport, DepthStencilFormat format);
+  WindowTransform(const PipelineState& state, const PixelRect& viewport, DepthStencilFormat format,
+                  const SampleShift& shift = {});
 
   // How far the guard band reaches, in multiples of the view volume: window positions stay within 8,192 pixels of the
   // viewport's centre.
@@ -105,8 +108,10 @@ inline WindowVertex WindowTransform::operator()(const glm::vec4& clip) const {
   // Where clipping has cancelled large coordinates, its rounding can leave a corner beyond the guard band.
   const float x = std::clamp(clip.x * v.inv_w, -scale_.guard_x, scale_.guard_x);
   const float y = std::clamp(clip.y * v.inv_w, -scale_.guard_y, scale_.guard_y);
-  v.x_q4 = static_cast<std::int32_t>((x * scale_.half_width + scale_.centre_x) * scale_.steps) * scale_.to_q4;
-  v.y_q4 = static_cast<std::int32_t>((y * scale_.half_height + scale_.centre_y) * scale_.steps) * scale_.to_q4;
+  v.x_q4 = static_cast<std::int32_t>((x * scale_.half_width + scale_.centre_x) * scale_.steps) * scale_.to_q4 +
+           scale_.shift.x_q4;
+  v.y_q4 = static_cast<std::int32_t>((y * scale_.half_height + scale_.centre_y) * scale_.steps) * scale_.to_q4 +
+           scale_.shift.y_q4;
   v.z24 = depth_.z24_of(static_cast<double>(clip.z) / static_cast<double>(clip.w) * scale_.depth_half +
                         scale_.depth_middle);
   return v;

@@ -3,6 +3,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "src/raster/surface/color_words.h"
+#include "src/raster/surface/sample_planes.h"
 #include "src/raster/surface/target_check.h"
 
 namespace ninebit {
@@ -47,11 +48,20 @@ std::uint8_t stencil_value(DepthStencilFormat format, int stencil) {
 }
 
 Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues& values, RenderTarget& target) {
+  if (target.samples != SampleMode::center_1) {
+    if (Status checked = check_samples(state, target); !checked) return checked;
+    for (const SamplePlace& sample : sample_places(target.samples)) {
+      RenderTarget planes = planes_of_sample(target, sample);
+      if (Status cleared = clear(state, buffers, values, planes); !cleared) return cleared;
+    }
+    return {};
+  }
   if (Status checked = check_target(state, target); !checked) return checked;
   const PixelRect rect = scissored(state, target);
   if (buffers.color) {
+    const std::array<std::uint8_t, 4> color = stored_color(target.color_format, values.color);
     for (std::size_t i = 0; i < 4; ++i) {
-      if (state.color_mask[i]) fill(rect, target.color[i], values.color[i]);
+      if (state.color_mask[i]) fill(rect, target.color[i], color[i]);
     }
   }
   if (buffers.depth && state.depth_test.write) fill(rect, target.depth, depth_code(target.format, values.depth));

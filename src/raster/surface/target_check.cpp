@@ -147,7 +147,24 @@ Status check_target(const PipelineState& state, const RenderTarget& target) {
     return fault("the scissor is " + std::to_string(state.scissor->width) + "x" +
                  std::to_string(state.scissor->height) + "; its sides must not be negative");
   }
+  if (target.samples != SampleMode::center_1) {
+    return fault("a prepared draw takes one sample for each pixel, not several; draw without preparation");
+  }
+  if (const ColorFormatFacts& facts = facts_of(target.color_format); state.blend.enabled && !facts.blends()) {
+    return fault("the chip does not blend into surfaces of format " + std::string(facts.name) +
+                 "; disable blending, or choose a format with red");
+  }
   return check_planes(state, target);
+}
+
+Status check_samples(const PipelineState& state, const RenderTarget& target) {
+  if (target.samples == SampleMode::center_1) return {};
+  if (!state.profile.multisampling) {
+    return fault("profile " + std::string(state.profile.name) +
+                 " has no surfaces with several samples for each pixel; expected one sample");
+  }
+  if (target.probe != nullptr) return fault("a probe watches targets with one sample for each pixel, not several");
+  return {};
 }
 
 Status check_output_attributes(const RenderTarget& target, const VertexArrays& arrays) {

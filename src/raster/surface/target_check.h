@@ -9,9 +9,12 @@
 namespace ninebit {
 
 // Reports sizes out of range, planes that the state's enabled tests need but the target does not have, rows that
-// overlap, scissors of negative size, blend factors on the wrong side, output planes with an invalid source, a
-// component, register or attribute out of range, or samples that cannot hold their source.
+// overlap, scissors of negative size, blending into a format that the chip does not blend into, output planes with an
+// invalid source, a component, register or attribute out of range, or samples that cannot hold their source.
 [[nodiscard]] Status check_target(const PipelineState& state, const RenderTarget& target);
+
+// Reports a target with several samples for each pixel that the profile's chip does not have, or that is probed.
+[[nodiscard]] Status check_samples(const PipelineState& state, const RenderTarget& target);
 
 // Reports output planes of attributes that the vertices do not have.
 [[nodiscard]] Status check_output_attributes(const RenderTarget& target, const VertexArrays& arrays);

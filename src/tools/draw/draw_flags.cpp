@@ -71,7 +71,10 @@ void set_scene(const DrawFlags& flags, EffectScene& scene) {
   if (setup.floor == FloorChoice::at_height) setup.floor_height = numbers<float>(flags.floor, ',')->at(0);
 }
 
-void set_size(const DrawFlags& flags, Effect& effect) {
+void set_picture(const DrawFlags& flags, Effect& effect) {
+  if (const auto format = effect_detail::value_of(effect_detail::kColorFormatWords, flags.color_format)) {
+    effect.color_format = *format;
+  }
   if (flags.size.empty()) return;
   const auto size = *numbers<int>(flags.size, 'x');
   effect.width = size[0];
@@ -174,6 +177,10 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--size", flags.size, "Picture size in pixels (default: 512x512)")
       ->type_name("WxH")
       ->check(text_check(&check_size));
+  std::vector<std::string> color_formats;
+  for (const ColorFormatFacts& facts : kColorFormats) color_formats.emplace_back(facts.name);
+  verb.add_option("--color-format", flags.color_format, "Format of the picture's colours (default: a8r8g8b8)")
+      ->check(CLI::IsMember(color_formats));
   verb.add_option("--mesh", flags.mesh, "Mesh to draw: a scene file, sphere:N, torus:N, plane:N or cube")
       ->type_name("FILE|BUILTIN")
       ->check(text_check(&check_file_name));
@@ -214,7 +221,7 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
 Result<Effect> effect_of(const DrawFlags& flags) {
   Effect effect;
   EffectPass pass{.name = "draw"};
-  set_size(flags, effect);
+  set_picture(flags, effect);
   effect.scene.setup.floor = FloorChoice::none;
   set_scene(flags, effect.scene);
   for (const auto& [flag, text] : {std::pair{"--floor", &flags.floor}, std::pair{"--up", &flags.up}}) {
@@ -261,10 +268,10 @@ Status override_effect(const DrawFlags& flags, Effect& effect) {
   for (const CLI::Option* const option : flags.pass_options) {
     if (option->count() == 0) continue;
     return Diagnostic{.message = fmt::format("{} has no effect with an effect file; expected the flags of the size, "
-                                             "mesh, camera and light",
+                                             "colour format, mesh, camera and light",
                                              option->get_name())};
   }
-  set_size(flags, effect);
+  set_picture(flags, effect);
   if (!flags.mesh.empty()) {
     effect.scene.mesh = is_generated_mesh(flags.mesh) ? flags.mesh : std::filesystem::absolute(flags.mesh).string();
   }

@@ -24,7 +24,7 @@ struct DrawFlags {
   CLI::Option* profile = nullptr;  // --profile; whether it was given
   std::string file;                // a program or an effect
   std::string output;              // a PNG file
-  std::string size;
+  std::string size, color_format;
   std::string mesh, up;
   bool allow_outside = false;
   std::vector<std::string> defines;  // as ProgramFlags::defines
@@ -50,8 +50,8 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags);
 // The Diagnostic is wrong usage: a file of --only that no flag asks for.
 [[nodiscard]] Status check_files(const DrawFlags& flags);
 
-// Replaces the size, mesh, camera and light of an effect file by those of the flags. The Diagnostic is wrong usage: a
-// flag that an effect file does not combine with.
+// Replaces the size, colour format, mesh, camera and light of an effect file by those of the flags. The Diagnostic is
+// wrong usage: a flag that an effect file does not combine with.
 [[nodiscard]] Status override_effect(const DrawFlags& flags, Effect& effect);
 
 // The colours of `draw`: --fog-color, --const0 and --const1.

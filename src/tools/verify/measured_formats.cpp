@@ -4,6 +4,7 @@
 #include "src/tools/verify/measured_combiners.h"
 #include "src/tools/verify/measured_rows.h"
 #include "src/tools/verify/measured_stages.h"
+#include "src/tools/verify/measured_surfaces.h"
 #include "src/tools/verify/measured_table.h"
 
 namespace ninebit::tools {
@@ -318,6 +319,33 @@ std::vector<MeasuredFormat> make_stage_formats() {
   };
 }
 
+// Tables of surfaces, and of what decides which pixels and samples are drawn.
+std::vector<MeasuredFormat> make_surface_formats() {
+  const Column word{{}, Kind::word}, real{{}, Kind::real}, measured{{}, Kind::measured},
+      any_byte = byte({}), flag = whole({}, 0, 1), pixel = whole({}, 0, 4095);
+  return {
+      {"blending into surfaces",
+       columns({{"surface,dst_factor", word},
+                {"n", whole({}, 1, 4)},
+                {"r1,g1,b1,a1,r2,g2,b2,a2,r3,g3,b3,a3,r4,g4,b4,a4", any_byte},
+                {"pic_r,pic_g,pic_b", measured}}),
+       blend_into_surface, wrong_surface_blend},
+      {"colours in memory",
+       columns({{"surface", word}, {"blend", flag}, {"r,g,b,a", any_byte}, {"word_hex", {{}, Kind::word_hex}}}),
+       store_in_surface, wrong_surface_store},
+      {"polygon stipple", columns({{"pattern", word}, {"x,y", pixel}, {"drawn", measured}}), draw_stippled,
+       wrong_stipple},
+      {"point sprites",
+       columns({{"test", flag}, {"x,y", pixel}, {"r,g,b,a", any_byte}, {"pic_r,pic_g,pic_b,pic_a", measured}}),
+       draw_sprite, wrong_sprite},
+      {"smoothed triangles", columns({{"x0,y0,x1,y1,x2,y2", real}, {"x,y", pixel}, {"alpha", measured}}), draw_smoothed,
+       wrong_smoothed},
+      {"samples of rows", columns({{"mode", word}, {"sample", flag}, {"y", pixel}, {"first,last", measured}}),
+       draw_samples, wrong_samples},
+      {"samples of a square", columns({{"column,row", pixel}, {"covered", measured}}), draw_square, wrong_square},
+  };
+}
+
 }  // namespace
 
 std::string header_of(const std::vector<MeasuredColumn>& all) {
@@ -331,7 +359,8 @@ namespace {
 const std::vector<MeasuredFormat>& formats() {
   static const std::vector<MeasuredFormat> all = [] {
     std::vector<MeasuredFormat> joined = make_formats();
-    for (const auto& more : {make_primitive_formats(), make_combiner_formats(), make_stage_formats()}) {
+    for (const auto& more :
+         {make_primitive_formats(), make_combiner_formats(), make_stage_formats(), make_surface_formats()}) {
       joined.insert(joined.end(), more.begin(), more.end());
     }
     return joined;

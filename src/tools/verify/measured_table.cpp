@@ -40,6 +40,9 @@ std::string read_cell(const Column& column, std::string_view field, MeasuredRow:
     if (field.starts_with("0x")) field.remove_prefix(2);
     return field.size() <= 8 && reads(field, cell.whole, 16) ? "" : "up to eight hexadecimal digits";
   }
+  if (column.kind == Kind::word_hex) {
+    return field.size() <= 4 && reads(field, cell.whole, 16) && cell.whole >= 0 ? "" : "up to four hexadecimal digits";
+  }
   if (column.kind == Kind::match) return field == "0" || field == "1" ? "" : "0 or 1";
   if (column.kind == Kind::measured) {
     int value = 0;
@@ -139,12 +142,17 @@ std::optional<std::vector<PixelRun>> pixel_runs(std::string_view text) {
 }
 
 bool is_of_the_picture(const MeasuredColumn& column) {
-  return column.kind == Kind::measured || column.kind == Kind::extent || column.kind == Kind::runs;
+  return column.kind == Kind::measured || column.kind == Kind::word_hex || column.kind == Kind::extent ||
+         column.kind == Kind::runs;
 }
 
 std::vector<int> allowed_values(const MeasuredColumn& column, const std::string& text) {
   if (column.kind == Kind::runs) return {0};
   if (column.kind == Kind::extent && text.empty()) return {kNothingDrawn};
+  if (column.kind == Kind::word_hex) {
+    int word = 0;
+    return reads(std::string_view(text), word, 16) ? std::vector{word} : std::vector<int>();
+  }
   std::vector<int> allowed;
   for (const std::string_view piece : pieces(text, '|')) {
     int value = 0;

@@ -22,6 +22,7 @@ struct MeasuredColumn {
     real,      // a number, or a number and a note in parentheses
     digits,    // hexadecimal, with or without 0x
     measured,  // of the picture: whole numbers of 32 bits separated by |, or empty, which is not compared
+    word_hex,  // of the picture: up to four hexadecimal digits
     extent,    // of the picture: a whole number, or empty, where nothing is drawn
     runs,      // of the picture: runs of pixels, such as 3-5 7-7; how many pixels differ is compared with 0
     match      // 0: the row lies outside of the rule that was found, and is skipped

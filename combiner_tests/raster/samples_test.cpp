@@ -1,0 +1,237 @@
+// Surfaces with several samples for each pixel (rule 48): coverage and depth at the samples' places, judged by the
+// oracle; point sprites (rule 46) and stipple (rule 45) by hand.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "combiner_tests/raster/fragment_support.h"
+#include "combiner_tests/raster/support.h"
+#include "ninebit/raster/fragment_probe.h"
+#include "ninebit/raster/prepared_draw.h"
+
+namespace ninebit::test {
+namespace {
+
+struct SampleAt {
+  int column, row;  // in the pixel's samples, the lowest row first
+  int x_q4, y_q4;   // from the pixel's lower left corner
+};
+
+// Of a picture whose y grows downwards: (x, y) and (x + 1/2, y + 1/2); (x + i/2, y + j/2) in row j.
+std::vector<SampleAt> samples_of(SampleMode mode) {
+  if (mode == SampleMode::center_1) return {{0, 0, 8, 8}};
+  if (mode == SampleMode::center_corner_2) return {{0, 0, 0, 16}, {1, 0, 8, 8}};
+  std::vector<SampleAt> samples;
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 2; ++i) samples.push_back({i, 1 - j, 8 * i, 16 - 8 * j});
+  }
+  return samples;
+}
+
+constexpr SampleMode kModes[] = {SampleMode::center_1, SampleMode::center_corner_2, SampleMode::square_offset_4};
+
+TEST(Samples, AreCoveredAndHaveDepthsAtTheirPlaces) {
+  std::uint64_t drawn = 0, partly = 0;
+  for (std::uint64_t index = 0; index < (kSlowBuild ? 100 : 1500); ++index) {
+    Random random(0x5A4B1E5, index);
+    const SampleMode mode = kModes[random.below(3)];
+    const int width = random.between(1, 40), height = random.between(1, 30);
+    Surface surface = Surface::make(width, height, {.samples = mode}).value();
+    RenderTarget target = surface.target();
+    ASSERT_EQ(target.samples, mode);
+    oracle::WindowTriangle t;
+    std::array<glm::vec3, 3> clip;
+    for (std::size_t i = 0; i < 3; ++i) {
+      t[i] = {8 * random.between(-16, 2 * width + 16), random.between(-80, 16 * height + 80),
+              random.between(0, static_cast<int>(max_depth(DepthStencilFormat::d24s8)))};
+      clip[i] = clip_position(t[i], width, height);
+    }
+    PipelineState state;
+    state.profile = profiles::nv2a;
+    state.depth_test = {true, CompareFunction::always, true};
+    const bool with_program = random.one_in(2);
+    if (with_program) state.program = pass_through(Register::primary, Register::primary, state.profile);
+    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = clip}, {}, target).ok());
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        std::size_t covered = 0;
+        for (const SampleAt& s : samples_of(mode)) {
+          const int column = sample_columns(mode) * x + s.column, row = sample_rows(mode) * y + s.row;
+          const oracle::Place place{std::int64_t{16} * x + s.x_q4, std::int64_t{16} * y + s.y_q4};
+          const bool inside = oracle::covers_place(t, place.x_q4, place.y_q4);
+          ASSERT_EQ(target.color[0].at(column, row), inside ? 255 : 0) << index << ' ' << x << ' ' << y;
+          ASSERT_EQ(target.depth.at(column, row),
+                    inside ? oracle::depth_at_place(t, place, true) : max_depth(target.format))
+              << index << ' ' << x << ' ' << y;
+          covered += inside ? 1U : 0U;
+        }
+        drawn += covered;
+        partly += covered > 0 && covered < samples_of(mode).size() ? 1U : 0U;
+      }
+    }
+  }
+  EXPECT_GE(drawn, kSlowBuild ? 5'000U : 100'000U);
+  EXPECT_GE(partly, kSlowBuild ? 200U : 5'000U);
+}
+
+TEST(Samples, AreClearedWithinTheScissorAndOfOtherPlanesToo) {
+  for (const SampleMode mode : kModes) {
+    Surface surface = Surface::make(3, 2, {.with_primitive = true, .samples = mode}).value();
+    RenderTarget target = surface.target();
+    PipelineState state;
+    state.profile = profiles::nv2a;
+    state.scissor = PixelRect{1, 0, 1, 2};
+    ASSERT_TRUE(clear(state, {}, {.color = {7, 7, 7, 7}, .depth = 0.0, .stencil = 3}, target).ok());
+    const std::array<glm::vec3, 3> whole{glm::vec3(-1, -1, 0), glm::vec3(5, -1, 0), glm::vec3(-1, 5, 0)};
+    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = whole}, {}, target).ok());
+    const int columns = sample_columns(mode), rows = sample_rows(mode);
+    for (int y = 0; y < 2 * rows; ++y) {
+      for (int x = 0; x < 3 * columns; ++x) {
+        const bool is_in = x / columns == 1;
+        EXPECT_EQ(target.stencil.at(x, y), is_in ? 3 : 0);
+        EXPECT_EQ(std::get<Plane<std::uint32_t>>(target.outputs[0].plane).at(x, y), is_in ? 0 : 0xFFFFFFFF);
+      }
+    }
+  }
+}
+
+TEST(Samples, ChipsWithoutThemAndProbesAreRefused) {
+  Surface surface = Surface::make(2, 2, {.samples = SampleMode::square_offset_4}).value();
+  RenderTarget target = surface.target();
+  PipelineState state;
+  const std::array<glm::vec3, 3> corners{};
+  const auto message = [&] { return rasterize(state, kIdentity, {.positions = corners}, {}, target).error().message; };
+  EXPECT_EQ(message(), "profile geforce2 has no surfaces with several samples for each pixel; expected one sample");
+  EXPECT_FALSE(clear(state, {}, {}, target).ok());
+  state.profile = profiles::nv2a;
+  PreparedDraw prepared;
+  EXPECT_EQ(prepare(state, kIdentity, {.positions = corners}, target, prepared).error().message,
+            "a prepared draw takes one sample for each pixel, not several; draw without preparation");
+  FragmentProbe probe;
+  target.probe = &probe;
+  EXPECT_EQ(message(), "a probe watches targets with one sample for each pixel, not several");
+  EXPECT_FALSE(Surface::make(kMaxSurfaceSize, 1, {.samples = SampleMode::center_corner_2}).ok());
+  EXPECT_TRUE(Surface::make(1, 1, {.samples = SampleMode::center_corner_2}).ok());
+}
+
+// A texture whose texel at column i, row j is (i, j, 0, 255).
+Texture numbered_texture(int side) {
+  const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+  std::vector<std::uint8_t> samples(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    samples[i] = static_cast<std::uint8_t>(i % static_cast<std::size_t>(side));
+    samples[count + i] = static_cast<std::uint8_t>(i / static_cast<std::size_t>(side));
+    samples[3 * count + i] = 255;
+  }
+  return make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{{side, side, std::move(samples)}}}).value();
+}
+
+// texel = floor(side (x + 1/2 - left) / size), the rows from the upper side down. With texture-shader stages as
+// without.
+TEST(PointSprites, RunAcrossThePoint) {
+  constexpr int kSide = 16, kSize = 48;
+  const Texture texture = numbered_texture(kSide);
+  const TextureUnit unit{&texture, kNearestSampler};
+  std::uint64_t drawn = 0;
+  for (std::uint64_t index = 0; index < 300; ++index) {
+    Random random(0x59817E, index);
+    const int eighths = random.between(1, 8 * 40);
+    const oracle::WindowVertex centre{random.between(0, 16 * kSize - 1), random.between(0, 16 * kSize - 1), 0};
+    const std::array<glm::vec3, 1> clip{clip_position(centre, kSize, kSize)};
+    const std::array<glm::vec3, 1> given{glm::vec3(0.3F, 0.9F, 0.0F)};
+    VertexArrays arrays{.type = PrimitiveType::points, .positions = clip};
+    arrays.texture_coordinates[0] = given;
+    PipelineState state;
+    state.profile = profiles::nv2a;
+    state.point_size = static_cast<float>(eighths) / 8.0F;
+    state.program = pass_through(Register::texture0, Register::texture0, state.profile);
+    state.point_sprite = {.enabled = !random.one_in(6), .coord_replace = {!random.one_in(6)}};
+    if (random.one_in(2)) {
+      state.texture_shader.enabled = true;
+      state.texture_shader.stage[0].operation = TextureOperation::texture_2d;
+    }
+    const bool runs = state.point_sprite.enabled && state.point_sprite.coord_replace[0];
+    Surface surface = Surface::make(kSize, kSize).value();
+    RenderTarget target = surface.target();
+    const Status status = rasterize(state, kIdentity, arrays, {&unit, 1}, target);
+    ASSERT_TRUE(status.ok()) << status.error().message;
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        if (target.color[3].at(x, y) == 0) continue;
+        // In sixteenths, of which the size has twice its eighths.
+        const std::int64_t from_left = 16 * x + 8 - (centre.x_q4 - eighths);
+        const std::int64_t from_top = centre.y_q4 + eighths - (16 * y + 8);
+        const auto column = runs ? std::min<std::int64_t>(kSide * from_left / (2 * eighths), kSide - 1) : 4;
+        const auto row = runs ? std::min<std::int64_t>(kSide * from_top / (2 * eighths), kSide - 1) : 14;
+        ASSERT_EQ(target.color[0].at(x, y), column) << index << ' ' << x << ' ' << y;
+        ASSERT_EQ(target.color[1].at(x, y), row) << index << ' ' << x << ' ' << y;
+        ++drawn;
+      }
+    }
+  }
+  EXPECT_GE(drawn, 50'000U);
+}
+
+// A sprite as large as the texture reads its level 0, one of half the size the next.
+TEST(PointSprites, HaveALevelOfDetail) {
+  std::vector<TextureSamples> levels;
+  for (int side = 32, value = 10; side > 0; side /= 2, value += 10) {
+    levels.push_back(
+        {side, side,
+         std::vector<std::uint8_t>(static_cast<std::size_t>(side * side), static_cast<std::uint8_t>(value))});
+  }
+  const Texture texture = make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {levels}).value();
+  Sampler sampler = kNearestSampler;
+  sampler.min_filter = MinFilter::nearest_mipmap_nearest;
+  const TextureUnit unit{&texture, sampler};
+  for (const auto& [size, value] : {std::pair{32, 10}, {16, 20}, {8, 30}, {64, 10}}) {
+    const std::array<glm::vec3, 1> clip{}, given{};
+    VertexArrays arrays{.type = PrimitiveType::points, .positions = clip};
+    arrays.texture_coordinates[0] = given;
+    PipelineState state;
+    state.profile = profiles::nv2a;
+    state.point_size = static_cast<float>(size);
+    state.program = pass_through(Register::texture0, Register::texture0, state.profile);
+    state.point_sprite = {.enabled = true, .coord_replace = {true}};
+    Surface surface = Surface::make(64, 64).value();
+    RenderTarget target = surface.target();
+    ASSERT_TRUE(rasterize(state, kIdentity, arrays, {&unit, 1}, target).ok());
+    EXPECT_EQ(target.color[0].at(32, 32), value) << size;
+  }
+}
+
+TEST(PointSprites, ChipsWithoutThemAreNamed) {
+  PipelineState state;
+  state.point_sprite.enabled = true;
+  Surface surface = Surface::make(2, 2).value();
+  RenderTarget target = surface.target();
+  const std::array<glm::vec3, 1> point{};
+  EXPECT_EQ(
+      rasterize(state, kIdentity, {.type = PrimitiveType::points, .positions = point}, {}, target).error().message,
+      "profile geforce2 has no point sprites; disable them");
+}
+
+// Lines, points and the outlines of polygons are not stippled.
+TEST(Stipple, IsOfFilledPolygons) {
+  const std::array<glm::vec3, 3> whole{glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
+  PipelineState state;
+  state.polygon_stipple.emplace();
+  state.point_size = 3.0F;
+  const auto count = [&](PrimitiveType type) {
+    Surface surface = Surface::make(40, 40).value();
+    RenderTarget target = surface.target();
+    EXPECT_TRUE(rasterize(state, kIdentity, {.type = type, .positions = whole}, {}, target).ok());
+    return std::count(surface.color(0).begin(), surface.color(0).end(), 255);
+  };
+  EXPECT_EQ(count(PrimitiveType::triangles), 0);
+  EXPECT_GT(count(PrimitiveType::line_loop), 0);
+  EXPECT_GT(count(PrimitiveType::points), 0);
+  (*state.polygon_stipple)[4 * 3 + 1] = 0x20;     // row 3, column 10
+  EXPECT_EQ(count(PrimitiveType::triangles), 2);  // and row 35
+  state.front_mode = PolygonMode::line;
+  EXPECT_GT(count(PrimitiveType::triangles), 2);
+}
+
+}  // namespace
+}  // namespace ninebit::test
