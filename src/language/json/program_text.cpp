@@ -297,7 +297,7 @@ const std::array kForms{
          .parse =
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
                TextProgram read;
-               auto state = parse_source_code(source, options.source, profile, &read.other_words);
+               auto state = parse_source_code(source, options.source, profile, &read.other_words, &read.texture_shader);
                return program_with_words(std::move(state), std::move(read), source.file, profile);
              },
          .takes_definitions = true},
