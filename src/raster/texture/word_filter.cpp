@@ -142,8 +142,8 @@ struct Level {
 };
 
 // The taps of one level. Where `linear` is 0, all are the nearest texel.
-template <bool kAllLinear>
-HWY_INLINE WordTaps read_taps(const WordLevels& texture, const FilterRules& rules, const Places& at, const Level& level,
+template <bool kAllLinear, class Rules>
+HWY_INLINE WordTaps read_taps(const WordLevels& texture, const Rules& rules, const Places& at, const Level& level,
                               VI linear) {
   VI right, above, u, v;
   VI left = texels_along(level.across, at.s, rules, right, u);
@@ -169,8 +169,8 @@ HWY_INLINE WordTaps read_taps(const WordLevels& texture, const FilterRules& rule
 }
 
 // The words of fragments from i on, whose levels are `levels`.
-template <class Sum, bool kAllLinear>
-HWY_INLINE VU filter_vector(const WordLevels& texture, const FilterRules& rules, const Places& places,
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE VU filter_vector(const WordLevels& texture, const Rules& rules, const Places& places,
                             const LevelLanes& levels, std::size_t i) {
   const int bits = rules.weight_bits;
   const VI level = hn::LoadU(kDI, levels.level.data() + i);
@@ -189,10 +189,9 @@ HWY_INLINE VU filter_vector(const WordLevels& texture, const FilterRules& rules,
   return hn::Xor(sum.words(bits, levels.has_next), hn::Set(kDU, texture.flip));
 }
 
-template <class Sum, bool kAllLinear>
-HWY_INLINE void filter_levels(const WordLevels& texture, const FilterRules& rules,
-                              const std::array<const float*, 3>& at, const LevelLanes& levels, std::size_t count,
-                              LaneWords& to) {
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE void filter_levels(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
+                              const LevelLanes& levels, std::size_t count, LaneWords& to) {
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
@@ -201,8 +200,8 @@ HWY_INLINE void filter_levels(const WordLevels& texture, const FilterRules& rule
 }
 
 // Level 0, filtered linearly.
-template <class Sum>
-HWY_INLINE void filter_base(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
+template <class Sum, class Rules>
+HWY_INLINE void filter_base(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
                             std::size_t count, LaneWords& to) {
   const VI zero = hn::Zero(kDI);
   const Level base(texture, 0);
@@ -217,8 +216,8 @@ HWY_INLINE void filter_base(const WordLevels& texture, const FilterRules& rules,
   }
 }
 
-template <class Sum>
-HWY_INLINE void filter_by(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
+template <class Sum, class Rules>
+HWY_INLINE void filter_by(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
                           const LevelLanes* levels, std::size_t count, LaneWords& to) {
   if (levels == nullptr) {
     filter_base<Sum>(texture, rules, at, count, to);
@@ -231,6 +230,11 @@ HWY_INLINE void filter_by(const WordLevels& texture, const FilterRules& rules, c
 
 void filter_words(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
                   const LevelLanes* levels, std::size_t count, LaneWords& to) {
+#if HWY_TARGET != HWY_SCALAR
+  if (rules.rounds_each_blend && rules.cuts_weights && rules.weight_bits == CutBytes::weight_bits) {
+    return filter_by<SumEachByte>(texture, CutBytes{}, at, levels, count, to);
+  }
+#endif
   if (rules.rounds_each_blend) {  // rule 26
     filter_by<SumEach>(texture, rules, at, levels, count, to);
   } else {
