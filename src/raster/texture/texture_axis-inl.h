@@ -93,8 +93,8 @@ struct CutBytes {
 };
 
 // linear_texels for all modes but Wrap::clamp: returns the first texel, sets the second and its weight. `Rules` has
-// members of FilterRules.
-template <class Rules>
+// members of FilterRules. `kOnFace`: 0 <= s <= 1.
+template <bool kOnFace = false, class Rules>
 HWY_INLINE VI texels_along(const Axis& axis, VF s, const Rules& rules, VI& second, VI& weight) {
   const int bits = rules.weight_bits;
   const float one = static_cast<float>(1 << bits);
@@ -113,7 +113,7 @@ HWY_INLINE VI texels_along(const Axis& axis, VF s, const Rules& rules, VI& secon
   if (axis.wrap == Wrap::repeat) {
     u = hn::Mul(near_enough(s), axis.size);
   } else {
-    u = axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s);
+    u = kOnFace ? hn::Mul(s, axis.size) : axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s);
     u = hn::Min(hn::Max(u, set(0.5F)), hn::Sub(axis.size, set(0.5F)));
   }
   // Cuts to a step of the weights, or rounds to one, halves up. For fractions below 0 the difference may round, but not
