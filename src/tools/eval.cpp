@@ -23,6 +23,7 @@ struct EvalFlags {
   std::string output;
   bool registers = false;
   std::string engine = "simd";
+  bool engine_given = false;  // on the command line
 };
 
 // Writes the results as CSV or as the rows of the JSON answer.
@@ -199,6 +200,9 @@ Result<std::size_t> evaluate_table(const EvalFlags& flags, const TextProgram& pr
     if (flags.registers) {
       return Diagnostic{.message = "--registers is for tables of registers; this one has coordinates or texels"};
     }
+    if (flags.engine_given) {
+      return Diagnostic{.message = "--engine is for tables of registers; stages have one evaluator"};
+    }
     const auto stages = EvalStages::make(program, profile, *header, lines.name());
     if (!stages) return stages.error();
     return evaluate_stages(flags, *stages, lines, progress);
@@ -264,7 +268,10 @@ void add_eval(CLI::App& app, int& exit_code) {
   verb->add_option("--engine", flags->engine, "Evaluator to use; both compute the same bits")
       ->capture_default_str()
       ->check(CLI::IsMember({"reference", "simd"}));
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+  verb->callback([flags, verb, &exit_code] {
+    flags->engine_given = verb->count("--engine") > 0;
+    exit_code = run(*flags);
+  });
 }
 
 }  // namespace ninebit::tools
