@@ -43,8 +43,10 @@ class CompiledC {
   CompiledC(const CompiledC&) = delete;
   CompiledC& operator=(const CompiledC&) = delete;
 
-  [[nodiscard]] EmittedFunction find(const std::string& name) const {
-    return handle_ == nullptr ? nullptr : reinterpret_cast<EmittedFunction>(dlsym(handle_, name.c_str()));
+  [[nodiscard]] EmittedFunction find(const std::string& name) const { return find_as<EmittedFunction>(name); }
+  template <class Function>
+  [[nodiscard]] Function find_as(const std::string& name) const {
+    return handle_ == nullptr ? nullptr : reinterpret_cast<Function>(dlsym(handle_, name.c_str()));
   }
 
  private:

@@ -234,7 +234,7 @@ TEST(SourceFamilies, AreListedWithWhatTheyNeed) {
             "Ripples::output:48 0/1 helper register scale stage\n");
   EXPECT_EQ(listed("translator.c"), "set_stage:28 0/6 is_alpha op stage\n");
   EXPECT_EQ(listed("nvparse_demo.cpp"),
-            "init_programs:21 1/0\n"
+            "init_programs:21 2/0\n"
             "unused:15 1/0\n");
 }
 

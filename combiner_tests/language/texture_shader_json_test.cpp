@@ -104,9 +104,10 @@ TEST(TextureShaderJson, FaultsHaveTheirPlaces) {
 TEST(TextureShaderJson, FormsWithoutStagesRefuseThem) {
   TextProgram program;
   program.texture_shader.enabled = true;
-  EXPECT_TRUE(find_form("c")->print(program, ChipClass::nv20, profiles::nv2a));  // what units do without stages
+  program.texture_shader.stage[0].operation = TextureOperation::texture_2d;
+  EXPECT_TRUE(find_form("words")->print(program, ChipClass::nv10, profiles::nv2a));  // what units do without stages
   program.texture_shader.stage[0].operation = TextureOperation::pass_through;
-  const auto text = find_form("c")->print(program, ChipClass::nv20, profiles::nv2a);
+  const auto text = find_form("words")->print(program, ChipClass::nv10, profiles::nv2a);
   ASSERT_FALSE(text);
   EXPECT_NE(text.error().message.find("texture-shader stages"), std::string::npos);
 }

@@ -66,6 +66,9 @@ TEST_F(EvalStagesTable, BadTablesAreNamed) {
   const Outcome registers = eval("at1.s\n0\n", {"--registers"});
   EXPECT_EQ(registers.code, 3);
   EXPECT_NE(registers.err.find("--registers is for tables of registers"), std::string::npos) << registers.err;
+  const Outcome engine = eval("at1.s\n0\n", {"--engine", "reference"});
+  EXPECT_EQ(engine.code, 3);
+  EXPECT_NE(engine.err.find("--engine is for tables of registers"), std::string::npos) << engine.err;
 }
 
 // A table of registers is as ever, and a note says that the stages do not run.

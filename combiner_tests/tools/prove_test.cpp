@@ -47,6 +47,69 @@ TEST_F(Prove, TwoFormsOfOneProgram) {
   EXPECT_EQ(object["programs"], Json({kArticle, same_}));
 }
 
+// Texture-shader stages before the combiners.
+class ProveStages : public Prove {
+ protected:
+  // Stage 1 is a line of !!TS1.0; the combiners show `shown`.
+  std::string program(const std::string& name, const std::string& stage, const std::string& shown = "tex1") {
+    return write_bytes(folder_ / name,
+                       "!!TS1.0\ntexture_2d();\n" + stage + ";\n!!RC1.0\nout.rgb = " + shown + ";\nout.a = zero;\n");
+  }
+  static Outcome prove(const Words& words) {
+    Words all{"prove"};
+    all.insert(all.end(), words.begin(), words.end());
+    all.insert(all.end(), {"--profile", "nv2a"});
+    return ninebit(all);
+  }
+};
+
+TEST_F(ProveStages, ALookUpThatBothReadAlikeIsOneOpaqueInput) {
+  const std::string a = program("a.rc", "offset_2d(tex0, 0.5, 0, 0, 0.5)");
+  const Outcome same = prove({"equivalent", a, a});
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_NE(same.err.find("note: tex1 is an opaque input, any four bytes: texture 1 at "), std::string::npos)
+      << same.err;
+  const Json object = json_of(prove({"equivalent", a, a, "--json", "--quiet"}));
+  EXPECT_EQ(object["opaque"], Json({"tex1"}));
+  // Another colour of the same look-up is refuted.
+  const std::string half = program("c.rc", "offset_2d(tex0, 0.5, 0, 0, 0.5)", "tex1.a");
+  EXPECT_EQ(prove({"equivalent", a, half, "--quiet"}).out.substr(0, 8), "refuted:");
+}
+
+TEST_F(ProveStages, OtherStagesMakeTheAnswerUnknown) {
+  const std::string a = program("a.rc", "offset_2d(tex0, 0.5, 0, 0, 0.5)");
+  for (const char* stage :
+       {"offset_2d(tex0, 0.5, 0.25, 0, 0.5)", "dependent_ar(tex0)", "texture_2d()", "pass_through()", "nop()"}) {
+    const Outcome outcome = prove({"equivalent", a, program("b.rc", stage), "--quiet"});
+    EXPECT_EQ(outcome.code, 1) << stage << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with("unknown: tex1 is texture 1 at ")) << stage << outcome.out;
+    EXPECT_NE(outcome.out.find(": it cannot be one input of both"), std::string::npos);
+  }
+  const std::string keeps = "GEQUAL_TO_ZERO, GEQUAL_TO_ZERO, GEQUAL_TO_ZERO, ";
+  const std::string kills = program("k.rc", "cull_fragment(" + keeps + "LESS_THAN_ZERO)", "tex0");
+  const Outcome culls = prove({"equivalent", kills, program("s.rc", "nop()", "tex0"), "--quiet"});
+  EXPECT_NE(culls.out.find("do not cull the same fragments"), std::string::npos) << culls.out << culls.err;
+  // A register that no output depends on makes no difference.
+  EXPECT_EQ(prove({"equivalent", program("d.rc", "dependent_ar(tex0)", "tex0"),
+                   program("e.rc", "dependent_gb(tex0)", "tex0"), "--quiet"})
+                .code,
+            0);
+}
+
+TEST_F(ProveStages, AStageWithoutATexelHasItsOneValue) {
+  // Stage 1 gives (0, 0, 0, 0).
+  const std::string dots = program("dots.rc", "dot_product_2d_1of2(tex0);\ndot_product_2d_2of2(tex0)");
+  const std::string zero = program("zero.rc", "dot_product_2d_1of2(tex0);\ndot_product_2d_2of2(tex0)", "zero");
+  const Outcome outcome = prove({"equivalent", dots, zero, "--quiet"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(ProveStages, StableSaysThatFieldsOfStagesAreLeftOut) {
+  const Outcome outcome = prove({"stable", program("a.rc", "dependent_ar(tex0)")});
+  EXPECT_NE(outcome.err.find("note: tex1 is an opaque input"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("about texture-shader stages are not part of the question"), std::string::npos);
+}
+
 TEST_F(Prove, ACounterexampleIsWhatEvalComputes) {
   const Outcome outcome = equivalent(other_, {"--json"});
   EXPECT_EQ(outcome.code, 1);

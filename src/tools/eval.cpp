@@ -26,6 +26,7 @@ struct EvalFlags {
   std::string output;
   bool registers = false;
   std::string engine = "simd";
+  bool engine_given = false;  // on the command line
   UnitPictures textures{};
   std::vector<std::string> set;
 };
@@ -204,6 +205,9 @@ Result<std::size_t> evaluate_table(const EvalFlags& flags, const TextProgram& pr
     if (flags.registers) {
       return Diagnostic{.message = "--registers is for tables of registers; this one has coordinates or texels"};
     }
+    if (flags.engine_given) {
+      return Diagnostic{.message = "--engine is for tables of registers; stages have one evaluator"};
+    }
     const auto stages = EvalStages::make(program, profile, *header, lines.name());
     if (!stages) return stages.error();
     return evaluate_stages(flags, *stages, lines, progress);
@@ -266,15 +270,14 @@ int run_on_pictures(const EvalFlags& flags, const TextProgram& program) {
                      {"files", Json::array({flags.output})}});
 }
 
-int run(const EvalFlags& flags, const CLI::App& verb) {
+int run(const EvalFlags& flags) {
   const bool on_pictures =
       std::any_of(flags.textures.begin(), flags.textures.end(), [](const std::string& file) { return !file.empty(); });
   if (!on_pictures && flags.inputs.empty())
     return wrong_usage("eval", "--inputs FILE.csv or --tex0 PICTURE is required");
   if (!on_pictures && !flags.set.empty()) return wrong_usage("eval", "--set is for pictures; a table has columns");
-  for (const char* const flag : {"--registers", "--engine"}) {
-    if (on_pictures && verb.count(flag) > 0) return wrong_usage("eval", fmt::format("{} is for tables", flag));
-  }
+  if (on_pictures && flags.registers) return wrong_usage("eval", "--registers is for tables");
+  if (on_pictures && flags.engine_given) return wrong_usage("eval", "--engine is for tables");
   if (flags.program.file == "-" && flags.inputs == "-") {
     return wrong_usage("eval", "only one of PROGRAM and --inputs can be standard input");
   }
@@ -340,7 +343,10 @@ void add_eval(CLI::App& app, int& exit_code) {
   verb->add_option("--engine", flags->engine, "Evaluator to use; both compute the same bits")
       ->capture_default_str()
       ->check(CLI::IsMember({"reference", "simd"}));
-  verb->callback([flags, verb, &exit_code] { exit_code = run(*flags, *verb); });
+  verb->callback([flags, verb, &exit_code] {
+    flags->engine_given = verb->count("--engine") > 0;
+    exit_code = run(*flags);
+  });
 }
 
 }  // namespace ninebit::tools

@@ -13,6 +13,7 @@
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
+#include "ninebit/texture_shader/stage_state.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
@@ -57,10 +58,13 @@ struct SourceSelection {
 // functions that set combiners is a fault that lists them; so is a function that draws between its set-ups, which has
 // several programs.
 // Functions may fill a D3DPIXELSHADERDEF instead (xbox_pixel_shader.h): the program is then that of its words, and
-// `other_words` receives those that combiners do not read.
+// `other_words` receives those that combiners do not read. Calls of texture shaders (glTexEnv with
+// GL_TEXTURE_SHADER_NV, glActiveTexture, !!TS1.0) are read if the profile has texture shaders; `texture_shader`
+// receives the stages if they are enabled at the end.
 [[nodiscard]] Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSelection& selection,
                                                       const HardwareProfile& profile,
-                                                      std::vector<RegisterWord>* other_words = nullptr);
+                                                      std::vector<RegisterWord>* other_words = nullptr,
+                                                      TextureShaderState* texture_shader = nullptr);
 
 // Whether a text looks like a source file or a part of one: it has functions, control flow or preprocessor lines, and
 // names calls of the combiners.

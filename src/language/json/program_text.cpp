@@ -132,11 +132,6 @@ Parsed<TextProgram> parse_log(const SourceText& source, const HardwareProfile& p
   return program;
 }
 
-// What a form of the combiners alone says of stages that do more.
-Diagnostic has_stages() {
-  return {.message = "it has the combiners alone, and these texture-shader stages do more than read their textures"};
-}
-
 // Stages with unsigned textures of the kinds that they read, by the chip's rules, which take any format.
 Result<TextureShaderProgram> compile_for_text(TextureShaderState state, const HardwareProfile& profile) {
   const bool is_opengl = state.rules == StageRules::open_gl;
@@ -157,19 +152,29 @@ Result<TextureShaderProgram> compile_for_text(TextureShaderState state, const Ha
 template <Result<std::string> (*printer)(const CombinerState&, ChipClass, const HardwareProfile&,
                                          std::span<const RegisterWord>)>
 Result<std::string> words_without_stages(const TextProgram& program, const HardwareProfile& profile) {
-  if (!only_reads_textures(program.texture_shader)) return has_stages();
+  if (!only_reads_textures(program.texture_shader)) {
+    return Diagnostic{
+        .message = "it has the combiners alone, and these texture-shader stages do more than read their textures"};
+  }
   return printer(program.state, ChipClass::nv10, profile, program.other_words);
+}
+
+// The text of the combiners, and behind it that of stages that do more than read their textures.
+template <class EmitStages>
+Result<std::string> with_stages(Result<std::string> combiners, const TextProgram& program,
+                                const HardwareProfile& profile, const EmitStages& emit_stages) {
+  if (!combiners || only_reads_textures(program.texture_shader)) return combiners;
+  const auto stages = compile_for_text(program.texture_shader, profile);
+  if (!stages) return stages.error();
+  const Result<std::string> text = emit_stages(*stages, profile);
+  if (!text) return text;
+  return *combiners + '\n' + *text;
 }
 
 template <GlslVersion version>
 Result<std::string> print_glsl(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
-  auto combiners = emit_glsl(normalize(program.state, profile), version);
-  if (!combiners || only_reads_textures(program.texture_shader)) return combiners;
-  const auto stages = compile_for_text(program.texture_shader, profile);
-  if (!stages) return stages.error();
-  const auto text = emit_glsl_texture_shader(*stages, profile);
-  if (!text) return text;
-  return *combiners + '\n' + *text;
+  return with_stages(emit_glsl(normalize(program.state, profile), version), program, profile,
+                     [](const auto& stages, const auto& of) { return emit_glsl_texture_shader(stages, of); });
 }
 
 // A form whose printer needs both halves alone.
@@ -292,7 +297,7 @@ const std::array kForms{
          .parse =
              [](const SourceText& source, const HardwareProfile& profile, const ReadOptions& options) {
                TextProgram read;
-               auto state = parse_source_code(source, options.source, profile, &read.other_words);
+               auto state = parse_source_code(source, options.source, profile, &read.other_words, &read.texture_shader);
                return program_with_words(std::move(state), std::move(read), source.file, profile);
              },
          .takes_definitions = true},
@@ -318,8 +323,8 @@ const std::array kForms{
          .kind = "C",
          .print =
              [](const TextProgram& program, ChipClass, const HardwareProfile& profile) {
-               if (!only_reads_textures(program.texture_shader)) return Result<std::string>(has_stages());
-               return emit_c(normalize(program.state, profile));
+               return with_stages(emit_c(normalize(program.state, profile)), program, profile,
+                                  [](const auto& stages, const auto& of) { return emit_c_texture_shader(stages, of); });
              },
          .writes_values = true},
 };

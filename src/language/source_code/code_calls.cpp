@@ -20,6 +20,10 @@ using detail::quoted;
 
 constexpr std::size_t kMostNestedCalls = 24;
 
+// Kinds of arguments beyond those of GlSignature: arrays of texture shaders, of which GL reads as many numbers as their
+// parameter has.
+constexpr char kExactFloats = 'G', kExactIntegers = 'J';
+
 // The name that a callee ends with.
 std::string_view own_name(const Expression& callee) {
   const Expression& named = called_operand(callee);
@@ -106,6 +110,10 @@ Value Machine::call(const Expression& e) {
   if (const detail::GlSignature* const signature = signature_of(callee)) {
     if (quiet_ == 0) call_combiner(*signature, e);
     return {};
+  }
+  if (program_.file.reads_stages) {
+    const detail::GlSignature* const stage = detail::find_stage_call(name);
+    if (stage != nullptr && (quiet_ > 0 || call_stage(*stage, e))) return {};
   }
   if (name == "nvparse" || name.ends_with("_nvparse")) return quiet_ > 0 ? integer_value(0) : call_nvparse(e);
   if (auto known = call_known(name, e)) return *std::move(known);
@@ -208,8 +216,8 @@ void Machine::note_drawing(std::string_view name) {
   set_since_drawing_ = false;
 }
 
-std::vector<CombinerState> Machine::programs() const {
-  std::vector<CombinerState> all = drawn_;
+std::vector<WholeState> Machine::programs() const {
+  std::vector<WholeState> all = drawn_;
   if (all.empty() || (set_since_drawing_ && !(all.back() == state()))) all.push_back(state());
   return all;
 }
@@ -288,8 +296,9 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
     detail::GlArgument one;
     if (switches) {
       const Value capability = evaluate(e.parts[i]);
-      const bool is_ours = capability.is_number() && (capability.number.integer == gl::GL_REGISTER_COMBINERS_NV ||
-                                                      capability.number.integer == gl::GL_PER_STAGE_CONSTANTS_NV);
+      const auto is = [&](gl::GLenum wanted) { return capability.is_number() && capability.number.integer == wanted; };
+      const bool is_ours = is(gl::GL_REGISTER_COMBINERS_NV) || is(gl::GL_PER_STAGE_CONSTANTS_NV) ||
+                           (program_.file.reads_stages && is(gl::GL_TEXTURE_SHADER_NV));
       if (!is_ours) return;
     }
     const char kind = i <= signature.parameters.size() ? signature.parameters[i - 1] : ' ';
@@ -301,6 +310,11 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
     ++calls_made_;
     ++calls_made_on_context_;
   }
+  execute_call(signature, e, arguments, known);
+}
+
+void Machine::execute_call(const detail::GlSignature& signature, const Expression& e,
+                           const std::vector<detail::GlArgument>& arguments, bool known) {
   set_since_drawing_ = true;
   CallSite& site = sites_[e.offset];
   if (!known) {
@@ -316,13 +330,52 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
   site.is_refused = site.is_refused || faults.count() > before;
 }
 
+// A call of glTexEnv with the target of texture shaders, or of glActiveTexture. False: it has another target.
+bool Machine::call_stage(const detail::GlSignature& signature, const Expression& e) {
+  if (e.parts.size() != signature.parameters.size() + 1) return false;
+  const bool selects = signature.command == GlCommand::active_texture;
+  const Value first = quietly([&] { return evaluate(e.parts[1]); });
+  if (selects) {
+    const bool is_stage = first.is_number() && first.number.integer >= gl::GL_TEXTURE0_ARB &&
+                          first.number.integer < gl::GL_TEXTURE0_ARB + kTextureStages;
+    unknown_unit_.reset();
+    if (is_conditional()) unknown_unit_ = guards_.empty() ? exits_.back().why : guards_.back().why;
+    if (!is_stage) unknown_unit_ = first;
+    if (is_stage) context_.set_active_texture(static_cast<int>(first.number.integer - gl::GL_TEXTURE0_ARB));
+    return true;
+  }
+  if (first.is_number() && first.number.integer != gl::GL_TEXTURE_SHADER_NV) return false;
+  std::vector<detail::GlArgument> arguments;
+  bool known = true;
+  for (std::size_t i = 1; i < e.parts.size(); ++i) {
+    const char kind = signature.parameters[i - 1];
+    detail::GlArgument one;
+    known = argument(e.parts[i], kind == 'F' ? kExactFloats : kind == 'I' ? kExactIntegers : kind, one) && known;
+    arguments.push_back(std::move(one));
+  }
+  need_guards(e);
+  if (unknown_unit_ && unknown_unit_->is_number()) {
+    if (reported_.insert(e.offset).second) {
+      faults_.add(e.offset,
+                  "the active texture unit has no texture-shader stage; there are " + std::to_string(kTextureStages));
+    }
+    return true;
+  }
+  if (unknown_unit_) need(*unknown_unit_, e);
+  ++calls_made_;
+  ++calls_made_on_context_;
+  execute_call(signature, e, arguments, known && !unknown_unit_);
+  return true;
+}
+
 // Makes one argument of a call; false: it is not known, which is noted as a need, or a fault.
 bool Machine::argument(const Expression& e, char kind, detail::GlArgument& out) {
   Value value = evaluate(e);
   use(value);
   out.offset = e.offset;
   out.text = program_.source.text.substr(e.offset, e.end - e.offset);
-  const bool is_array = kind == 'F' || kind == 'I' || (kind == 'A' && !value.is_number());
+  const bool is_exact = kind == kExactFloats || kind == kExactIntegers;
+  const bool is_array = kind == 'F' || kind == 'I' || is_exact || (kind == 'A' && !value.is_number());
   if (value.is_number()) {
     out.is_integer = (value.number.kinds & ~kReals) != 0;
     out.integer = value.number.integer;
@@ -330,7 +383,7 @@ bool Machine::argument(const Expression& e, char kind, detail::GlArgument& out) 
     return true;
   }
   if (is_array && (value.is(ValueKind::pointer) || !value.is_known())) {
-    return array_argument(std::move(value), e, kind == 'I' ? 'I' : 'F', out);
+    return array_argument(std::move(value), e, kind == 'A' ? 'F' : kind, out);
   }
   if (value.is_known()) {
     faults_.add(e.offset, quoted(out.text) + " cannot be passed here; expected a number or an enumerant");
@@ -352,7 +405,7 @@ bool Machine::argument(const Expression& e, char kind, detail::GlArgument& out) 
 bool Machine::array_argument(Value value, const Expression& e, char kind, detail::GlArgument& out) {
   constexpr std::int64_t kRead = 4;  // the most that GL reads of an array
   out.is_array = true;
-  const Type* const element = program_.parser->number_type(kind == 'I' ? kInt32 : kFloat32);
+  const Type* const element = program_.parser->number_type(kind == 'I' || kind == kExactIntegers ? kInt32 : kFloat32);
   std::int64_t size = kRead;
   if (value.is(ValueKind::pointer)) {
     const Object& object = objects_[static_cast<std::size_t>(value.object)];
@@ -379,7 +432,8 @@ bool Machine::array_argument(Value value, const Expression& e, char kind, detail
     made.integer = number->integer;
     made.real = number->value();
   }
-  if (!misses && value.is(ValueKind::pointer) && size == kRead - 1) {
+  const bool pads = kind == 'F' || kind == 'I';
+  if (!misses && pads && value.is(ValueKind::pointer) && size == kRead - 1) {
     // An array of three numbers was good enough where nothing read the fourth.
     notes_.add(e.offset, quoted(out.text) + " has 3 values; took 0 for the fourth, which OpenGL reads, too");
     out.values.push_back(out.values[0]);
@@ -434,7 +488,10 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   loaded_.insert(begin);
   // nvparse also loads programs for other units.
   const std::string_view language = foreign_language(literal.source().text);
-  if (!language.empty() && literal.source().text.find("!!RC1.0") == std::string_view::npos) {
+  const bool has_stages =
+      context_.profile().texture_shaders && literal.source().text.find("!!TS1.0") != std::string_view::npos;
+  const bool has_combiners = literal.source().text.find("!!RC1.0") != std::string_view::npos;
+  if (!language.empty() && !has_combiners && !has_stages) {
     notes_.add(begin, "skipped " + std::string(language) + ": it is not for combiners");
     skipped_language_ = language;
     sites_[offset].is_skipped = true;
@@ -444,9 +501,10 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   const SourceText program = literal.source();
   const bool is_shader = is_pixel_shader(program.text) && program.text.find("!!RC1.0") == std::string_view::npos;
   std::set<std::string> used_by_shaders;
+  TextureShaderState stages;
   Parsed<CombinerState> parsed =
       is_shader ? detail::parse_defined_shader(program, given_, context_.profile(), used_by_shaders)
-                : parse_rc10(program, context_.profile());
+                : parse_rc10(program, context_.profile(), has_stages ? &stages : nullptr);
   for (const std::string& name : used_by_shaders) used_.insert(normal_path(name));
   site.is_read = true;
   for (TextFault& fault : parsed.notes) notes_.add(std::move(fault));
@@ -457,6 +515,11 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   }
   site.is_refused = site.is_refused || !parsed;
   if (!parsed) return;
+  if (has_stages) {
+    stages.enabled = context_.texture_shader().enabled;  // glEnable says that
+    context_.texture_shader() = stages;
+    if (!has_combiners) return;
+  }
   context_.state() = *parsed;
   const ByConstant<bool> read = constants_read(*parsed);
   for (std::size_t which = 0; which < 2; ++which) {

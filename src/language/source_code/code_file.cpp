@@ -150,6 +150,15 @@ class Conditions {
   std::unordered_map<std::uint32_t, std::size_t> groups_of_;  // by the places of their branches
 };
 
+// Whether the call of a name may set texture shaders: another target of glTexEnv is an enumerant of its own.
+bool may_set_stage(std::string_view text, std::size_t begin, std::size_t end) {
+  if (detail::find_stage_call(text.substr(begin, end - begin)) == nullptr) return false;
+  const std::size_t open = text.find('(', end), comma = std::min(text.find(',', end), text.size());
+  if (open >= comma) return false;
+  const std::string_view target = text.substr(open + 1, comma - open - 1);
+  return names_stages(target) || target.find("GL_") == std::string_view::npos;
+}
+
 // Headers of the time define the names of calls as function pointers; such a macro says nothing.
 bool is_pointer_of_call(std::string_view name, const Macro& macro) {
   if (macro.has_parameters || detail::find_gl_call(name) == nullptr) return false;
@@ -158,20 +167,27 @@ bool is_pointer_of_call(std::string_view name, const Macro& macro) {
 
 }  // namespace
 
-std::vector<std::uint32_t> calls_of(std::string_view text) {
-  constexpr std::string_view kPart = "ombiner";
+bool names_stages(std::string_view text) {
+  return text.find("TEXTURE_SHADER") != std::string_view::npos || text.find("0x86DE") != std::string_view::npos ||
+         text.find("0x86de") != std::string_view::npos;
+}
+
+std::vector<std::uint32_t> calls_of(std::string_view text, bool reads_stages) {
+  constexpr std::string_view kPart = "ombiner", kStagePart = "TexEnv";
   std::vector<std::uint32_t> found;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool starts = text[at] == 'o' && text.substr(at).starts_with(kPart);
     const bool parses = text[at] == 'n' && text.substr(at).starts_with("nvparse");
     const bool is_word = text[at] == 'P' && text.substr(at).starts_with("PS");
-    if (!starts && !parses && !is_word) continue;
+    const bool sets_stage = reads_stages && text[at] == 'T' && text.substr(at).starts_with(kStagePart);
+    if (!starts && !parses && !is_word && !sets_stage) continue;
     std::size_t begin = at, end = at;
     while (begin > 0 && detail::is_word(text[begin - 1]) && at - begin < 64) --begin;
     while (end < text.size() && detail::is_word(text[end]) && end - at < 64) ++end;
     if (is_word && begin == at && assigns_word(text, begin, end)) found.push_back(static_cast<std::uint32_t>(begin));
     const bool names = text.substr(begin, end - begin) == "nvparse" ||
-                       detail::find_gl_call(text.substr(begin, end - begin)) != nullptr;
+                       detail::find_gl_call(text.substr(begin, end - begin)) != nullptr ||
+                       (sets_stage && may_set_stage(text, begin, end));
     if (names && is_called(text, end)) {
       found.push_back(static_cast<std::uint32_t>(begin));
     }
@@ -183,7 +199,7 @@ std::vector<std::uint32_t> calls_of(std::string_view text) {
 void read_file(File& file, const SourceText& source, const SourceSelection& selection, detail::SourceFaults& faults,
                detail::SourceFaults& notes) {
   file.text = source.text;
-  file.calls = calls_of(source.text);
+  file.calls = calls_of(source.text, file.reads_stages);
   const Conditions conditions(file, notes);
   file.macros.is_reserved = is_pointer_of_call;
   PreprocessorOptions options;

@@ -31,19 +31,24 @@ struct File {
   std::vector<std::uint32_t> calls{};                       // where the text names a combiner call, ascending
   std::set<std::string, std::less<>> used_by_conditions{};  // names that the caller defined
   std::vector<OpenCondition> open_conditions{};             // read as if their names were 0
+  bool reads_stages = false;                                // calls of texture shaders set a part of the program
 
   // Whether the bytes [begin, end) name a combiner call.
   [[nodiscard]] bool calls_between(std::size_t begin, std::size_t end) const;
 };
 
 // The places of all names that mean calls of combiners or of nvparse and are called, and of the members of an Xbox's
-// definition that are assigned to; also in comments.
-[[nodiscard]] std::vector<std::uint32_t> calls_of(std::string_view text);
+// definition that are assigned to; with `reads_stages` also of calls that may set texture shaders; also in comments.
+[[nodiscard]] std::vector<std::uint32_t> calls_of(std::string_view text, bool reads_stages);
+
+// Whether a text names the target of glTexEnv that sets texture shaders. Texts that do not have no calls of them.
+[[nodiscard]] bool names_stages(std::string_view text);
 
 // Reads a file. Names that neither the file nor the selection defines are not defined in #ifdef and 0 in #if, as in C,
 // with these exceptions: names of OpenGL's extensions are defined; if just one branch sets combiners, that one is read,
 // with a note; and a condition of #if that then depends on such a name is one of File::open_conditions. A skipped
 // branch that sets combiners is noted, too.
+// `file.reads_stages` is the caller's.
 void read_file(File& file, const SourceText& source, const SourceSelection& selection, detail::SourceFaults& faults,
                detail::SourceFaults& notes);
 

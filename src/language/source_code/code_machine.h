@@ -35,8 +35,9 @@ struct CallSite {
 
 // A source, parsed once for all that is executed of it.
 struct Program {
-  Program(const SourceText& text, const SourceSelection& selection, detail::SourceFaults& faults,
-          detail::SourceFaults& notes);
+  // Calls of texture shaders are read if the profile has some and the text names them.
+  Program(const SourceText& text, const SourceSelection& selection, const HardwareProfile& profile,
+          detail::SourceFaults& faults, detail::SourceFaults& notes);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
@@ -73,6 +74,13 @@ struct Program {
 // A name without blanks and without this., with . for ->.
 [[nodiscard]] std::string normal_path(std::string_view name);
 
+// Both halves of a program.
+struct WholeState {
+  CombinerState combiners;
+  TextureShaderState stages;
+  friend bool operator==(const WholeState&, const WholeState&) = default;
+};
+
 class Machine {
  public:
   Machine(Program& program, const std::vector<Definition>& definitions, const HardwareProfile& profile,
@@ -88,13 +96,13 @@ class Machine {
   // Reports the values that were needed and are not known, in one fault, and notes what was skipped.
   void finish();
 
-  [[nodiscard]] CombinerState state() const {
-    CombinerState state = context_.state();
-    mark_unset_constants(state, context_.constants_set());
+  [[nodiscard]] WholeState state() const {
+    WholeState state{context_.state(), context_.texture_shader()};
+    mark_unset_constants(state.combiners, context_.constants_set());
     return state;
   }
   // The programs with which something was drawn, and the one at the end if it is another one.
-  [[nodiscard]] std::vector<CombinerState> programs() const;
+  [[nodiscard]] std::vector<WholeState> programs() const;
   [[nodiscard]] std::vector<std::string> needs() const;
   [[nodiscard]] bool is_out_of_steps() const { return out_of_steps_; }
   [[nodiscard]] std::string too_many_steps() const;
@@ -241,6 +249,9 @@ class Machine {
   Value call_function(const Function& function, const Expression& e, const Value& self);
   Value call_unknown(const Expression& e, std::string_view name);
   void call_combiner(const detail::GlSignature& signature, const Expression& e);
+  bool call_stage(const detail::GlSignature& signature, const Expression& e);
+  void execute_call(const detail::GlSignature& signature, const Expression& e,
+                    const std::vector<detail::GlArgument>& arguments, bool known);
   Value call_nvparse(const Expression& e);
   std::optional<Value> call_known(std::string_view name, const Expression& e);
   std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
@@ -286,12 +297,13 @@ class Machine {
   std::set<std::uint32_t> loaded_;                  // programs in literals
   std::set<std::uint32_t> reported_;                // places that were reported
   std::map<std::string, FilledDefinition> filled_;  // by their objects
-  std::vector<CombinerState> drawn_;                // programs with which something was drawn
+  std::vector<WholeState> drawn_;                   // programs with which something was drawn
   std::uint32_t first_skipped_ = 0, last_skipped_ = 0;
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
   std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0, skips_ = 0;
   bool out_of_steps_ = false, set_since_drawing_ = false;
-  bool is_thrown_ = false;  // an exception leaves functions
+  std::optional<Value> unknown_unit_;  // why it is not known which texture unit is active
+  bool is_thrown_ = false;             // an exception leaves functions
   int depth_ = 0, quiet_ = 0, tries_ = 0;
   std::string jump_label_;  // of Flow::jump
 };

@@ -58,6 +58,9 @@ std::string Machine::text_of(const Expression& e) const {
 // The value of a name that has no place: an enumerant, a function of OpenGL, a word of the language.
 std::optional<Value> Machine::constant(const Expression& e) const {
   if (const auto exact = detail::value_of_name(e.text)) return integer_value(*exact);
+  if (program_.file.reads_stages) {
+    if (const auto exact = detail::stage_value_of_name(e.text)) return integer_value(*exact);
+  }
   if (e.text.starts_with("PS_")) {
     if (const xbox::Constant* const known = xbox::find_constant(e.text)) return integer_value(known->value);
   }

@@ -58,8 +58,8 @@ void find_assigned(Program& program) {
 
 // Whether an argument of glEnable is one of the combiners' capabilities.
 bool names_capability(const Expression& e) {
-  for (const std::string_view part :
-       {"REGISTER_COMBINERS", "PER_STAGE_CONSTANTS", "register_combiners", "RegisterCombiners", "PerStageConstants"}) {
+  for (const std::string_view part : {"REGISTER_COMBINERS", "PER_STAGE_CONSTANTS", "register_combiners",
+                                      "RegisterCombiners", "PerStageConstants", "TEXTURE_SHADER_NV"}) {
     if (e.text.find(part) != std::string_view::npos) return true;
   }
   if (e.kind == ExpressionKind::cast || e.kind == ExpressionKind::member) {
@@ -70,9 +70,10 @@ bool names_capability(const Expression& e) {
 
 }  // namespace
 
-Program::Program(const SourceText& text, const SourceSelection& selection, detail::SourceFaults& faults,
-                 detail::SourceFaults& notes)
+Program::Program(const SourceText& text, const SourceSelection& selection, const HardwareProfile& profile,
+                 detail::SourceFaults& faults, detail::SourceFaults& notes)
     : source(text) {
+  file.reads_stages = profile.texture_shaders && names_stages(text.text);
   read_file(file, text, selection, faults, notes);
   parser = std::make_unique<Parser>(file, outline);
   parser->read_outline();
@@ -126,6 +127,8 @@ bool Program::sets(const Expression& e) {
       if (!switches || (e.parts.size() == 2 && names_capability(e.parts[1]))) return true;
     }
     if (called_operand(e.parts[0]).text == "nvparse") return true;
+    const bool may_set_stage = file.reads_stages && detail::find_stage_call(called_operand(e.parts[0]).text) != nullptr;
+    if (may_set_stage && file.calls_between(e.offset, e.end)) return true;
     const Function* const function = function_of(e.parts[0], e.parts.size() - 1, nullptr);
     if (function != nullptr && sets(*function)) return true;
   }

@@ -35,10 +35,13 @@ void visit_effects(const std::vector<Statement>& statements, const Visit& visit)
   }
 }
 
-// Whether a call is one of the combiners' own, or of nvparse; or an assignment to a definition of the Xbox.
-bool sets_combiners(const Expression& call) {
+// Whether a call is one of the combiners' own, of texture shaders, or of nvparse; or an assignment to a definition of
+// the Xbox.
+bool sets_combiners(const Expression& call, const File& file) {
   if (call.kind == ExpressionKind::assignment) return assigns_word(call);
-  if (called_operand(call.parts[0]).text == "nvparse") return true;
+  const std::string_view name = called_operand(call.parts[0]).text;
+  if (name == "nvparse") return true;
+  if (file.reads_stages && detail::find_stage_call(name) != nullptr) return file.calls_between(call.offset, call.end);
   const auto* const signature = signature_of(call.parts[0]);
   return signature != nullptr && signature->parameters != "e";
 }
@@ -76,7 +79,7 @@ Units::Units(const SourceText& text, const SourceSelection& selection, const Har
       profile_(profile),
       faults_(text),
       notes_(text),
-      program_(text, selection, faults_, notes_) {
+      program_(text, selection, profile, faults_, notes_) {
   if (program_.sets(program_.outline.code)) {
     units_.push_back({.kind = UnitKind::code, .offset = program_.outline.code[0].offset, .is_root = true});
   }
@@ -189,7 +192,7 @@ SourceFunction Units::describe(const Unit& unit) {
   // The calls that stand in the unit itself; without any, those of the functions that it calls.
   std::set<std::uint32_t> own;
   const auto note = [&](const Expression& call) {
-    if (sets_combiners(call)) own.insert(call.offset);
+    if (sets_combiners(call, program_.file)) own.insert(call.offset);
   };
   if (unit.kind == UnitKind::function) visit_effects(program_.body_of(*unit.function), note);
   if (unit.kind == UnitKind::code) visit_effects(program_.outline.code, note);

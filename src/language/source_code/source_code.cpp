@@ -25,11 +25,19 @@ bool is_page(std::string_view text) {
   return text.find("\n```") != std::string_view::npos || text.find("\n## ") != std::string_view::npos;
 }
 
-// The program of a number from 1, or the only one.
-Parsed<CombinerState> program_of(const std::vector<CombinerState>& all, std::size_t number, const SourceText& source,
-                                 const std::vector<TextFault>& notes) {
-  if (number == 0 && all.size() == 1) return {all[0], notes};
-  if (number > 0 && number <= all.size()) return {all[number - 1], notes};
+// The program of a number from 1, or the only one. Its stages count if they are enabled.
+Parsed<CombinerState> program_of(const std::vector<code::WholeState>& all, std::size_t number, const SourceText& source,
+                                 std::vector<TextFault> notes, TextureShaderState* texture_shader) {
+  const std::size_t chosen = number == 0 && all.size() == 1 ? 1 : number;
+  if (chosen > 0 && chosen <= all.size()) {
+    const auto& [combiners, stages] = all[chosen - 1];
+    if (stages.enabled && texture_shader != nullptr) *texture_shader = stages;
+    if (!stages.enabled && stages != TextureShaderState{}) {
+      notes.push_back({std::string(source.file), 1, 1,
+                       "texture shaders are set and not enabled by GL_TEXTURE_SHADER_NV: they have no effect"});
+    }
+    return {combiners, notes};
+  }
   detail::SourceFaults faults(source);
   const std::string count = std::to_string(all.size());
   faults.add(0,
@@ -70,7 +78,7 @@ bool is_source_code(std::string_view text) {
   if (detail::find_shader_literal(text) != std::string_view::npos) return true;
   // A page may show calls.
   if (is_page(text)) return false;
-  const std::vector<std::uint32_t> calls = code::calls_of(text);
+  const std::vector<std::uint32_t> calls = code::calls_of(text, code::names_stages(text));
   if (calls.empty()) return false;
   if (text.substr(calls[0]).starts_with("nvparse")) return true;
   code::Lexer lexer(text);
@@ -98,7 +106,8 @@ std::vector<SourceFunction> find_source_functions(const SourceText& source, cons
 }
 
 Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSelection& selection,
-                                        const HardwareProfile& profile, std::vector<RegisterWord>* other_words) {
+                                        const HardwareProfile& profile, std::vector<RegisterWord>* other_words,
+                                        TextureShaderState* texture_shader) {
   detail::SourceFaults faults(source);
   if (detail::too_long(source, faults)) return faults.take();
   code::Units units(source, selection, profile);
@@ -111,7 +120,9 @@ Parsed<CombinerState> parse_source_code(const SourceText& source, const SourceSe
   machine.finish();
   const std::vector<TextFault> notes = units.notes().take();
   if (!units.faults().empty()) return {units.faults().take(), notes};
-  if (!machine.fills_definition()) return program_of(machine.programs(), selection.program, source, notes);
+  if (!machine.fills_definition()) {
+    return program_of(machine.programs(), selection.program, source, notes, texture_shader);
+  }
   Parsed<CombinerState> program = machine.program_of_words(other_words);
   program.notes.insert(program.notes.begin(), notes.begin(), notes.end());
   return program;

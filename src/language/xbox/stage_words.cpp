@@ -73,8 +73,10 @@ std::string missing_numbers(std::span<const RegisterWord> words, const TextureSh
   return text;
 }
 
+constexpr std::array<std::size_t, 4> kMatrixPlaces{0, 1, 3, 2};  // m00, m01, m11, m10
+constexpr int kColorConversionShift = 28;                        // of CONTROL0
+
 void read_registers(std::span<const RegisterWord> words, StageWords& out) {
-  constexpr std::array<std::size_t, 4> kMatrixPlaces{0, 1, 3, 2};  // m00, m01, m11, m10
   for (std::size_t i = 1; i < out.state.stage.size(); ++i) {
     TextureStage& stage = out.state.stage[i];
     const std::string place = '[' + std::to_string(i) + ']';
@@ -88,7 +90,7 @@ void read_registers(std::span<const RegisterWord> words, StageWords& out) {
     }
   }
   if (const RegisterWord* const control = find(words, "CONTROL0")) {
-    const std::uint32_t conversion = bits(control->value, 28, 4);
+    const std::uint32_t conversion = bits(control->value, kColorConversionShift, 4);
     out.state.converts_yuv = conversion == 1;
     if (conversion > 1) out.why = "CONTROL0 asks for a colour conversion but that from YUV";
   }
@@ -174,6 +176,29 @@ Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& s
   for (std::size_t i = 0; i < kStageWordNames.size(); ++i) {
     if (value[i] != 0) words.push_back({std::string(kStageWordNames[i]), value[i], {}});
   }
+  return words;
+}
+
+std::vector<RegisterWord> encode_stage_numbers(const TextureShaderState& state) {
+  std::vector<RegisterWord> words;
+  const auto put = [&](const std::string& name, bool is_read, float value) {
+    words.push_back({name, is_read ? std::bit_cast<std::uint32_t>(value) : 0U, {}});
+  };
+  for (std::size_t i = 1; i < state.stage.size(); ++i) {
+    const TextureStage& stage = state.stage[i];
+    const std::string place = '[' + std::to_string(i) + ']';
+    const bool is_scaled = info_of(stage.operation).input == StageInput::luminance;
+    const bool is_moved = is_scaled || info_of(stage.operation).input == StageInput::offset;
+    for (std::size_t k = 0; k < 4; ++k) {
+      put("BUMP_ENV_MAT" + place + '[' + std::to_string(k) + ']', is_moved, stage.matrix[kMatrixPlaces[k]]);
+    }
+    put("BUMP_ENV_SCALE" + place, is_scaled, stage.scale);
+    put("BUMP_ENV_OFFSET" + place, is_scaled, stage.bias);
+  }
+  const TextureStage& last = state.stage[3];
+  const bool has_eye = last.operation == TextureOperation::dot_product_const_eye_reflect_cube_map;
+  for (std::size_t k = 0; k < 3; ++k) put("EYE_VECTOR[" + std::to_string(k) + ']', has_eye, last.eye[k]);
+  words.push_back({"CONTROL0", static_cast<std::uint32_t>(state.converts_yuv) << kColorConversionShift, {}});
   return words;
 }
 

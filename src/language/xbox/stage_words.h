@@ -32,6 +32,10 @@ struct StageWords {
 // sets otherwise has no place in them: see not_in_stage_words().
 [[nodiscard]] Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& state);
 
+// All other words that decode_stage_words() reads: bump matrices, luminance scales and offsets of stages 1 to 3, the
+// eye vector, which is that of stage 3, and CONTROL0. They are 0 where no operation reads them.
+[[nodiscard]] std::vector<RegisterWord> encode_stage_numbers(const TextureShaderState& state);
+
 // What the words do not have and has an effect: "the bump matrix of texture stage 1, …"; empty: nothing.
 [[nodiscard]] std::string not_in_stage_words(const TextureShaderState& state);
 

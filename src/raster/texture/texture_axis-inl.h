@@ -86,15 +86,34 @@ HWY_INLINE VI texel_on_face(const Axis& axis, VF s) {
   return axis.wrap == Wrap::repeat ? hn::And(texel, axis.last) : hn::Min(texel, axis.last);
 }
 
-// linear_texels for all modes but Wrap::clamp: returns the first texel, sets the second and its weight.
-HWY_INLINE VI texels_along(const Axis& axis, VF s, const FilterRules& rules, VI& second, VI& weight) {
+// The rules of most profiles, known to the compiler: weights of 8 bits, cut.
+struct CutBytes {
+  static constexpr int weight_bits = 8;
+  static constexpr bool cuts_weights = true;
+};
+
+// linear_texels for all modes but Wrap::clamp: returns the first texel, sets the second and its weight. `Rules` has
+// members of FilterRules. `kOnFace`: 0 <= s <= 1.
+template <bool kOnFace = false, class Rules>
+HWY_INLINE VI texels_along(const Axis& axis, VF s, const Rules& rules, VI& second, VI& weight) {
   const int bits = rules.weight_bits;
   const float one = static_cast<float>(1 << bits);
+  if (axis.wrap == Wrap::repeat && rules.cuts_weights) {
+    // Whole numbers wrap by their low bits.
+    const VF steps = hn::Mul(s, hn::Mul(axis.size, set(one)));
+    if (hn::AllTrue(kDF, hn::Lt(hn::Abs(steps), set(0x1p30F)))) {
+      const VI fixed = hn::Sub(hn::ConvertTo(kDI, hn::Floor(steps)), hn::Set(kDI, (1 << bits) / 2));
+      const VI first = hn::ShiftRightSame(fixed, bits);
+      weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));
+      second = hn::And(hn::Add(first, hn::Set(kDI, 1)), axis.last);
+      return hn::And(first, axis.last);
+    }
+  }
   VF u;
   if (axis.wrap == Wrap::repeat) {
     u = hn::Mul(near_enough(s), axis.size);
   } else {
-    u = axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s);
+    u = kOnFace ? hn::Mul(s, axis.size) : axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s);
     u = hn::Min(hn::Max(u, set(0.5F)), hn::Sub(axis.size, set(0.5F)));
   }
   // Cuts to a step of the weights, or rounds to one, halves up. For fractions below 0 the difference may round, but not

@@ -130,10 +130,11 @@ struct Level {
     static_assert(WordLevels::kRoom == 1 << 4);
   }
 
-  // The same level of other faces, whose sides and rows are alike.
-  [[nodiscard]] HWY_INLINE Level of_faces(const WordLevels& texture, VI face) const {
+  // Level 0 of other faces, whose sides and rows are alike; `step` is face_step().
+  [[nodiscard]] HWY_INLINE Level of_faces(const WordLevels& texture, VI face, std::int32_t step) const {
     Level other = *this;
-    other.begin = hn::GatherIndex(kDI, texture.begin.data(), hn::ShiftLeft<4>(face));
+    other.begin = step > 0 ? hn::Add(begin, hn::Mul(face, hn::Set(kDI, step)))
+                           : hn::GatherIndex(kDI, texture.begin.data(), hn::ShiftLeft<4>(face));
     return other;
   }
 
@@ -141,13 +142,13 @@ struct Level {
   static HWY_INLINE VI side(VI texels) { return hn::Max(texels, hn::Set(kDI, 1)); }
 };
 
-// The taps of one level. Where `linear` is 0, all are the nearest texel.
-template <bool kAllLinear>
-HWY_INLINE WordTaps read_taps(const WordLevels& texture, const FilterRules& rules, const Places& at, const Level& level,
+// The taps of one level. Where `linear` is 0, all are the nearest texel. `kOnFace`: places are on faces of a cube map.
+template <bool kAllLinear, bool kOnFace = false, class Rules>
+HWY_INLINE WordTaps read_taps(const WordLevels& texture, const Rules& rules, const Places& at, const Level& level,
                               VI linear) {
   VI right, above, u, v;
-  VI left = texels_along(level.across, at.s, rules, right, u);
-  VI low = texels_along(level.up, at.t, rules, above, v);
+  VI left = texels_along<kOnFace>(level.across, at.s, rules, right, u);
+  VI low = texels_along<kOnFace>(level.up, at.t, rules, above, v);
   if (!kAllLinear) {
     const M blends = hn::Ne(linear, hn::Zero(kDI));
     const auto choose = [&](VI& near, VI& second, VI& weight, VI nearest) HWY_ATTR {
@@ -169,8 +170,8 @@ HWY_INLINE WordTaps read_taps(const WordLevels& texture, const FilterRules& rule
 }
 
 // The words of fragments from i on, whose levels are `levels`.
-template <class Sum, bool kAllLinear>
-HWY_INLINE VU filter_vector(const WordLevels& texture, const FilterRules& rules, const Places& places,
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE VU filter_vector(const WordLevels& texture, const Rules& rules, const Places& places,
                             const LevelLanes& levels, std::size_t i) {
   const int bits = rules.weight_bits;
   const VI level = hn::LoadU(kDI, levels.level.data() + i);
@@ -189,10 +190,9 @@ HWY_INLINE VU filter_vector(const WordLevels& texture, const FilterRules& rules,
   return hn::Xor(sum.words(bits, levels.has_next), hn::Set(kDU, texture.flip));
 }
 
-template <class Sum, bool kAllLinear>
-HWY_INLINE void filter_levels(const WordLevels& texture, const FilterRules& rules,
-                              const std::array<const float*, 3>& at, const LevelLanes& levels, std::size_t count,
-                              LaneWords& to) {
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE void filter_levels(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
+                              const LevelLanes& levels, std::size_t count, LaneWords& to) {
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
@@ -200,25 +200,37 @@ HWY_INLINE void filter_levels(const WordLevels& texture, const FilterRules& rule
   }
 }
 
+// Words from level 0 of one face to that of the next, if it is the same for all faces of a cube map; else 0.
+HWY_INLINE std::int32_t face_step(const WordLevels& texture) {
+  const std::int32_t step = texture.begin[WordLevels::kRoom] - texture.begin[0];
+  bool is_same = texture.cube && step > 0;
+  for (std::size_t face = 2; face < 6 && is_same; ++face) {
+    const std::size_t at = face * WordLevels::kRoom;
+    is_same = texture.begin[at] - texture.begin[at - WordLevels::kRoom] == step;
+  }
+  return is_same ? step : 0;
+}
+
 // Level 0, filtered linearly.
-template <class Sum>
-HWY_INLINE void filter_base(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
+template <class Sum, class Rules>
+HWY_INLINE void filter_base(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
                             std::size_t count, LaneWords& to) {
   const VI zero = hn::Zero(kDI);
   const Level base(texture, 0);
+  const std::int32_t step = face_step(texture);
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
-    const WordTaps taps = texture.cube
-                              ? read_taps<true>(texture, rules, places, base.of_faces(texture, places.face), zero)
-                              : read_taps<true>(texture, rules, places, base, zero);
+    const WordTaps taps =
+        texture.cube ? read_taps<true, true>(texture, rules, places, base.of_faces(texture, places.face, step), zero)
+                     : read_taps<true>(texture, rules, places, base, zero);
     const VU words = Sum(taps, rules.weight_bits).words(rules.weight_bits, false);
     hn::StoreU(hn::Xor(words, hn::Set(kDU, texture.flip)), kDU, to.data() + i);
   }
 }
 
-template <class Sum>
-HWY_INLINE void filter_by(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
+template <class Sum, class Rules>
+HWY_INLINE void filter_by(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
                           const LevelLanes* levels, std::size_t count, LaneWords& to) {
   if (levels == nullptr) {
     filter_base<Sum>(texture, rules, at, count, to);
@@ -231,6 +243,11 @@ HWY_INLINE void filter_by(const WordLevels& texture, const FilterRules& rules, c
 
 void filter_words(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
                   const LevelLanes* levels, std::size_t count, LaneWords& to) {
+#if HWY_TARGET != HWY_SCALAR
+  if (rules.rounds_each_blend && rules.cuts_weights && rules.weight_bits == CutBytes::weight_bits) {
+    return filter_by<SumEachByte>(texture, CutBytes{}, at, levels, count, to);
+  }
+#endif
   if (rules.rounds_each_blend) {  // rule 26
     filter_by<SumEach>(texture, rules, at, levels, count, to);
   } else {

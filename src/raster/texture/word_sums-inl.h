@@ -113,6 +113,45 @@ struct SumEach {
   }
 };
 
+#if HWY_TARGET != HWY_SCALAR
+// The same with weights of 8 bits: rounded blends of signed numbers of 16 bits.
+struct SumEachByte {
+  using D16 = hn::Repartition<std::int16_t, DU>;
+  using V16 = hn::Vec<D16>;
+  V16 even, odd;
+
+  HWY_INLINE SumEachByte(const WordTaps& taps, int) {
+    const VU bytes = hn::Set(kDU, 0x00FF00FF);
+    const auto evens = [&](VU word) HWY_ATTR { return hn::BitCast(D16(), hn::And(word, bytes)); };
+    const auto odds = [](VU word) HWY_ATTR {
+      constexpr hn::RebindToUnsigned<D16> du16;
+      return hn::BitCast(D16(), hn::ShiftRight<8>(hn::BitCast(du16, word)));
+    };
+    const V16 u = share(taps.u), v = share(taps.v);
+    even = rounded(rounded(evens(taps.low_left), evens(taps.low_right), u),
+                   rounded(evens(taps.high_left), evens(taps.high_right), u), v);
+    odd = rounded(rounded(odds(taps.low_left), odds(taps.low_right), u),
+                  rounded(odds(taps.high_left), odds(taps.high_right), u), v);
+  }
+
+  HWY_INLINE void blend(const SumEachByte& more, VU weight, int) {
+    const V16 w = share(weight);
+    even = rounded(even, more.even, w);
+    odd = rounded(odd, more.odd, w);
+  }
+
+  [[nodiscard]] HWY_INLINE VU words(int, bool) const { return hn::BitCast(kDU, hn::Or(even, hn::ShiftLeft<8>(odd))); }
+
+ private:
+  // A weight in 1/256 as one in 1/2^15, in both halves of its word.
+  static HWY_INLINE V16 share(VU weight) { return hn::BitCast(D16(), twice(hn::ShiftLeft<7>(weight))); }
+  // a + (b - a) × weight, to nearest, halves up.
+  static HWY_INLINE V16 rounded(V16 a, V16 b, V16 weight) {
+    return hn::Add(a, hn::MulFixedPoint15(hn::Sub(b, a), weight));
+  }
+};
+#endif
+
 }  // namespace ninebit::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

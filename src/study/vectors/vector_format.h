@@ -9,15 +9,23 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/numerics/result.h"
+#include "ninebit/study/vectors.h"
 
 namespace ninebit::vectors {
 
-inline constexpr std::string_view kPackTitle = "ninebit-vectors 1", kResultsTitle = "ninebit-results 1";
+inline constexpr std::string_view kPackTitle = "ninebit-vectors 1", kStagePackTitle = "ninebit-stage-vectors 1",
+                                  kResultsTitle = "ninebit-results 1";
 inline constexpr std::size_t kIdDigits = 16;
 inline constexpr int kTraceOffset = 256;  // added to the codes of a trace, so that none is negative
 
 // Eight hexadecimal digits: red, green, blue, alpha.
 [[nodiscard]] std::string color_text(const Bytes4& color);
+
+// Appends a code in two digits to the base of 36, with kTraceOffset added.
+void append_code(std::string& text, int code);
+
+// The line of a group, without its programs.
+[[nodiscard]] std::string group_line(const VectorGroup& group);
 
 // The id of a pack whose text, without its first line, is `body`.
 [[nodiscard]] std::string id_of(std::string_view body);

@@ -6,6 +6,7 @@
 
 #include "ninebit/combiner/portion_walk.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/study/stage_vectors.h"
 #include "ninebit/study/vectors.h"
 #include "src/study/vectors/vector_format.h"
 #include "src/study/vectors/vector_words.h"
@@ -220,7 +221,8 @@ Result<VectorPack> read_vector_pack(std::string_view text, const std::string& fi
 
 std::string vector_pack_profile(std::string_view text) {
   vectors::Lines lines(text, "");
-  if (!lines.next() || !lines.words().starts_with(vectors::kPackTitle)) return {};
+  const bool is_pack = lines.next() && (lines.words().starts_with(vectors::kPackTitle) || is_stage_vector_pack(text));
+  if (!is_pack) return {};
   if (!lines.next() || lines.word() != "profile") return {};
   return std::string(lines.words());
 }
@@ -258,14 +260,6 @@ std::string mask_text(const Written& written) {
     text += fmt::format("{:x}", 8 * one[0] + 4 * one[1] + 2 * one[2] + static_cast<int>(one[3]));
   }
   return text;
-}
-
-// A code in two digits to the base of 36, with 256 added.
-void append_code(std::string& text, int code) {
-  constexpr std::string_view kDigits = "0123456789abcdefghijklmnopqrstuvwxyz";
-  const auto value = static_cast<std::size_t>(code + kTraceOffset);
-  text += kDigits[value / kDigits.size()];
-  text += kDigits[value % kDigits.size()];
 }
 
 // The lines of what each stage writes.
@@ -348,6 +342,19 @@ std::string color_text(const Bytes4& color) {
   return fmt::format("{:02x}{:02x}{:02x}{:02x}", color[0], color[1], color[2], color[3]);
 }
 
+void append_code(std::string& text, int code) {
+  constexpr std::string_view kDigits = "0123456789abcdefghijklmnopqrstuvwxyz";
+  const auto value = static_cast<std::size_t>(code + kTraceOffset);
+  text += kDigits[value / kDigits.size()];
+  text += kDigits[value % kDigits.size()];
+}
+
+std::string group_line(const VectorGroup& group) {
+  std::string rules;
+  for (const char c : group.rules) rules += c == ' ' ? "" : std::string(1, c);
+  return fmt::format("group {} {} {}\n", group.name, rules.empty() ? "-" : rules, group.what);
+}
+
 std::string id_of(std::string_view body) {
   return sha256(body).substr(0, kIdDigits);
 }
@@ -365,11 +372,7 @@ std::string print_vector_pack(VectorPack& pack) {
   const std::vector<std::uint32_t> zeros(pack.word_names.size());
   std::size_t at = 0;
   for (std::size_t g = 0; g < pack.groups.size(); ++g) {
-    const VectorGroup& group = pack.groups[g];
-    std::string rules;
-    for (const char c : group.rules) rules += c == ' ' ? "" : std::string(1, c);
-    body += fmt::format("group {} {} {}\nbase{}\n", group.name, rules.empty() ? "-" : rules, group.what,
-                        vectors::word_changes(bases[g], zeros));
+    body += fmt::format("{}base{}\n", vectors::group_line(pack.groups[g]), vectors::word_changes(bases[g], zeros));
     for (; at < programs.size() && pack.programs[at].group == g; ++at) body += programs[at];
   }
   body += "end\n";

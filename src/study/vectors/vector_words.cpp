@@ -58,6 +58,33 @@ std::vector<Bytes4> expected_colors(const VectorPack& pack, const VectorProgram&
   return colors;
 }
 
+Status check_settings(const VectorSettings& settings, std::size_t groups, const HardwareProfile& profile) {
+  if (settings.programs < static_cast<int>(groups) || settings.programs > kMostVectorPrograms) {
+    return Diagnostic{.message = "a pack for " + std::string(profile.name) + " has at least " + std::to_string(groups) +
+                                 " programs, one of each group, and at most " + std::to_string(kMostVectorPrograms)};
+  }
+  if (settings.fragments < 1 || settings.fragments > kMostVectorFragments) {
+    return Diagnostic{.message = "a program has 1 to " + std::to_string(kMostVectorFragments) + " fragments"};
+  }
+  if (settings.programs > kMostVectorColors / settings.fragments) {
+    return Diagnostic{.message = "a pack has at most " + std::to_string(kMostVectorColors) + " fragments together"};
+  }
+  return {};
+}
+
+std::vector<std::size_t> programs_by_group(const std::vector<int>& weights, std::size_t programs) {
+  std::size_t all = 0, so_far = 0;
+  for (const int weight : weights) all += static_cast<std::size_t>(weight);
+  const std::size_t rest = programs - weights.size();
+  std::vector<std::size_t> counts;
+  for (const int weight : weights) {
+    const std::size_t before = rest * so_far / all;
+    so_far += static_cast<std::size_t>(weight);
+    counts.push_back(1 + rest * so_far / all - before);
+  }
+  return counts;
+}
+
 namespace {
 
 // A byte of a row: 255 or 0 throughout in two rows of 16, all bytes in turn in the even rows, else a random byte, often

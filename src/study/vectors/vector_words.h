@@ -1,4 +1,4 @@
-// A pack's programs as words, the colours that they show, and loops over them.
+// What makes a pack: its size, programs as words, the colours that they show, and loops over them.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +24,12 @@ namespace ninebit::vectors {
 
 // The results of a program's fragments with the pack's profile.
 [[nodiscard]] std::vector<Bytes4> expected_colors(const VectorPack& pack, const VectorProgram& program);
+
+// Reports numbers of programs and fragments that packs with so many groups cannot have.
+[[nodiscard]] Status check_settings(const VectorSettings& settings, std::size_t groups, const HardwareProfile& profile);
+
+// Numbers of programs by group: one each, the rest by weight. `programs` is at least the number of groups.
+[[nodiscard]] std::vector<std::size_t> programs_by_group(const std::vector<int>& weights, std::size_t programs);
 
 // Calls body(i) for 0 <= i < count on several threads, and `go_on` between blocks of them on this one. Returns false
 // if `go_on` did.

@@ -15,20 +15,6 @@ namespace {
 using vectors::Group;
 using vectors::Maker;
 
-// Numbers of programs by group: at least one each, the rest by weight.
-std::vector<std::size_t> programs_by_group(const std::vector<Group>& groups, std::size_t programs) {
-  std::size_t weights = 0, so_far = 0;
-  for (const Group& group : groups) weights += static_cast<std::size_t>(group.weight);
-  const std::size_t rest = programs - groups.size();
-  std::vector<std::size_t> counts;
-  for (const Group& group : groups) {
-    const std::size_t before = rest * so_far / weights;
-    so_far += static_cast<std::size_t>(group.weight);
-    counts.push_back(1 + rest * so_far / weights - before);
-  }
-  return counts;
-}
-
 bool shows_one_color(const VectorProgram& program) {
   return std::all_of(program.expected.begin(), program.expected.end(),
                      [&](const Bytes4& color) { return color == program.expected.front(); });
@@ -62,17 +48,8 @@ int least_vector_programs(const HardwareProfile& profile) {
 
 Result<VectorPack> make_vector_pack(const HardwareProfile& profile, const VectorSettings& settings,
                                     const VectorProgress& go_on) {
-  const int least = least_vector_programs(profile);
-  if (settings.programs < least || settings.programs > kMostVectorPrograms) {
-    return Diagnostic{.message = "a pack for " + std::string(profile.name) + " has at least " + std::to_string(least) +
-                                 " programs, one of each group, and at most " + std::to_string(kMostVectorPrograms)};
-  }
-  if (settings.fragments < 1 || settings.fragments > kMostVectorFragments) {
-    return Diagnostic{.message = "a program has 1 to " + std::to_string(kMostVectorFragments) + " fragments"};
-  }
-  if (settings.programs > kMostVectorColors / settings.fragments) {
-    return Diagnostic{.message = "a pack has at most " + std::to_string(kMostVectorColors) + " fragments together"};
-  }
+  const std::vector<Group> groups = vectors::groups_of(profile);
+  if (Status checked = vectors::check_settings(settings, groups.size(), profile); !checked) return checked.error();
   VectorPack pack;
   pack.profile = profile;
   pack.chip = vectors::is_nv20(profile) ? ChipClass::nv20 : ChipClass::nv10;
@@ -80,8 +57,10 @@ Result<VectorPack> make_vector_pack(const HardwareProfile& profile, const Vector
   pack.fragments = static_cast<std::size_t>(settings.fragments);
   pack.word_names = vectors::word_names(pack.chip);
   pack.inputs = vectors::vector_inputs(profile, settings.seed);
-  const std::vector<Group> groups = vectors::groups_of(profile);
-  const std::vector<std::size_t> counts = programs_by_group(groups, static_cast<std::size_t>(settings.programs));
+  std::vector<int> weights;
+  for (const Group& group : groups) weights.push_back(group.weight);
+  const std::vector<std::size_t> counts =
+      vectors::programs_by_group(weights, static_cast<std::size_t>(settings.programs));
   std::vector<std::size_t> numbers;  // by program: of it in its group
   for (std::size_t g = 0; g < groups.size(); ++g) {
     pack.groups.push_back({groups[g].name, groups[g].rules, groups[g].what});

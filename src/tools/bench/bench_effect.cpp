@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "src/bench/combiner_rate.h"
 #include "src/bench/effect_workloads.h"
 #include "src/bench/llvmpipe_effect.h"
 #include "src/bench/timing.h"
@@ -19,7 +20,7 @@ constexpr std::size_t kFewestPictures = 3;
 
 struct EffectFlags {
   BenchFlags bench;
-  std::string rival;
+  std::string rival, target;
 };
 
 // One effect: milliseconds of its pictures, and of the rival's, drawn in turn.
@@ -130,6 +131,8 @@ int bench_effect(const EffectFlags& flags) {
     }
     rival = std::move(*made);
   }
+  std::optional<bench::OnSimdTarget> on;
+  if (!flags.target.empty()) on.emplace(flags.target);
   std::optional<ProgressLine> line(std::in_place, common.quiet);
   std::vector<EffectRow> rows;
   for (const bench::EffectWorkload& workload : bench::effect_workloads(side, side)) {
@@ -148,12 +151,17 @@ int bench_effect(const EffectFlags& flags) {
 void add_bench_effect(CLI::App& bench, int& exit_code) {
   CLI::App* verb =
       bench.add_subcommand("effect", "Measure effects of the gallery on a rectangle, in pixels per second");
-  verb->footer("Example: ninebit bench effect --rival llvmpipe");
+  verb->footer(
+      "Examples:\n"
+      "  ninebit bench effect --rival llvmpipe\n"
+      "  ninebit bench effect --target AVX2");
   auto flags = std::make_shared<EffectFlags>();
   add_bench_flags(*verb, flags->bench);
   verb->add_option("--rival", flags->rival,
                    "Also draw them in GLSL with Mesa's llvmpipe, with the same number of threads")
       ->check(CLI::IsMember({"llvmpipe"}));
+  verb->add_option("--target", flags->target, "SIMD target to draw on (default: the best of this processor)")
+      ->check(CLI::IsMember(bench::simd_target_names()));
   verb->callback([flags, &exit_code] { exit_code = bench_effect(*flags); });
 }
 

@@ -6,6 +6,7 @@
 #include "src/language/source/nearest_name.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/printable.h"
+#include "src/tools/prove/opaque_texels.h"
 #include "src/tools/prove/prove.h"
 
 namespace ninebit::tools {
@@ -49,13 +50,15 @@ std::vector<ProofTarget> targets_of(const std::vector<std::string>& names) {
   return targets;
 }
 
-Json json_of(const EquivalenceAnswer& proof, const EquivalentFlags& flags, const HardwareProfile& other) {
+Json json_of(const EquivalenceAnswer& proof, const EquivalentFlags& flags, const HardwareProfile& other,
+             const TexelsOfStages& texels) {
   Json out = proof_json("equivalent", proof.answer, proof.method, proof.cases);
   out["profile"] = flags.proof.common.profile;
   out["other_profile"] = other.name;
   out["programs"] = {flags.a.file, flags.b.file};
   if (proof.counterexample) out["counterexample"] = counterexample_json(*proof.counterexample);
   if (!proof.reason.empty()) out["reason"] = proof.reason;
+  if (!texels.opaque.empty()) out["opaque"] = texels.opaque;
   return out;
 }
 
@@ -73,14 +76,22 @@ std::string text_of(const EquivalenceAnswer& proof, const EquivalentFlags& flags
   return fmt::format("unknown: {}\n", proof.reason);
 }
 
-std::optional<CombinerState> state_in(Result<ProgramSource> source, const ProgramFlags& flags,
+std::optional<TextProgram> program_in(Result<ProgramSource> source, const ProgramFlags& flags,
                                       const HardwareProfile& profile, bool quiet, int& exit_code) {
-  if (!source) {
-    exit_code = report(source.error());
-    return std::nullopt;
-  }
-  const auto program = load_text_program(std::move(*source), flags, profile, quiet, exit_code);
-  return program ? std::optional(program->state) : std::nullopt;
+  if (source) return load_text_program(std::move(*source), flags, profile, quiet, exit_code);
+  exit_code = report(source.error());
+  return std::nullopt;
+}
+
+// Programs whose stages give other texels are not compared.
+Result<EquivalenceAnswer> answer_of(const TextProgram& a, const HardwareProfile& profile, const TextProgram& b,
+                                    const HardwareProfile& other, const TexelsOfStages& texels,
+                                    const EquivalenceOptions& options) {
+  if (texels.reason.empty())
+    return prove_equivalent({a.state, profile, {}, false}, {b.state, other, {}, false}, options);
+  EquivalenceAnswer unknown;
+  unknown.reason = texels.reason;
+  return unknown;
 }
 
 int run(const EquivalentFlags& flags) {
@@ -98,18 +109,21 @@ int run(const EquivalentFlags& flags) {
   if (!takes(source_of_a) && takes(source_of_b)) of_a.defines.clear();
   if (!takes(source_of_b)) of_b.defines.clear();
   int exit_code = kDone;
-  auto a = state_in(std::move(source_of_a), of_a, profile, common.quiet, exit_code),
-       b = state_in(std::move(source_of_b), of_b, other, common.quiet, exit_code);
+  auto a = program_in(std::move(source_of_a), of_a, profile, common.quiet, exit_code),
+       b = program_in(std::move(source_of_b), of_b, other, common.quiet, exit_code);
   if (!a || !b) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);
   EquivalenceOptions options = options_of(flags.proof, progress);
   options.targets = targets_of(flags.outputs);
-  const Status chosen = choose_inputs(flags.proof, {{flags.a.file, &*a}, {flags.b.file, &*b}}, options);
+  const Status chosen = choose_inputs(flags.proof, {{flags.a.file, &a->state}, {flags.b.file, &b->state}}, options);
   if (!chosen) throw CLI::ValidationError(chosen.error().message);
-  const auto proof = prove_equivalent({*a, profile, {}, false}, {*b, other, {}, false}, options);
+  const TexelsOfStages texels =
+      texels_of_stages({{flags.a.file, &*a, &profile}, {flags.b.file, &*b, &other}}, options.targets);
+  apply_texels(texels, common.quiet, options.fixed);
+  const auto proof = answer_of(*a, profile, *b, other, texels, options);
   if (!proof) return report(proof.error());
-  const int code = common.json ? answer(json_of(*proof, flags, other)) : answer_exactly(text_of(*proof, flags));
+  const int code = common.json ? answer(json_of(*proof, flags, other, texels)) : answer_exactly(text_of(*proof, flags));
   return code != kDone ? code : exit_code_of(proof->answer);
 }
 
@@ -123,6 +137,9 @@ void add_prove_equivalent(CLI::App& prove, int& exit_code) {
       "c5 of a pixel shader; stage1.const0 is that of a general combiner with constants of its own). A constant that "
       "both\n"
       "programs do not set is one input. --set fixes an input, --free makes a constant that a program sets one.\n"
+      "What a texture-shader stage reads through another texel is an opaque input, if both programs read it alike; "
+      "the\n"
+      "answer is unknown if they do not.\n"
       "Inputs that no output depends on are left out. Up to 2^34 cases are run, more by independent parts; beyond "
       "that\n"
       "the solver z3 is asked, if it is installed.\n"

@@ -6,6 +6,7 @@
 #include "ninebit/study/stability.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/printable.h"
+#include "src/tools/prove/opaque_texels.h"
 #include "src/tools/prove/prove.h"
 
 namespace ninebit::tools {
@@ -35,7 +36,7 @@ std::string conditions_of(const FieldEffect& effect) {
   return text;
 }
 
-Json json_of(const StabilityAnswer& proof, const StableFlags& flags) {
+Json json_of(const StabilityAnswer& proof, const StableFlags& flags, const TexelsOfStages& texels) {
   Json out = proof_json("stable", proof.answer, proof.method, proof.cases);
   out["profile"] = flags.proof.common.profile;
   out["program"] = flags.program.file;
@@ -60,6 +61,7 @@ Json json_of(const StabilityAnswer& proof, const StableFlags& flags) {
   }
   out["fields"] = std::move(fields);
   if (!proof.reason.empty()) out["reason"] = proof.reason;
+  if (!texels.opaque.empty()) out["opaque"] = texels.opaque;
   return out;
 }
 
@@ -88,17 +90,22 @@ int run(const StableFlags& flags) {
   const CommonFlags& common = flags.proof.common;
   const HardwareProfile& profile = profile_of(common);
   int exit_code = kDone;
-  auto state = load_program(flags.program, profile, common.quiet, exit_code);
-  if (!state) return exit_code;
+  auto program = load_text_program(flags.program, profile, common.quiet, exit_code);
+  if (!program) return exit_code;
   const ThreadLimit limit(common.threads);
   ProgressLine progress(common.quiet || common.json);
   EquivalenceOptions options = options_of(flags.proof, progress);
   options.random_cases = 10'000'000;  // there are many proofs
-  const Status chosen = choose_inputs(flags.proof, {{flags.program.file, &*state}}, options);
+  const Status chosen = choose_inputs(flags.proof, {{flags.program.file, &program->state}}, options);
   if (!chosen) throw CLI::ValidationError(chosen.error().message);
-  const auto proof = prove_stable(*state, profile, options);
+  TexelsOfStages texels = texels_of_stages({{flags.program.file, &*program, &profile}}, options.targets);
+  if (!texels.opaque.empty()) {
+    texels.notes.emplace_back("fields of the profile about texture-shader stages are not part of the question");
+  }
+  apply_texels(texels, common.quiet, options.fixed);
+  const auto proof = prove_stable(program->state, profile, options);
   if (!proof) return report(proof.error());
-  const int code = common.json ? answer(json_of(*proof, flags)) : answer_exactly(text_of(*proof, flags));
+  const int code = common.json ? answer(json_of(*proof, flags, texels)) : answer_exactly(text_of(*proof, flags));
   return code != kDone ? code : exit_code_of(proof->answer);
 }
 

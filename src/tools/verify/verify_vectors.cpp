@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "ninebit/study/stage_vectors.h"
 #include "ninebit/study/vectors.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/input_file.h"
@@ -29,10 +30,21 @@ Result<std::string> text_in(const std::string& path) {
   }
 }
 
+// A fragment that differs.
+struct Shown {
+  int line = 0;  // of the results
+  std::size_t group = 0;
+  std::string shown, expected;             // for people
+  Json shown_values{}, expected_values{};  // the same
+};
+
+// Results of a pack of either half of a pixel.
 struct JudgedResults {
-  VectorPack pack;
-  VectorResults results;
+  std::string id, profile;
+  std::vector<VectorGroup> groups;
+  std::size_t programs = 0;  // that the results have
   VectorVerdict verdict;
+  std::vector<Shown> first{};  // by VectorVerdict::first
 };
 
 std::string pack_file(const VectorResultsFlags& flags) {
@@ -61,27 +73,90 @@ Result<const HardwareProfile*> profile_named(const std::string& name, const std:
       .message = fmt::format("the pack is of profile {}; give its file with --profile", name), .file = file, .line = 2};
 }
 
-Result<JudgedResults> judge_results(const VectorResultsFlags& flags) {
-  ProgressLine progress(flags.common->quiet || flags.common->json);
-  const std::string file = pack_file(flags);
-  const auto text = text_in(file);
-  if (!text) return text.error();
-  const auto profile = profile_named(vector_pack_profile(*text), file, flags);
-  if (!profile) return profile.error();
-  auto pack = read_vector_pack(*text, file, **profile);
-  if (!pack) return pack.error();
-  const auto results_text = text_in(flags.results);
-  if (!results_text) return results_text.error();
-  auto results = read_vector_results(*results_text, flags.results, *pack);
-  if (!results) return results.error();
-  auto verdict = judge_vectors(*pack, *results, static_cast<std::size_t>(flags.most),
-                               [&](double done) { return progress.step("fragments", done); });
-  if (!verdict) return verdict.error();
-  return JudgedResults{std::move(*pack), std::move(*results), std::move(*verdict)};
+// The results of a pack whose text is known to be one.
+struct Texts {
+  std::string pack, pack_file, results, results_file;
+  const HardwareProfile* profile = nullptr;
+  std::size_t most = 0;
+};
+
+// `show(value)` gives a value for people and as JSON.
+template <class Pack, class Show>
+JudgedResults judged(const Pack& pack, std::size_t programs, VectorVerdict verdict, const Show& show) {
+  JudgedResults out{pack.id, std::string(pack.profile.name), pack.groups, programs, std::move(verdict)};
+  for (const VectorVerdict::Place& place : out.verdict.first) out.first.push_back(show(place));
+  return out;
 }
 
-const Bytes4& shown_color(const JudgedResults& judged, const VectorVerdict::Place& place) {
-  return judged.results.programs.at(place.program).colors[place.fragment];
+Result<JudgedResults> judge_colors(const Texts& texts, const VectorProgress& go_on) {
+  const auto pack = read_vector_pack(texts.pack, texts.pack_file, *texts.profile);
+  if (!pack) return pack.error();
+  const auto results = read_vector_results(texts.results, texts.results_file, *pack);
+  if (!results) return results.error();
+  auto verdict = judge_vectors(*pack, *results, texts.most, go_on);
+  if (!verdict) return verdict.error();
+  return judged(*pack, results->programs.size(), *std::move(verdict), [&](const VectorVerdict::Place& place) {
+    const VectorProgram& program = pack->programs[place.program];
+    const auto& given = results->programs.at(place.program);
+    const Bytes4 &shown = given.colors[place.fragment], &expected = program.expected[place.fragment];
+    return Shown{given.line,
+                 program.group,
+                 fmt::format("{}", fmt::join(shown, " ")),
+                 fmt::format("{}", fmt::join(expected, " ")),
+                 shown,
+                 expected};
+  });
+}
+
+std::string text_of(const StageOutput& output) {
+  if (output.is_culled) return "culled";
+  std::string text;
+  for (std::size_t i = 0; i < output.texture.size(); ++i) {
+    text += fmt::format("{}tex{} {}", i == 0 ? "" : ", ", i, fmt::join(output.texture[i], " "));
+  }
+  return output.depth ? fmt::format("{}, depth {}", text, *output.depth) : text;
+}
+
+Json json_of(const StageOutput& output) {
+  Json texture = Json::array();
+  for (const Rgba9& unit : output.texture) texture.push_back(unit);
+  return {{"culled", output.is_culled},
+          {"texture", output.is_culled ? Json() : texture},
+          {"depth", output.depth ? Json(*output.depth) : Json()}};
+}
+
+Result<JudgedResults> judge_stages(const Texts& texts, const VectorProgress& go_on) {
+  const auto pack = read_stage_vector_pack(texts.pack, texts.pack_file, *texts.profile);
+  if (!pack) return pack.error();
+  const auto results = read_stage_vector_results(texts.results, texts.results_file, *pack);
+  if (!results) return results.error();
+  auto verdict = judge_stage_vectors(*pack, *results, texts.most, go_on);
+  if (!verdict) return verdict.error();
+  return judged(*pack, results->programs.size(), *std::move(verdict), [&](const VectorVerdict::Place& place) {
+    const StageVectorProgram& program = pack->programs[place.program];
+    const auto& given = results->programs.at(place.program);
+    const StageOutput &shown = given.outputs[place.fragment], &expected = program.expected[place.fragment];
+    return Shown{given.line, program.group, text_of(shown), text_of(expected), json_of(shown), json_of(expected)};
+  });
+}
+
+Result<JudgedResults> judge_results(const VectorResultsFlags& flags) {
+  ProgressLine progress(flags.common->quiet || flags.common->json);
+  Texts texts;
+  texts.pack_file = pack_file(flags);
+  texts.results_file = flags.results;
+  texts.most = static_cast<std::size_t>(flags.most);
+  auto text = text_in(texts.pack_file);
+  if (!text) return text.error();
+  const auto profile = profile_named(vector_pack_profile(*text), texts.pack_file, flags);
+  if (!profile) return profile.error();
+  texts.pack = *std::move(text);
+  texts.profile = *profile;
+  auto results = text_in(flags.results);
+  if (!results) return results.error();
+  texts.results = *std::move(results);
+  const auto go_on = [&](double done) { return progress.step("fragments", done); };
+  return is_stage_vector_pack(texts.pack) ? judge_stages(texts, go_on) : judge_colors(texts, go_on);
 }
 
 std::string with_rules(const std::string& text, const std::string& rules) {
@@ -90,28 +165,27 @@ std::string with_rules(const std::string& text, const std::string& rules) {
 }
 
 std::string text_of(const JudgedResults& judged, const std::string& file) {
-  const auto& [pack, results, verdict] = judged;
+  const VectorVerdict& verdict = judged.verdict;
   std::string text;
-  for (const VectorVerdict::Place& place : verdict.first) {
-    const VectorProgram& program = pack.programs[place.program];
-    text += fmt::format("{}:{}: program {}, fragment {} ({}): shows {}, expected {}\n", printable(file),
-                        results.programs.at(place.program).line, place.program + 1, place.fragment + 1,
-                        pack.groups[program.group].name, fmt::join(shown_color(judged, place), " "),
-                        fmt::join(program.expected[place.fragment], " "));
+  for (std::size_t i = 0; i < judged.first.size(); ++i) {
+    const Shown& one = judged.first[i];
+    text += fmt::format("{}:{}: program {}, fragment {} ({}): shows {}, expected {}\n", printable(file), one.line,
+                        verdict.first[i].program + 1, verdict.first[i].fragment + 1, judged.groups[one.group].name,
+                        one.shown, one.expected);
   }
   if (verdict.differ > verdict.first.size()) {
     text += fmt::format("… and {} more fragments\n", verdict.differ - verdict.first.size());
   }
-  text += fmt::format("{} fragments of {} programs: {} agree, {} differ\n", verdict.fragments, results.programs.size(),
+  text += fmt::format("{} fragments of {} programs: {} agree, {} differ\n", verdict.fragments, judged.programs,
                       verdict.fragments - verdict.differ, verdict.differ);
   if (verdict.differ == 0) return text;
   text += fmt::format("\n{:<40}{:>10}{:>10}\n", "groups that differ", "fragments", "differ");
   bool is_first = true;
-  for (std::size_t g = 0; g < pack.groups.size(); ++g) {
+  for (std::size_t g = 0; g < judged.groups.size(); ++g) {
     const VectorVerdict::GroupCount& count = verdict.groups[g];
     if (count.differ == 0) continue;
-    text += fmt::format("  {:<38}{:>10}{:>10}\n", pack.groups[g].name, count.fragments, count.differ);
-    if (is_first) text += fmt::format("    {}\n", with_rules(pack.groups[g].what, pack.groups[g].rules));
+    text += fmt::format("  {:<38}{:>10}{:>10}\n", judged.groups[g].name, count.fragments, count.differ);
+    if (is_first) text += fmt::format("    {}\n", with_rules(judged.groups[g].what, judged.groups[g].rules));
     is_first = false;
   }
   if (verdict.mistakes.empty()) return text + "\nNo known mistake explains more fragments than it breaks.\n";
@@ -126,11 +200,11 @@ std::string text_of(const JudgedResults& judged, const std::string& file) {
 }
 
 Json json_of(const JudgedResults& judged, const VectorResultsFlags& flags) {
-  const auto& [pack, results, verdict] = judged;
+  const VectorVerdict& verdict = judged.verdict;
   Json groups = Json::array(), mistakes = Json::array(), rows = Json::array();
-  for (std::size_t g = 0; g < pack.groups.size(); ++g) {
-    groups.push_back({{"group", pack.groups[g].name},
-                      {"rules", pack.groups[g].rules},
+  for (std::size_t g = 0; g < judged.groups.size(); ++g) {
+    groups.push_back({{"group", judged.groups[g].name},
+                      {"rules", judged.groups[g].rules},
                       {"fragments", verdict.groups[g].fragments},
                       {"differ", verdict.groups[g].differ}});
   }
@@ -140,21 +214,21 @@ Json json_of(const JudgedResults& judged, const VectorResultsFlags& flags) {
                         {"explains", mistake.explains},
                         {"agree_then", mistake.agree}});
   }
-  for (const VectorVerdict::Place& place : verdict.first) {
-    const VectorProgram& program = pack.programs[place.program];
-    rows.push_back({{"line", results.programs.at(place.program).line},
-                    {"program", place.program + 1},
-                    {"fragment", place.fragment + 1},
-                    {"group", pack.groups[program.group].name},
-                    {"shown", shown_color(judged, place)},
-                    {"expected", program.expected[place.fragment]}});
+  for (std::size_t i = 0; i < judged.first.size(); ++i) {
+    const Shown& one = judged.first[i];
+    rows.push_back({{"line", one.line},
+                    {"program", verdict.first[i].program + 1},
+                    {"fragment", verdict.first[i].fragment + 1},
+                    {"group", judged.groups[one.group].name},
+                    {"shown", one.shown_values},
+                    {"expected", one.expected_values}});
   }
   return {{"command", "verify"},
           {"version", NINEBIT_VERSION},
-          {"profile", pack.profile.name},
+          {"profile", judged.profile},
           {"table", flags.results},
-          {"pack", pack.id},
-          {"programs", results.programs.size()},
+          {"pack", judged.id},
+          {"programs", judged.programs},
           {"count", verdict.fragments},
           {"agree", verdict.fragments - verdict.differ},
           {"differ", verdict.differ},

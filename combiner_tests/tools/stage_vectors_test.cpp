@@ -1,0 +1,124 @@
+// `ninebit vectors --texture-shader`, its runner with right and broken stages, and `ninebit verify` of its results.
+#include "ninebit/study/stage_vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "combiner_tests/tools/support.h"
+#include "ninebit/language/json.h"
+
+namespace tools_test {
+namespace {
+
+using Words = std::vector<std::string>;
+const std::string kStages = NINEBIT_SOURCE_DIR "/docs/tutorials/stages.c";
+
+class StageVectors : public testing::Test {
+ protected:
+  std::string pack() {
+    const std::string folder = folder_ / "pack";
+    const Outcome outcome = ninebit({"vectors", "--texture-shader", "-o", folder, "--profile", "nv2a", "--quiet",
+                                     "--programs", "300", "--fragments", "6"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return folder;
+  }
+
+  // The runner's output with the stages that are compiled with these flags.
+  std::pair<std::string, int> check(const std::string& pack, const std::string& flags) {
+    const std::string program = folder_ / "check";
+    const auto [messages, status] = shell("cc -std=c99 -O1 -ffp-contract=off -pedantic -Wall -Wextra -Werror " + flags +
+                                          " '" + pack + "/runner.c' '" + kStages + "' -lm -o '" + program + "'");
+    EXPECT_EQ(status, 0) << messages;
+    return shell("'" + program + "' '" + pack + "/vectors.txt' --results '" + results_ + "'");
+  }
+
+  static std::pair<std::string, int> shell(const std::string& command) {
+    std::FILE* const out = popen((command + " 2>&1").c_str(), "r");
+    if (out == nullptr) return {"popen failed", -1};
+    std::string text;
+    for (int byte = std::fgetc(out); byte != EOF; byte = std::fgetc(out)) text += static_cast<char>(byte);
+    return {text, WEXITSTATUS(pclose(out))};
+  }
+
+  TempFolder folder_;
+  std::string results_ = folder_ / "results.txt";
+};
+
+TEST_F(StageVectors, RightStagesPassAndVerifyAgrees) {
+  const std::string folder = pack();
+  const auto [text, status] = check(folder, "");
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(text, "profile nv2a: 1800 fragments, 0 differ; 25 of 25 groups pass\n");
+  const Outcome verdict = ninebit({"verify", results_, "--vectors", folder});
+  EXPECT_EQ(verdict.code, 0) << verdict.err;
+  EXPECT_EQ(verdict.out, "1800 fragments of 300 programs: 1800 agree, 0 differ\n");
+}
+
+TEST_F(StageVectors, EachMistakeIsFoundInItsGroupAndNamed) {
+  const std::string folder = pack();
+  struct Case {
+    const char *flag, *group, *mistake;
+  };
+  for (const Case& c :
+       {Case{"-DTRANSPOSED=1", "offset-2d", "the offset matrix is transposed"},
+        Case{"-DHILO_BITS=8", "dot-mapping-hilo-1", "HILO words have 8 bits instead of 16"},
+        Case{"-DEYE=0", "dot-product-reflect-cube-map", "the eye is not used: the normal is looked up"}}) {
+    SCOPED_TRACE(c.flag);
+    const auto [text, status] = check(folder, c.flag);
+    EXPECT_EQ(status, 1);
+    EXPECT_TRUE(text.starts_with(std::string("first failing group: ") + c.group + " (rule 3")) << text;
+    EXPECT_NE(text.find("\n  PSTextureModes = 0x"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n  expected "), std::string::npos) << text;
+    const Outcome said = ninebit({"verify", results_, "--vectors", folder, "--most", "1"});
+    EXPECT_EQ(said.code, 1);
+    EXPECT_NE(said.out.find(std::string("\nOne mistake explains all of them: ") + c.mistake + " (rule"),
+              std::string::npos)
+        << said.out;
+    EXPECT_NE(said.out.find("): shows tex0 "), std::string::npos) << said.out;
+    const Json object = Json::parse(ninebit({"verify", results_, "--vectors", folder, "--json"}).out);
+    EXPECT_EQ(object["mistakes"][0]["mistake"], c.mistake);
+    EXPECT_EQ(object["rows"][0]["group"], c.group);
+    EXPECT_EQ(keys_of(object["rows"][0]["shown"]), (Words{"culled", "texture", "depth"}));
+    EXPECT_EQ(object["rows"][0]["expected"]["texture"].size(), 4U);
+  }
+}
+
+TEST_F(StageVectors, AnswersAndProgramsAreThoseOfThePack) {
+  const std::string folder = folder_ / "a";
+  const Json object =
+      json_of(ninebit({"vectors", "--texture-shader", "-o", folder, "--profile", "nv2a", "--seed", "9", "--json"}));
+  EXPECT_EQ(keys_of(object),
+            (Words{"command", "version", "profile", "chip", "seed", "programs", "fragments", "id", "rows", "files"}));
+  EXPECT_EQ(object["programs"], 1000);
+  EXPECT_EQ(object["rows"].size(), 25U);
+  const auto read =
+      ninebit::read_stage_vector_pack(read_bytes(folder + "/vectors.txt"), "v.txt", ninebit::profiles::nv2a);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  std::istringstream lines(shell("gzip -dc '" + folder + "/programs.jsonl.gz'").first);
+  std::size_t program = 0;
+  for (std::string line; std::getline(lines, line); ++program) {
+    ninebit::TextureShaderState stages;
+    const auto parsed = ninebit::parse_json_program({line, "p"}, ninebit::profiles::nv2a, nullptr, &stages);
+    ASSERT_TRUE(parsed) << parsed.faults().front().text();
+    ASSERT_LT(program, read->programs.size());
+    EXPECT_EQ(stages, read->programs[program].state) << line;
+  }
+  EXPECT_EQ(program, 1000U);
+}
+
+TEST_F(StageVectors, WhatCannotBeMadeOrJudged) {
+  expect_error(ninebit({"vectors", "--texture-shader", "-o", folder_ / "b"}), 2,
+               {"--texture-shader", "profile geforce2 has no texture shaders"});
+  expect_error(ninebit({"vectors", "--texture-shader", "-o", folder_ / "b", "--profile", "nv2a", "--programs", "24"}),
+               2, {"--programs", "24 is too few; expected at least 25"});
+  const std::string folder = pack();
+  (void)check(folder, "");
+  std::string text = read_bytes(folder + "/vectors.txt");
+  text.replace(text.find("\no "), 4, "\no q");
+  write_bytes(folder + "/vectors.txt", text);
+  expect_error(ninebit({"verify", results_, "--vectors", folder}), 3, {"vectors.txt:", "the pack differs"});
+}
+
+}  // namespace
+}  // namespace tools_test
