@@ -155,8 +155,10 @@ Along along_line(const WindowLine& line, int px, int py) {
   return {std::min(std::max(along, std::int64_t{0}), squared), squared};
 }
 
-std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, DepthStencilFormat format,
+std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& profile, DepthStencilFormat format,
                             const WindowTriangle& t) {
+  const OffsetSlope slope = profile.polygon_offset_slope.value;
+  const std::int64_t parts = profile.polygon_offset_fraction.value == OffsetFraction::kept ? 65536 : 1;
   const std::int64_t step = std::int64_t{1} << (24 - depth_bits(format));
   const Wide area = area_of(t) < 0 ? -area_of(t) : area_of(t);
   // EXT_polygon_offset's formulas, times the area; in window depth for a pixel.
@@ -172,8 +174,8 @@ std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, Dept
                      units == std::floor(units);
   if (slope == OffsetSlope::larger && exact) {
     const Wide sum = static_cast<std::int64_t>(factor) * larger + static_cast<std::int64_t>(units) * step * area;
-    const Wide rounded = floor_of(sum + (area << 19), area << 20);
-    return static_cast<std::int64_t>(std::clamp(rounded, -(Wide{1} << 25), Wide{1} << 25));
+    const Wide rounded = floor_of(parts * sum + (area << 19), area << 20), most = Wide{parts} << 25;
+    return static_cast<std::int64_t>(std::clamp(rounded, -most, most)) * (65536 / parts);
   }
   double m = static_cast<double>(larger) / static_cast<double>(area);
   if (slope == OffsetSlope::root) {
@@ -183,7 +185,8 @@ std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, Dept
   }
   const double sum =
       static_cast<double>(offset.factor) * m + static_cast<double>(offset.units) * static_cast<double>(step);
-  return static_cast<std::int64_t>(std::floor(std::min(std::max(sum, -0x1p25), 0x1p25) + 0.5));
+  const double clamped = std::min(std::max(sum, -0x1p25), 0x1p25);
+  return static_cast<std::int64_t>(std::floor(clamped * static_cast<double>(parts) + 0.5)) * (65536 / parts);
 }
 
 }  // namespace ninebit::oracle

@@ -52,9 +52,10 @@ struct Along {
 };
 [[nodiscard]] Along along_line(const WindowLine& line, int px, int py);
 
-// A triangle's polygon offset in window depth, rounded to nearest, halves up.
-[[nodiscard]] std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, DepthStencilFormat format,
-                                          const WindowTriangle& triangle);
+// A triangle's polygon offset in 1/65536 of a step of 24 bits, rounded to nearest, halves up; or, unless its fraction
+// is kept, in whole steps.
+[[nodiscard]] std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& profile,
+                                          DepthStencilFormat format, const WindowTriangle& triangle);
 
 // GL's primitive types by their GL numbers, GL_POINTS being 0.
 enum class Primitive {

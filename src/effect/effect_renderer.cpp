@@ -145,6 +145,10 @@ Status EffectRenderer::Prepared::set_view(const EffectPass& pass, PreparedPass& 
   } else {
     prepared.projections = {camera_projection(scene, scene.cameras[0], targets.aspect(prepared.target))};
   }
+  for (glm::mat4& projection : prepared.projections) {
+    const DepthStencilFormat format = targets.faces(prepared.target)[0].format();
+    projection = scaled_to_w_buffer(projection, prepared.positions, format);
+  }
   return {};
 }
 

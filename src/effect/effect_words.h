@@ -146,8 +146,13 @@ inline constexpr Words<DepthComparison, 9> kDepthComparisons{{{"none", DepthComp
                                                               {"gequal", DepthComparison::gequal},
                                                               {"always", DepthComparison::always}}};
 
-inline constexpr Words<DepthStencilFormat, 3> kDepthStencilFormats{
-    {{"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}}};
+inline constexpr auto kDepthStencilFormats = [] {
+  Words<DepthStencilFormat, kDepthStencilLayouts.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = {kDepthStencilLayouts[i].name, static_cast<DepthStencilFormat>(i)};
+  }
+  return words;
+}();
 
 inline constexpr Words<InternalFormat, 6> kTargetFormats{{{"rgba8", InternalFormat::rgba8},
                                                           {"rgb8", InternalFormat::rgb8},

@@ -71,7 +71,7 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       assembly(vertices),
       operations(pipeline, target, !for_probe && !replaces_depth(pipeline)),
       outputs(target),
-      depth(target.format, state.profile.depth_narrowing),
+      depth(target.format, state.profile.depth_narrowing, state.float_depth_one),
       largest_depth(max_depth(target.format)) {
   state.texture_shader.enabled ? prepare_stages(units) : prepare_units(units);
   has_flat_result = !for_probe && !stages_decide && outputs.need_fragment_alone() &&

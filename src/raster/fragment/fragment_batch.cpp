@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "src/raster/fragment/fog.h"
 #include "src/raster/rules/one_fragment.h"
 
 namespace ninebit {
@@ -74,13 +75,16 @@ void FragmentBatch::fill_secondary() {
 
 void FragmentBatch::fill_fog() {
   const HardwareProfile& profile = context_.state.profile;
-  const std::span<const float> factors = context_.arrays.fog_factors;
+  const Fog& fog = context_.state.fog;
+  const std::span<const float> values = context_.arrays.fog_factors;
+  const auto at_vertex = [&](std::uint32_t v) {
+    return fog.function == FogFunction::factor ? unit_range(values[v]) : values[v];
+  };
   s9* const codes = registers_(Register::fog, kAlpha);
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
-    const float factor = interpolate(weights_.perspective(), i, unit_range(factors[v[0]]), unit_range(factors[v[1]]),
-                                     unit_range(factors[v[2]]));
-    codes[i] = from_byte(profile, byte_of_fog_factor(profile, factor));
+    const float x = interpolate(weights_.perspective(), i, at_vertex(v[0]), at_vertex(v[1]), at_vertex(v[2]));
+    codes[i] = from_byte(profile, fog_byte(profile, fog, x));
   }
 }
 

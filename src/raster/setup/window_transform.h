@@ -2,8 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
@@ -12,13 +15,16 @@
 
 namespace ninebit {
 
-// Window depth in 24 bits: the depth codes of a target's format, with as many fraction bits as are left.
+// Window depth in 24 bits: the depth codes of a target's format, with as many fraction bits as are left. Formats that
+// hold floating-point numbers or w have real numbers instead, which become codes at each fragment.
 
 class WindowDepth {
  public:
-  // `narrowing` is that of depths on primitives, to codes.
-  constexpr WindowDepth(DepthStencilFormat format, Narrowing narrowing)
-      : fraction_bits_(24 - depth_bits(format)),
+  // `narrowing` is that of depths on primitives, to codes; `one` is PipelineState::float_depth_one.
+  constexpr WindowDepth(DepthStencilFormat format, Narrowing narrowing, std::optional<float> one = {})
+      : layout_(layout_of(format)),
+        one_(one ? static_cast<double>(*one) : largest_number(layout_)),
+        fraction_bits_(24 - depth_bits(format)),
         half_(narrowing == Narrowing::toward_zero ? 0 : (1 << fraction_bits_) >> 1),
         cuts_(narrowing == Narrowing::toward_zero),
         max_z24_(std::int64_t{max_depth(format)} << fraction_bits_) {}
@@ -31,6 +37,45 @@ class WindowDepth {
   [[nodiscard]] constexpr int half() const { return half_; }
   // Whether depths on primitives are cut; else they are rounded to nearest, halves up.
   [[nodiscard]] constexpr bool cuts() const { return cuts_; }
+
+  // Whether depths are real numbers, and whether these are w.
+  [[nodiscard]] constexpr bool is_real() const { return !layout_.is_fixed_z(); }
+  [[nodiscard]] constexpr bool is_w() const { return layout_.is_w; }
+  // The number of window depth 1 in a floating-point format.
+  [[nodiscard]] constexpr double one() const { return one_; }
+  // How the numbers become codes: see code_of_number().
+  [[nodiscard]] constexpr int exponent_bits() const { return layout_.exponent_bits; }
+  [[nodiscard]] constexpr int mantissa_bits() const { return layout_.depth_bits - layout_.exponent_bits; }
+  [[nodiscard]] constexpr int exponent_bias() const { return (1 << layout_.exponent_bits) / 2 - 1; }
+
+  // A vertex's depth as primitives hold it: z24_of(depth), or the bits of a float, which is the depth in [0, 1] or 1/w.
+  [[nodiscard]] std::uint32_t corner_of(double depth, float inv_w) const {
+    if (!is_real()) return z24_of(depth);
+    if (is_w()) return std::bit_cast<std::uint32_t>(inv_w);
+    return std::bit_cast<std::uint32_t>(depth > 0.0 ? static_cast<float>(std::min(depth, 1.0)) : 0.0F);
+  }
+
+  // The code of a real number (rules 50 and 51): whole, or floating-point without a sign. Too small a number and NaN
+  // become 0, too large a one all ones; depths are cut or rounded as on primitives.
+  [[nodiscard]] std::uint32_t code_of_number(double number) const {
+    const auto largest = static_cast<std::uint32_t>(max_z24_ >> fraction_bits_);
+    if (layout_.exponent_bits == 0) {
+      const double sum = number + (cuts_ ? 0.0 : 0.5);
+      if (!(sum > 0.0)) return 0;
+      return sum >= static_cast<double>(largest) ? largest : static_cast<std::uint32_t>(sum);
+    }
+    if (!(number >= smallest_number())) return 0;
+    const int dropped = kDoubleMantissa - mantissa_bits();
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(number) + (cuts_ ? 0 : std::uint64_t{1} << (dropped - 1));
+    const std::uint64_t code = (bits >> dropped) - first_code();
+    return code < largest ? static_cast<std::uint32_t>(code) : largest;
+  }
+  // The least number that is not 0 of a floating-point format, and what its exponent is shifted by.
+  [[nodiscard]] double smallest_number() const { return std::ldexp(1.0, -exponent_bias()); }
+  [[nodiscard]] constexpr std::uint64_t first_code() const {
+    return static_cast<std::uint64_t>(kDoubleBias - exponent_bias()) << mantissa_bits();
+  }
+  static constexpr int kDoubleMantissa = 52, kDoubleBias = 1023;
 
   // A vertex's depth in [0, 1], rounded to nearest, halves up; clamped, NaN becomes 0.
   [[nodiscard]] constexpr std::uint32_t z24_of(double depth) const {
@@ -48,6 +93,18 @@ class WindowDepth {
   }
 
  private:
+  // 2^(largest exponent) × (2 - the last bit of the mantissa); the largest code of other formats.
+  static constexpr double largest_number(const DepthStencilLayout& layout) {
+    double number = static_cast<double>((std::int64_t{1} << layout.depth_bits) - 1);
+    if (layout.exponent_bits == 0) return number;
+    const int mantissa = layout.depth_bits - layout.exponent_bits;
+    number = static_cast<double>((std::int64_t{2} << mantissa) - 1) / static_cast<double>(std::int64_t{1} << mantissa);
+    for (int i = 0; i < (1 << layout.exponent_bits) / 2; ++i) number *= 2.0;
+    return number;
+  }
+
+  DepthStencilLayout layout_;
+  double one_;
   int fraction_bits_, half_;
   bool cuts_;
   std::int64_t max_z24_;
@@ -56,7 +113,7 @@ class WindowDepth {
 struct WindowVertex {
   std::int32_t x_q4 = 0;
   std::int32_t y_q4 = 0;
-  std::uint32_t z24 = 0;
+  std::uint32_t z24 = 0;  // WindowDepth::corner_of()
   float inv_w = 0.0F;
 };
 
@@ -107,8 +164,8 @@ inline WindowVertex WindowTransform::operator()(const glm::vec4& clip) const {
   const float y = std::clamp(clip.y * v.inv_w, -scale_.guard_y, scale_.guard_y);
   v.x_q4 = static_cast<std::int32_t>((x * scale_.half_width + scale_.centre_x) * scale_.steps) * scale_.to_q4;
   v.y_q4 = static_cast<std::int32_t>((y * scale_.half_height + scale_.centre_y) * scale_.steps) * scale_.to_q4;
-  v.z24 = depth_.z24_of(static_cast<double>(clip.z) / static_cast<double>(clip.w) * scale_.depth_half +
-                        scale_.depth_middle);
+  v.z24 = depth_.corner_of(
+      static_cast<double>(clip.z) / static_cast<double>(clip.w) * scale_.depth_half + scale_.depth_middle, v.inv_w);
   return v;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ninebit/raster/rasterizer.h"
+#include "src/raster/setup/window_transform.h"
 #include "src/raster/surface/color_words.h"
 #include "src/raster/surface/target_check.h"
 
@@ -32,8 +33,12 @@ void fill_masked(const PixelRect& rect, const Plane<std::uint8_t>& plane, unsign
 
 }  // namespace
 
-std::uint32_t depth_code(DepthStencilFormat format, double depth) {
+std::uint32_t depth_code(DepthStencilFormat format, double depth, std::optional<float> one) {
   if (!(depth > 0.0)) return 0;
+  if (layout_of(format).exponent_bits > 0) {
+    const WindowDepth window(format, Narrowing::nearest_halves_up, layout_of(format).is_w ? std::nullopt : one);
+    return window.code_of_number(std::min(depth, 1.0) * window.one());
+  }
   const std::uint32_t largest = max_depth(format);
   if (depth >= 1.0) return largest;
   const double below = std::floor(depth * largest);
@@ -54,7 +59,9 @@ Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues
       if (state.color_mask[i]) fill(rect, target.color[i], values.color[i]);
     }
   }
-  if (buffers.depth && state.depth_test.write) fill(rect, target.depth, depth_code(target.format, values.depth));
+  if (buffers.depth && state.depth_test.write) {
+    fill(rect, target.depth, depth_code(target.format, values.depth, state.float_depth_one));
+  }
   if (buffers.stencil) {
     const unsigned writable = state.stencil_test.front.write_mask & ((1U << stencil_bits(target.format)) - 1);
     fill_masked(rect, target.stencil, stencil_value(target.format, values.stencil), writable);
