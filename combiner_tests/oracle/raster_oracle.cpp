@@ -189,4 +189,45 @@ std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& 
   return static_cast<std::int64_t>(std::floor(clamped * static_cast<double>(parts) + 0.5)) * (65536 / parts);
 }
 
+double number_at(const NumberPlane& plane, int px, int py) {
+  const WindowTriangle& t = plane.triangle;
+  const auto area = static_cast<long double>(area_of(t));
+  long double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto share = static_cast<long double>(area_with_centre(t[(i + 1) % 3], t[(i + 2) % 3], px, py)) / area;
+    sum += plane.is_w ? share / plane.corner[i] : share * plane.corner[i];
+  }
+  return static_cast<double>(plane.is_w ? 1 / sum : sum);
+}
+
+double number_offset(const PolygonOffset& offset, OffsetSlope slope, const NumberPlane& plane) {
+  const auto& [a, b, c] = plane.triangle;
+  // Changes per pixel of the plane through the corners, or of 1/w, whose change times w² is that of w.
+  const auto value = [&](std::size_t i) { return plane.is_w ? 1 / plane.corner[i] : plane.corner[i]; };
+  const double scale = plane.is_w ? plane.corner[0] * plane.corner[0] : 1;
+  const auto at = [](std::int64_t q4) { return static_cast<double>(q4) / 16; };
+  const double area = at(b.x_q4 - a.x_q4) * at(c.y_q4 - a.y_q4) - at(b.y_q4 - a.y_q4) * at(c.x_q4 - a.x_q4);
+  const double vb = value(1) - value(0), vc = value(2) - value(0);
+  const double dx = std::fabs((vb * at(c.y_q4 - a.y_q4) - vc * at(b.y_q4 - a.y_q4)) / area) * scale;
+  const double dy = std::fabs((vc * at(b.x_q4 - a.x_q4) - vb * at(c.x_q4 - a.x_q4)) / area) * scale;
+  const double m = slope == OffsetSlope::root ? std::hypot(dx, dy) : std::max(dx, dy);
+  return static_cast<double>(offset.factor) * m + static_cast<double>(offset.units);
+}
+
+std::uint32_t number_code(int bits, int exponent_bits, double number, bool is_cut) {
+  const double largest = std::ldexp(1, bits) - 1, half = is_cut ? 0 : 0.5;
+  double code = 0;
+  if (exponent_bits == 0) {
+    code = std::floor(number + half);
+  } else {
+    const int bias = exponent_bits == 4 ? 7 : 127, mantissa = bits - exponent_bits;
+    if (number >= std::ldexp(1, -bias)) {
+      const int exponent = static_cast<int>(std::floor(std::log2(number)));
+      const double share = std::ldexp(number, -exponent) - 1;  // from 0 to 1
+      code = std::ldexp(exponent + bias, mantissa) + std::floor(std::ldexp(share, mantissa) + half);
+    }
+  }
+  return static_cast<std::uint32_t>(std::min(std::max(code, 0.0), largest));
+}
+
 }  // namespace ninebit::oracle

@@ -57,6 +57,22 @@ struct Along {
 [[nodiscard]] std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& profile,
                                           DepthStencilFormat format, const WindowTriangle& triangle);
 
+// Depths of the NV2A's other formats, as numbers.
+
+// What a triangle's corners hold: z, or w of a W buffer.
+struct NumberPlane {
+  WindowTriangle triangle{};  // positions alone
+  std::array<double, 3> corner{};
+  bool is_w = false;
+};
+// z at the pixel's centre, on the plane through the corners; or w, of which 1/w is linear in the window.
+[[nodiscard]] double number_at(const NumberPlane& plane, int px, int py);
+// The offset in numbers: bias + scale × slope, the slope of w being that at the first corner.
+[[nodiscard]] double number_offset(const PolygonOffset& offset, OffsetSlope slope, const NumberPlane& plane);
+// The code of a number: whole, or 4 or 8 bits of exponent (bias 7 or 127) above the mantissa; cut, or to nearest. Too
+// large a number is all ones.
+[[nodiscard]] std::uint32_t number_code(int bits, int exponent_bits, double number, bool is_cut = true);
+
 // GL's primitive types by their GL numbers, GL_POINTS being 0.
 enum class Primitive {
   points,

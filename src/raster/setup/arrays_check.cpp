@@ -112,6 +112,16 @@ Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std:
     if (Status checked = check_texture(*units[unit].texture); !checked) {
       return fault("texture unit " + std::to_string(unit) + ": " + checked.error().message);
     }
+    const Sampler& sampler = units[unit].sampler;
+    if (Status checked = check_sampler(*units[unit].texture, sampler); !checked) {
+      return fault("texture unit " + std::to_string(unit) + ": " + checked.error().message);
+    }
+    const bool is_plain =
+        sampler.cylinder_wrap == std::array<bool, 2>{} && sampler.color_key.operation != ColorKeyOperation::kill;
+    if (state.texture_shader.enabled && !is_plain) {
+      return fault("texture unit " + std::to_string(unit) +
+                   ": texture-shader stages neither wrap around cylinders nor kill fragments by a colour key");
+    }
   }
   return {};
 }
