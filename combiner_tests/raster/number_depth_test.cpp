@@ -2,9 +2,9 @@
 // path, and what is refused.
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/support.h"
@@ -92,8 +92,10 @@ void expect_oracle(const NumberCase& c, const PlaneSamples<std::uint32_t>& depth
   for (std::size_t i = 0; i < offset.size(); ++i) {
     if (!c.state.polygon_offset.fill || !has_area(c.planes[i].triangle)) continue;
     const OffsetSlope slope = c.state.profile.polygon_offset_slope.value;
-    offset[i] =
-        static_cast<double>(static_cast<float>(oracle::number_offset(c.state.polygon_offset, slope, c.planes[i])));
+    // Offsets are floats, the largest at most.
+    constexpr double kMost = std::numeric_limits<float>::max();
+    const double sum = oracle::number_offset(c.state.polygon_offset, slope, c.planes[i]);
+    offset[i] = static_cast<double>(static_cast<float>(std::clamp(sum, -kMost, kMost)));
   }
   for (int y = 0; y < kNumberWindow; ++y) {
     for (int x = 0; x < kNumberWindow; ++x) {

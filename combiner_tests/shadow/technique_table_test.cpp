@@ -20,7 +20,8 @@ using namespace ninebit;
 using ninebit::test::Random;
 using ninebit::test::with_threads;
 
-constexpr std::array kTableFormats{DepthStencilFormat::d24s8, DepthStencilFormat::d15s1};
+constexpr std::array kTableFormats{DepthStencilFormat::d24s8, DepthStencilFormat::d15s1, DepthStencilFormat::f24s8,
+                                   DepthStencilFormat::w24s8};
 
 // While it lives, memory that is allocated holds this byte's complement, and memory that is freed the byte.
 class MemoryHolds {

@@ -146,6 +146,14 @@ inline constexpr Words<DepthComparison, 9> kDepthComparisons{{{"none", DepthComp
                                                               {"gequal", DepthComparison::gequal},
                                                               {"always", DepthComparison::always}}};
 
+// After "registers-".
+inline constexpr Words<FogFunction, 6> kFogFunctions{{{"linear", FogFunction::linear},
+                                                      {"linear-abs", FogFunction::linear_abs},
+                                                      {"exp", FogFunction::exp},
+                                                      {"exp-abs", FogFunction::exp_abs},
+                                                      {"exp2", FogFunction::exp2},
+                                                      {"exp2-abs", FogFunction::exp2_abs}}};
+
 inline constexpr auto kDepthStencilFormats = [] {
   Words<DepthStencilFormat, kDepthStencilLayouts.size()> words;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -44,7 +44,8 @@ inline constexpr double kOffsetError = 0x1p-49;
                                               const DepthPlane& plane, const WindowDepth& depth);
 
 // The offset of a polygon with this triangle's plane, as primitives hold it. Of real numbers: factor × m + units, in
-// doubles, to the nearest float; the slope of w is that at the first corner. The triangle has an area.
+// doubles, to the nearest float, the largest at most; the slope of w is that at the first corner. The triangle has an
+// area.
 [[nodiscard]] SetupOffset setup_offset(const PolygonOffset& offset, const OffsetRule& rule,
                                        const std::array<WindowVertex, 3>& triangle, const WindowDepth& depth);
 

@@ -71,6 +71,12 @@ void set_scene(const DrawFlags& flags, EffectScene& scene) {
   if (setup.floor == FloorChoice::at_height) setup.floor_height = numbers<float>(flags.floor, ',')->at(0);
 }
 
+void set_depth_stencil(const DrawFlags& flags, Effect& effect) {
+  if (!flags.depth_stencil.empty()) {
+    effect.depth_stencil = *effect_detail::value_of(effect_detail::kDepthStencilFormats, flags.depth_stencil);
+  }
+}
+
 void set_size(const DrawFlags& flags, Effect& effect) {
   if (flags.size.empty()) return;
   const auto size = *numbers<int>(flags.size, 'x');
@@ -139,7 +145,8 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--secondary", flags.secondary, "Secondary colour (default: black)")
       ->type_name("SOURCE")
       ->check(parses(&parse_color_source));
-  verb.add_option("--fog", flags.fog, "Fog factor: linear:START,END, exp:DENSITY or exp2:DENSITY")
+  verb.add_option("--fog", flags.fog,
+                  "Fog factor: linear:START,END, exp:DENSITY, exp2:DENSITY, or registers-FUNCTION:BIAS,SLOPE")
       ->type_name("FACTOR")
       ->check(parses(&parse_fog));
   verb.add_option("--fog-color", flags.fog_color, "Fog colour")->type_name("R,G,B")->check(text_check(&check_rgb));
@@ -174,6 +181,10 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--size", flags.size, "Picture size in pixels (default: 512x512)")
       ->type_name("WxH")
       ->check(text_check(&check_size));
+  std::vector<std::string> formats;
+  for (const DepthStencilLayout& layout : kDepthStencilLayouts) formats.emplace_back(layout.name);
+  verb.add_option("--depth-stencil", flags.depth_stencil, "Depth and stencil format of the picture (default: d24s8)")
+      ->check(CLI::IsMember(formats));
   verb.add_option("--mesh", flags.mesh, "Mesh to draw: a scene file, sphere:N, torus:N, plane:N or cube")
       ->type_name("FILE|BUILTIN")
       ->check(text_check(&check_file_name));
@@ -215,6 +226,7 @@ Result<Effect> effect_of(const DrawFlags& flags) {
   Effect effect;
   EffectPass pass{.name = "draw"};
   set_size(flags, effect);
+  set_depth_stencil(flags, effect);
   effect.scene.setup.floor = FloorChoice::none;
   set_scene(flags, effect.scene);
   for (const auto& [flag, text] : {std::pair{"--floor", &flags.floor}, std::pair{"--up", &flags.up}}) {
@@ -261,10 +273,11 @@ Status override_effect(const DrawFlags& flags, Effect& effect) {
   for (const CLI::Option* const option : flags.pass_options) {
     if (option->count() == 0) continue;
     return Diagnostic{.message = fmt::format("{} has no effect with an effect file; expected the flags of the size, "
-                                             "mesh, camera and light",
+                                             "depth format, mesh, camera and light",
                                              option->get_name())};
   }
   set_size(flags, effect);
+  set_depth_stencil(flags, effect);
   if (!flags.mesh.empty()) {
     effect.scene.mesh = is_generated_mesh(flags.mesh) ? flags.mesh : std::filesystem::absolute(flags.mesh).string();
   }

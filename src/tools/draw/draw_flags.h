@@ -25,6 +25,7 @@ struct DrawFlags {
   std::string file;                // a program or an effect
   std::string output;              // a PNG file
   std::string size;
+  std::string depth_stencil;
   std::string mesh, up;
   bool allow_outside = false;
   std::vector<std::string> defines;  // as ProgramFlags::defines
