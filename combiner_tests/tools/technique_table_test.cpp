@@ -36,6 +36,12 @@ TEST(TechniqueTable, ProcessesPrintTheSameHashes) {
   const TempFolder folder;
   for (const auto& [technique, flags] : kTechniques) {
     for (const std::string format : {"d24s8", "d15s1", "f24s8", "w24s8"}) {
+      if (technique == "shadow-volume" && format == "w24s8") {
+        expect_error(
+            ninebit({"render", kRoom, "-o", folder / "out", "--technique", technique, "--depth-stencil", format}), 3,
+            {"shadow volumes reach infinity", "the W buffer w24s8 cannot hold them"});
+        continue;
+      }
       for (const std::string size : {"128x64", "150x70"}) {
         const std::vector<std::string> arguments =
             std::vector<std::string>{"render", kRoom, "-o",          folder / "out", "--json",          "--quiet",

@@ -11,8 +11,8 @@
 
 namespace ninebit {
 
-// The depths of a format of real numbers on a primitive, from shares of its corners: FragmentPlace::edge, in doubles.
-// lane_depth-inl.h does the same operations in vectors, in the same order.
+// The depths of a format of real numbers on a primitive (rules 50 and 51), from shares of its corners:
+// FragmentPlace::edge, in doubles. lane_depth-inl.h does the same operations in vectors, in the same order.
 struct RealDepth {
   std::array<double, 3> corner;  // window depths, or 1/w
   double parts;                  // the sum of the shares

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/rules/one_fragment.h"
+#include "src/raster/surface/depth_numbers.h"
 
 namespace ninebit {
 
@@ -23,7 +23,8 @@ class WindowDepth {
   // `narrowing` is that of depths on primitives, to codes; `one` is PipelineState::float_depth_one.
   constexpr WindowDepth(DepthStencilFormat format, Narrowing narrowing, std::optional<float> one = {})
       : layout_(layout_of(format)),
-        one_(one ? static_cast<double>(*one) : largest_number(layout_)),
+        numbers_(format, narrowing),
+        one_(one ? static_cast<double>(*one) : numbers_.largest()),
         fraction_bits_(24 - depth_bits(format)),
         half_(narrowing == Narrowing::toward_zero ? 0 : (1 << fraction_bits_) >> 1),
         cuts_(narrowing == Narrowing::toward_zero),
@@ -43,10 +44,6 @@ class WindowDepth {
   [[nodiscard]] constexpr bool is_w() const { return layout_.is_w; }
   // The number of window depth 1 in a floating-point format.
   [[nodiscard]] constexpr double one() const { return one_; }
-  // How the numbers become codes: see code_of_number().
-  [[nodiscard]] constexpr int exponent_bits() const { return layout_.exponent_bits; }
-  [[nodiscard]] constexpr int mantissa_bits() const { return layout_.depth_bits - layout_.exponent_bits; }
-  [[nodiscard]] constexpr int exponent_bias() const { return (1 << layout_.exponent_bits) / 2 - 1; }
 
   // A vertex's depth as primitives hold it: z24_of(depth), or the bits of a float, which is the depth in [0, 1] or 1/w.
   [[nodiscard]] std::uint32_t corner_of(double depth, float inv_w) const {
@@ -55,27 +52,8 @@ class WindowDepth {
     return std::bit_cast<std::uint32_t>(depth > 0.0 ? static_cast<float>(std::min(depth, 1.0)) : 0.0F);
   }
 
-  // The code of a real number (rules 50 and 51): whole, or floating-point without a sign. Too small a number and NaN
-  // become 0, too large a one all ones; depths are cut or rounded as on primitives.
-  [[nodiscard]] std::uint32_t code_of_number(double number) const {
-    const auto largest = static_cast<std::uint32_t>(max_z24_ >> fraction_bits_);
-    if (layout_.exponent_bits == 0) {
-      const double sum = number + (cuts_ ? 0.0 : 0.5);
-      if (!(sum > 0.0)) return 0;
-      return sum >= static_cast<double>(largest) ? largest : static_cast<std::uint32_t>(sum);
-    }
-    if (!(number >= smallest_number())) return 0;
-    const int dropped = kDoubleMantissa - mantissa_bits();
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(number) + (cuts_ ? 0 : std::uint64_t{1} << (dropped - 1));
-    const std::uint64_t code = (bits >> dropped) - first_code();
-    return code < largest ? static_cast<std::uint32_t>(code) : largest;
-  }
-  // The least number that is not 0 of a floating-point format, and what its exponent is shifted by.
-  [[nodiscard]] double smallest_number() const { return std::ldexp(1.0, -exponent_bias()); }
-  [[nodiscard]] constexpr std::uint64_t first_code() const {
-    return static_cast<std::uint64_t>(kDoubleBias - exponent_bias()) << mantissa_bits();
-  }
-  static constexpr int kDoubleMantissa = 52, kDoubleBias = 1023;
+  // The code of a real number (rules 50 and 51); depths are cut or rounded as on primitives.
+  [[nodiscard]] std::uint32_t code_of_number(double number) const { return numbers_.code(number); }
 
   // A vertex's depth in [0, 1], rounded to nearest, halves up; clamped, NaN becomes 0.
   [[nodiscard]] constexpr std::uint32_t z24_of(double depth) const {
@@ -93,17 +71,8 @@ class WindowDepth {
   }
 
  private:
-  // 2^(largest exponent) × (2 - the last bit of the mantissa); the largest code of other formats.
-  static constexpr double largest_number(const DepthStencilLayout& layout) {
-    double number = static_cast<double>((std::int64_t{1} << layout.depth_bits) - 1);
-    if (layout.exponent_bits == 0) return number;
-    const int mantissa = layout.depth_bits - layout.exponent_bits;
-    number = static_cast<double>((std::int64_t{2} << mantissa) - 1) / static_cast<double>(std::int64_t{1} << mantissa);
-    for (int i = 0; i < (1 << layout.exponent_bits) / 2; ++i) number *= 2.0;
-    return number;
-  }
-
   DepthStencilLayout layout_;
+  DepthNumbers numbers_;
   double one_;
   int fraction_bits_, half_;
   bool cuts_;

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "ninebit/raster/rasterizer.h"
-#include "src/raster/setup/window_transform.h"
 #include "src/raster/surface/color_words.h"
+#include "src/raster/surface/depth_numbers.h"
 #include "src/raster/surface/target_check.h"
 
 namespace ninebit {
@@ -36,8 +36,9 @@ void fill_masked(const PixelRect& rect, const Plane<std::uint8_t>& plane, unsign
 std::uint32_t depth_code(DepthStencilFormat format, double depth, std::optional<float> one) {
   if (!(depth > 0.0)) return 0;
   if (layout_of(format).exponent_bits > 0) {
-    const WindowDepth window(format, Narrowing::nearest_halves_up, layout_of(format).is_w ? std::nullopt : one);
-    return window.code_of_number(std::min(depth, 1.0) * window.one());
+    const DepthNumbers numbers(format, Narrowing::nearest_halves_up);
+    const bool has_one = one && !layout_of(format).is_w;
+    return numbers.code(std::min(depth, 1.0) * (has_one ? static_cast<double>(*one) : numbers.largest()));
   }
   const std::uint32_t largest = max_depth(format);
   if (depth >= 1.0) return largest;
