@@ -17,7 +17,7 @@ Bytes4 random_bytes(Random& random) {
 
 // A fog coordinate that gives the factor's byte k with start 255 and end 0, whichever way the profile narrows.
 float fog_coordinate(const HardwareProfile& profile, std::uint8_t k) {
-  const bool up = profile.fog_narrowing.value == Narrowing::nearest_halves_up;
+  const bool up = profile.fog_byte.value == StageByte::nearest;
   return static_cast<float>(k) + (up || k == 255 ? 0.0F : 0.5F);
 }
 

@@ -94,8 +94,9 @@ Bytes4 bytes_of(const Floats4& v) {
 }
 
 std::uint8_t fog_byte(const HardwareProfile& profile, float factor) {
-  if (profile.fog_narrowing.value == Narrowing::nearest_halves_up) return byte_of(factor);
-  return static_cast<std::uint8_t>(std::floor(std::min(std::max(factor, 0.0F), 1.0F) * 255.0F));
+  if (profile.fog_byte.value == StageByte::nearest) return byte_of(factor);
+  const int n = static_cast<int>(std::min(std::max(factor, 0.0F) * 4096.0F, 4095.0F));
+  return static_cast<std::uint8_t>(255 * (n + 1) / 4096);
 }
 
 FragmentInputs inputs_of(const WrittenInputs& written, std::size_t pixel, const HardwareProfile& profile, bool fog,

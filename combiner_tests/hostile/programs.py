@@ -26,8 +26,8 @@ PROFILE = b"""{"ninebit": "profile", "version": 1, "base": "geforce2", "name": "
 "narrowing_point": "before-scale", "final_narrowing": "toward-zero", "general_combiners": 5, "texture_units": 3,
 "per_stage_constants": true, "blue_to_alpha": true, "mux_by_lowest_bit": true, "color_sum_inverts": true,
 "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given", "fog_alpha_without_fog": 3,
-"subpixel_bits": 0, "line_shape": "diamonds", "point_shape": "whole-pixels", "vertex_color_mantissa_bits": 23, "polygon_offset_slope": "root", "color_interpolation": "affine",
-"depth_narrowing": "nearest-halves-up", "fog_narrowing": "nearest-halves-up", "color_weights": "exact", "texture_weight_bits": 5, "texture_weight_narrowing": "toward-zero",
+"subpixel_bits": 0, "line_shape": "diamonds", "point_shape": "whole-pixels", "vertex_color_mantissa_bits": 23, "polygon_offset_slope": "root", "polygon_offset_fraction": "rounded", "color_interpolation": "affine",
+"depth_narrowing": "nearest-halves-up", "fog_byte": "nearest", "color_weights": "exact", "texture_weight_bits": 5, "texture_weight_narrowing": "toward-zero",
 "texture_filter_rounding": "once", "texture_bias_narrowing": "nearest-halves-up", "dxt1_palette": "rgb888"}"""
 ROWS = b"primary.r,tex0.r,tex0.a,const0.g\n1,2,3,4\n-255,255,0,17\n102,100,255,0\n"
 TABLE = b"name,primary.r,tex0.r,out.r,stage0.spare0.r\na,1,2,0,\nb,3,3,255|0,1\n"

@@ -67,7 +67,7 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
     "general_combiners": 5, "texture_units": 3, "per_stage_constants": true, "blue_to_alpha": true,
     "mux_by_lowest_bit": true, "color_sum_inverts": true, "spare0_alpha_without_texture0": 1, "disabled_texture_alpha": 2, "secondary_alpha": "as-given",
     "fog_alpha_without_fog": 3, "subpixel_bits": 0, "line_shape": "diamonds", "point_shape": "whole-pixels", "vertex_color_mantissa_bits": 23,
-    "polygon_offset_slope": "root", "color_interpolation": "affine", "color_weights": "exact", "depth_narrowing": "nearest-halves-up", "fog_narrowing": "nearest-halves-up",
+    "polygon_offset_slope": "root", "polygon_offset_fraction": "rounded", "color_interpolation": "affine", "color_weights": "exact", "depth_narrowing": "nearest-halves-up", "fog_byte": "nearest",
     "texture_weight_bits": 5, "texture_weight_narrowing": "nearest-halves-up", "texture_filter_rounding": "once",
     "texture_bias_narrowing": "nearest-halves-up",
     "dxt1_palette": "rgb888"})");
@@ -101,7 +101,8 @@ TEST(JsonProfile, EveryFieldCanBeReplaced) {
   EXPECT_EQ(p.color_interpolation.value, ColorInterpolation::affine);
   EXPECT_EQ(p.color_weights.value, ColorWeights::exact);
   EXPECT_EQ(p.depth_narrowing.value, Narrowing::nearest_halves_up);
-  EXPECT_EQ(p.fog_narrowing.value, Narrowing::nearest_halves_up);
+  EXPECT_EQ(p.polygon_offset_fraction.value, OffsetFraction::rounded);
+  EXPECT_EQ(p.fog_byte.value, StageByte::nearest);
   EXPECT_EQ(p.texture_weight_bits.value, 5);
   EXPECT_EQ(p.texture_weight_narrowing.value, Narrowing::nearest_halves_up);
   EXPECT_EQ(p.texture_filter_rounding.value, FilterRounding::once);

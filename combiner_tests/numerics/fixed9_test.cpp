@@ -106,14 +106,12 @@ TEST(Fixed9, ColorComponentIsClamped) {
   EXPECT_EQ(byte_of_color(std::numeric_limits<float>::denorm_min()), 0);
 }
 
-// Floats on both sides of n / 255: the byte changes there, as 255 f reaches n.
-TEST(Fixed9, FogFactorsAreCut) {
+// The byte changes where 4096 f reaches the first whole number n with 255 (n + 1) >= 4096 byte.
+TEST(Fixed9, FogFactorsAreCutToTwelveBits) {
   for (const HardwareProfile& profile : {profiles::geforce2, profiles::nv2a}) {
     for (int n = 1; n <= 255; ++n) {
-      float above = static_cast<float>(n / 255.0);
-      if (static_cast<double>(above) * 255.0 < n) above = std::nextafter(above, 2.0F);
-      const float below = std::nextafter(above, 0.0F);
-      EXPECT_LT(static_cast<double>(below) * 255.0, n);
+      const int step = (4096 * n + 254) / 255 - 1;
+      const float above = static_cast<float>(step) / 4096.0F, below = std::nextafter(above, 0.0F);
       EXPECT_EQ(byte_of_fog_factor(profile, above), n);
       EXPECT_EQ(byte_of_fog_factor(profile, below), n - 1);
     }

@@ -86,7 +86,7 @@ Place coverage_place(int px, int py, int i) {
   return {std::int64_t{16} * px + 2 * i, std::int64_t{16} * (py + 1) - 2 * (3 * i % 8)};
 }
 
-Within nearest_within(const WindowTriangle& t, int px, int py, bool is_cut) {
+Within nearest_within(const WindowTriangle& t, int px, int py) {
   const Place centre = centre_of(px, py);
   const int facing = sign(area_of(t));
   std::array<Wide, 3> part{facing * area_with(t[1], t[2], centre), facing * area_with(t[2], t[0], centre),
@@ -99,7 +99,8 @@ Within nearest_within(const WindowTriangle& t, int px, int py, bool is_cut) {
   }
   Within within;
   for (std::size_t i = 0; i < 3; ++i) within.share[i] = static_cast<double>(part[i]) / static_cast<double>(whole);
-  within.z24 = static_cast<std::int64_t>(is_cut ? floor_of(depth, whole) : floor_of(2 * depth + whole, 2 * whole));
+  within.depth_sum = static_cast<std::int64_t>(depth);
+  within.parts = static_cast<std::int64_t>(whole);
   return within;
 }
 
@@ -195,8 +196,10 @@ Along along_line(const WindowLine& line, int px, int py) {
   return {std::min(std::max(along, std::int64_t{0}), squared), squared};
 }
 
-std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, DepthStencilFormat format,
+std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& profile, DepthStencilFormat format,
                             const WindowTriangle& t) {
+  const OffsetSlope slope = profile.polygon_offset_slope.value;
+  const std::int64_t parts = profile.polygon_offset_fraction.value == OffsetFraction::kept ? 65536 : 1;
   const std::int64_t step = std::int64_t{1} << (24 - depth_bits(format));
   const Wide area = area_of(t) < 0 ? -area_of(t) : area_of(t);
   // EXT_polygon_offset's formulas, times the area; in window depth for a pixel.
@@ -212,8 +215,8 @@ std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, Dept
                      units == std::floor(units);
   if (slope == OffsetSlope::larger && exact) {
     const Wide sum = static_cast<std::int64_t>(factor) * larger + static_cast<std::int64_t>(units) * step * area;
-    const Wide rounded = floor_of(sum + (area << 19), area << 20);
-    return static_cast<std::int64_t>(std::clamp(rounded, -(Wide{1} << 25), Wide{1} << 25));
+    const Wide rounded = floor_of(parts * sum + (area << 19), area << 20), most = Wide{parts} << 25;
+    return static_cast<std::int64_t>(std::clamp(rounded, -most, most)) * (65536 / parts);
   }
   double m = static_cast<double>(larger) / static_cast<double>(area);
   if (slope == OffsetSlope::root) {
@@ -223,7 +226,49 @@ std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, Dept
   }
   const double sum =
       static_cast<double>(offset.factor) * m + static_cast<double>(offset.units) * static_cast<double>(step);
-  return static_cast<std::int64_t>(std::floor(std::min(std::max(sum, -0x1p25), 0x1p25) + 0.5));
+  const double clamped = std::min(std::max(sum, -0x1p25), 0x1p25);
+  return static_cast<std::int64_t>(std::floor(clamped * static_cast<double>(parts) + 0.5)) * (65536 / parts);
+}
+
+double number_at(const NumberPlane& plane, int px, int py) {
+  const WindowTriangle& t = plane.triangle;
+  const auto area = static_cast<long double>(area_of(t));
+  long double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto share = static_cast<long double>(area_with(t[(i + 1) % 3], t[(i + 2) % 3], centre_of(px, py))) / area;
+    sum += plane.is_w ? share / plane.corner[i] : share * plane.corner[i];
+  }
+  return static_cast<double>(plane.is_w ? 1 / sum : sum);
+}
+
+double number_offset(const PolygonOffset& offset, OffsetSlope slope, const NumberPlane& plane) {
+  const auto& [a, b, c] = plane.triangle;
+  // Changes per pixel of the plane through the corners, or of 1/w, whose change times w² is that of w.
+  const auto value = [&](std::size_t i) { return plane.is_w ? 1 / plane.corner[i] : plane.corner[i]; };
+  const double scale = plane.is_w ? plane.corner[0] * plane.corner[0] : 1;
+  const auto at = [](std::int64_t q4) { return static_cast<double>(q4) / 16; };
+  const double area = at(b.x_q4 - a.x_q4) * at(c.y_q4 - a.y_q4) - at(b.y_q4 - a.y_q4) * at(c.x_q4 - a.x_q4);
+  const double vb = value(1) - value(0), vc = value(2) - value(0);
+  const double dx = std::fabs((vb * at(c.y_q4 - a.y_q4) - vc * at(b.y_q4 - a.y_q4)) / area) * scale;
+  const double dy = std::fabs((vc * at(b.x_q4 - a.x_q4) - vb * at(c.x_q4 - a.x_q4)) / area) * scale;
+  const double m = slope == OffsetSlope::root ? std::hypot(dx, dy) : std::max(dx, dy);
+  return static_cast<double>(offset.factor) * m + static_cast<double>(offset.units);
+}
+
+std::uint32_t number_code(int bits, int exponent_bits, double number, bool is_cut) {
+  const double largest = std::ldexp(1, bits) - 1, half = is_cut ? 0 : 0.5;
+  double code = 0;
+  if (exponent_bits == 0) {
+    code = std::floor(number + half);
+  } else {
+    const int bias = exponent_bits == 4 ? 7 : 127, mantissa = bits - exponent_bits;
+    if (number >= std::ldexp(1, -bias)) {
+      const int exponent = static_cast<int>(std::floor(std::log2(number)));
+      const double share = std::ldexp(number, -exponent) - 1;  // from 0 to 1
+      code = std::ldexp(exponent + bias, mantissa) + std::floor(std::ldexp(share, mantissa) + half);
+    }
+  }
+  return static_cast<std::uint32_t>(std::min(std::max(code, 0.0), largest));
 }
 
 }  // namespace ninebit::oracle

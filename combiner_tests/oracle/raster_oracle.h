@@ -45,9 +45,9 @@ struct Place {
 // The shares of the corners at the pixel's centre, without those below 0, and their depth.
 struct Within {
   std::array<double, 3> share{};
-  std::int64_t z24 = 0;
+  std::int64_t depth_sum = 0, parts = 1;  // the depth is their quotient
 };
-[[nodiscard]] Within nearest_within(const WindowTriangle& triangle, int px, int py, bool is_cut);
+[[nodiscard]] Within nearest_within(const WindowTriangle& triangle, int px, int py);
 
 // The diamond-exit rule for a line of width 1: whether the line, its ends moved by (-e, -e²), meets the open diamond of
 // the pixel and does not end in it.
@@ -72,9 +72,26 @@ struct Along {
 };
 [[nodiscard]] Along along_line(const WindowLine& line, int px, int py);
 
-// A triangle's polygon offset in window depth, rounded to nearest, halves up.
-[[nodiscard]] std::int64_t polygon_offset(const PolygonOffset& offset, OffsetSlope slope, DepthStencilFormat format,
-                                          const WindowTriangle& triangle);
+// A triangle's polygon offset in 1/65536 of a step of 24 bits, rounded to nearest, halves up; or, unless its fraction
+// is kept, in whole steps.
+[[nodiscard]] std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& profile,
+                                          DepthStencilFormat format, const WindowTriangle& triangle);
+
+// Depths of the NV2A's other formats, as numbers.
+
+// What a triangle's corners hold: z, or w of a W buffer.
+struct NumberPlane {
+  WindowTriangle triangle{};  // positions alone
+  std::array<double, 3> corner{};
+  bool is_w = false;
+};
+// z at the pixel's centre, on the plane through the corners; or w, of which 1/w is linear in the window.
+[[nodiscard]] double number_at(const NumberPlane& plane, int px, int py);
+// The offset in numbers: bias + scale × slope, the slope of w being that at the first corner.
+[[nodiscard]] double number_offset(const PolygonOffset& offset, OffsetSlope slope, const NumberPlane& plane);
+// The code of a number: whole, or 4 or 8 bits of exponent (bias 7 or 127) above the mantissa; cut, or to nearest. Too
+// large a number is all ones.
+[[nodiscard]] std::uint32_t number_code(int bits, int exponent_bits, double number, bool is_cut = true);
 
 // GL's primitive types by their GL numbers, GL_POINTS being 0.
 enum class Primitive {

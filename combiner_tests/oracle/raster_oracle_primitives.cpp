@@ -9,6 +9,8 @@
 namespace ninebit::oracle {
 namespace {
 
+__extension__ using Wide = __int128;
+
 struct Box {
   int left, bottom, right, top;  // right and top exclusive
   bool holds(int x, int y) const { return x >= left && x < right && y >= bottom && y < top; }
@@ -30,7 +32,11 @@ class Drawing {
     std::uint32_t number = 0;
     Bytes flat_color{};
     bool front_facing = true;
-    std::int64_t offset = 0;
+    std::int64_t offset = 0;  // in 1/65536 of a step of 24 bits
+  };
+  // A depth in steps of 24 bits, as a fraction.
+  struct Depth {
+    Wide n, d;
   };
 
   void point(const Source& source, const DrawnVertex& v) {
@@ -41,7 +47,7 @@ class Drawing {
       const int size = eighths(state_.point_size);
       for (int py = viewport_.bottom; py < viewport_.top; ++py) {
         for (int px = viewport_.left; px < viewport_.right; ++px) {
-          if (square_covers(p, size, px, py)) fragment(source, px, py, p.z24, color_of(source, &v.color, one));
+          if (square_covers(p, size, px, py)) fragment(source, px, py, {p.z24, 1}, color_of(source, &v.color, one));
         }
       }
       return;
@@ -55,7 +61,7 @@ class Drawing {
     for (int py = viewport_.bottom; py < viewport_.top; ++py) {
       for (int px = viewport_.left; px < viewport_.right; ++px) {
         if (std::fabs(px + 0.5 - cx) < half && std::fabs(py + 0.5 - cy) < half) {
-          fragment(source, px, py, p.z24, color_of(source, &v.color, one));
+          fragment(source, px, py, {p.z24, 1}, color_of(source, &v.color, one));
         }
       }
     }
@@ -82,7 +88,7 @@ class Drawing {
         if (!exits_diamond(lowest, px, py)) continue;
         const OnLine at = on_line(source, a, b, along_line(lowest, px, py));
         for (int k = 0; k < width; ++k) {
-          fragment(source, x_major ? px : px + k, x_major ? py + k : py, at.z24, at.color);
+          fragment(source, x_major ? px : px + k, x_major ? py + k : py, at.depth, at.color);
         }
       }
     }
@@ -112,7 +118,7 @@ class Drawing {
     Source source{.number = number, .flat_color = flat_color, .front_facing = front};
     const PolygonOffset& o = state_.polygon_offset;
     if (mode == PolygonMode::fill ? o.fill : mode == PolygonMode::line ? o.line : o.point) {
-      source.offset = polygon_offset(o, state_.profile.polygon_offset_slope, picture_.format, largest);
+      source.offset = polygon_offset(o, state_.profile, picture_.format, largest);
     }
     if (mode == PolygonMode::fill) {
       for (std::size_t i = 0; i < cut.size(); ++i) {
@@ -188,16 +194,15 @@ class Drawing {
 
   // A line's values at a place along it.
   struct OnLine {
-    std::int64_t z24;
+    Depth depth;
     Bytes color;
   };
   OnLine on_line(const Source& source, const DrawnVertex& a, const DrawnVertex& b, const Along& t) const {
     const double share = static_cast<double>(t.along) / static_cast<double>(t.squared_length);
     const std::int64_t l = t.squared_length;
-    const std::int64_t sum = (l - t.along) * a.position.z24 + t.along * b.position.z24;
+    const Wide sum = Wide{l - t.along} * a.position.z24 + Wide{t.along} * b.position.z24;
     const std::array colors{a.color, b.color};
-    return {cuts_depth() ? sum / l : (2 * sum + l) / (2 * l),
-            color_of(source, colors.data(), std::array{1 - share, share})};
+    return {{sum, l}, color_of(source, colors.data(), std::array{1 - share, share})};
   }
 
   void rectangle(const Source& source, const DrawnVertex& a, const DrawnVertex& b) {
@@ -219,7 +224,7 @@ class Drawing {
         }
         if (coverage == 0) continue;
         const OnLine at = on_line(source, a, b, along_line(ends, px, py));
-        fragment(source, px, py, at.z24, at.color, coverage);
+        fragment(source, px, py, at.depth, at.color, coverage);
       }
     }
   }
@@ -243,7 +248,7 @@ class Drawing {
         if (!covers(t, px, py) || !is_stippled(px, py)) continue;
         const Bytes color =
             color_of(source, colors.data(), std::array{share(0, px, py), share(1, px, py), share(2, px, py)});
-        fragment(source, px, py, depth_at(t, px, py, cuts_depth()), color);
+        fragment(source, px, py, plane_at(t, px, py), color);
       }
     }
   }
@@ -269,8 +274,9 @@ class Drawing {
           coverage += covers_place(t, place.x_q4, place.y_q4) ? 1 : 0;
         }
         if (coverage == 0) continue;
-        const Within within = nearest_within(t, px, py, cuts_depth());
-        fragment(source, px, py, within.z24, color_of(source, colors.data(), within.share), coverage);
+        const Within within = nearest_within(t, px, py);
+        fragment(source, px, py, {within.depth_sum, within.parts}, color_of(source, colors.data(), within.share),
+                 coverage);
       }
     }
   }
@@ -278,11 +284,27 @@ class Drawing {
   // The NV2A cuts depths to codes.
   bool cuts_depth() const { return state_.profile.depth_narrowing.value == Narrowing::toward_zero; }
 
-  void fragment(const Source& source, int x, int y, std::int64_t z24, const Bytes& color, int coverage = 8) {
+  static Depth plane_at(const WindowTriangle& t, int px, int py) {
+    const Wide area = area_of(t);
+    Wide sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      WindowTriangle part = t;
+      part[i] = {16 * px + 8, 16 * py + 8, 0};
+      sum += Wide{area_of(part)} * t[i].z24;
+    }
+    return area < 0 ? Depth{-sum, -area} : Depth{sum, area};
+  }
+
+  // The depth and the offset are added, then cut, or rounded to nearest.
+  void fragment(const Source& source, int x, int y, const Depth& depth, const Bytes& color, int coverage = 8) {
     if (!viewport_.holds(x, y)) return;
+    constexpr Wide kParts = 65536;
+    const Wide sum = depth.n * kParts + (source.offset + (cuts_depth() ? Wide{0} : kParts / 2)) * depth.d;
+    const Wide parts = depth.d * kParts;
+    const auto z24 = static_cast<std::int64_t>(sum / parts - (sum % parts < 0 ? 1 : 0));
     const std::int64_t step = std::int64_t{1} << (24 - depth_bits(picture_.format));
     const std::int64_t deepest = step * max_depth(picture_.format);
-    const std::int64_t z = std::min(std::max(z24 + source.offset, std::int64_t{0}), deepest);
+    const std::int64_t z = std::min(std::max(z24, std::int64_t{0}), deepest);
     const std::int64_t code = !cuts_depth() && z % step * 2 >= step && step > 1 ? z / step + 1 : z / step;
     process(state_,
             {.x = x,

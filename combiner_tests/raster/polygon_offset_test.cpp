@@ -116,8 +116,28 @@ TEST(PolygonOffset, IsOneForAllTrianglesOfAPolygon) {
   }
 }
 
-TEST(PolygonOffset, IsRoundedOnceHalvesUpAndClamped) {
+// Depths of whole steps and a quarter: the offset's fraction and theirs add up before they are cut.
+TEST(PolygonOffset, KeepsItsFraction) {
   PipelineState state;
+  state.polygon_offset.fill = true;
+  const auto moved = [&](OffsetFraction fraction, float factor, float units) {
+    state.profile.polygon_offset_fraction.value = fraction;
+    state.polygon_offset.factor = factor;
+    state.polygon_offset.units = units;
+    return std::int64_t{plane_depth(8, 0, state)[0]} - plane_depth(8, 0, {})[0];
+  };
+  EXPECT_EQ(moved(OffsetFraction::kept, 0, 0.6F), 0);
+  EXPECT_EQ(moved(OffsetFraction::rounded, 0, 0.6F), 1);
+  EXPECT_EQ(moved(OffsetFraction::kept, 0, 0.75F), 1);
+  EXPECT_EQ(moved(OffsetFraction::kept, 1, 0.25F), 1);  // m is 1/2
+  EXPECT_EQ(moved(OffsetFraction::kept, 0, -0.25F), 0);
+  EXPECT_EQ(moved(OffsetFraction::kept, 0, -0.3F), -1);
+  EXPECT_EQ(moved(OffsetFraction::rounded, 0, -0.3F), 0);
+}
+
+TEST(PolygonOffset, RoundedIsRoundedOnceHalvesUpAndClamped) {
+  PipelineState state;
+  state.profile.polygon_offset_fraction.value = OffsetFraction::rounded;
   state.polygon_offset.fill = true;
   const auto offset = [&](float factor, float units) {
     state.polygon_offset.factor = factor;

@@ -26,31 +26,35 @@ struct TieCase {
   DepthStencilFormat format = DepthStencilFormat::d24s8;
 };
 
-// Whether the exact sum reaches n - 1/2: factor_16 × M >= area × (8 (2 n - 1) - units_16 × step), the left side being a
-// root where M is. Numbers here are so small that squares fit.
-bool reaches_half_below(const TieCase& c, OffsetSlope slope, std::int64_t n) {
+// Whether the exact sum, in parts of 1/2^bits, reaches n - 1/2: 2^bits × factor_16 × M >= area × (8 (2 n - 1) - 2^bits
+// × units_16 × step), the left side being a root where M is. Numbers here are so small that squares fit.
+bool reaches_half_below(const TieCase& c, const OffsetRule& rule, std::int64_t n) {
+  const OffsetSlope slope = rule.slope;
+  const Exact parts = Exact{1} << rule.bits();
   const auto& [p, q, r] = c.triangle;
   const std::int64_t ux = q.x_q4 - p.x_q4, uy = q.y_q4 - p.y_q4, uz = q.z24 - p.z24;
   const std::int64_t vx = r.x_q4 - p.x_q4, vy = r.y_q4 - p.y_q4, vz = r.z24 - p.z24;
   const std::int64_t area = std::abs(ux * vy - uy * vx);
   const Exact dx = 16 * std::abs(uz * vy - uy * vz), dy = 16 * std::abs(ux * vz - uz * vx);
   const std::int64_t step = std::int64_t{1} << (24 - depth_bits(c.format));
-  const Exact right = Exact{area} * (8 * (2 * n - 1) - Exact{c.units_16} * step);
-  if (slope == OffsetSlope::larger) return Exact{c.factor_16} * std::max(dx, dy) >= right;
-  const Exact left_squared = Exact{c.factor_16} * c.factor_16 * (dx * dx + dy * dy), right_squared = right * right;
+  const Exact right = Exact{area} * (8 * (2 * n - 1) - parts * c.units_16 * step);
+  if (slope == OffsetSlope::larger) return parts * c.factor_16 * std::max(dx, dy) >= right;
+  const Exact left_squared = parts * c.factor_16 * parts * c.factor_16 * (dx * dx + dy * dy),
+              right_squared = right * right;
   const bool left_negative = c.factor_16 < 0 && left_squared != 0;
   if (left_negative != (right < 0)) return !left_negative;
   return left_negative ? left_squared <= right_squared : left_squared >= right_squared;
 }
 
-void expect_exact(const TieCase& c, OffsetSlope slope, std::int32_t offset) {
-  EXPECT_TRUE(offset == -kLargestOffset || reaches_half_below(c, slope, offset)) << "rounded up too far: " << offset;
-  EXPECT_FALSE(offset != kLargestOffset && reaches_half_below(c, slope, std::int64_t{offset} + 1))
-      << "rounded down too far: " << offset;
+void expect_exact(const TieCase& c, const OffsetRule& rule, std::int64_t offset_q16) {
+  const std::int64_t n = offset_q16 >> (kOffsetBits - rule.bits()), most = kLargestOffset << rule.bits();
+  EXPECT_EQ(n << (kOffsetBits - rule.bits()), offset_q16);
+  EXPECT_TRUE(n == -most || reaches_half_below(c, rule, n)) << "rounded up too far: " << n;
+  EXPECT_FALSE(n != most && reaches_half_below(c, rule, n + 1)) << "rounded down too far: " << n;
 }
 
-// Whether the sum with the larger slope is exactly offset - 1/2.
-bool is_tie(const TieCase& c, std::int32_t offset) {
+// Whether the sum with the larger slope is exactly offset - 1/2, in whole steps.
+bool is_tie(const TieCase& c, std::int64_t offset) {
   const auto& [p, q, r] = c.triangle;
   const std::int64_t ux = q.x_q4 - p.x_q4, uy = q.y_q4 - p.y_q4, uz = q.z24 - p.z24;
   const std::int64_t vx = r.x_q4 - p.x_q4, vy = r.y_q4 - p.y_q4, vz = r.z24 - p.z24;
@@ -60,17 +64,18 @@ bool is_tie(const TieCase& c, std::int32_t offset) {
   return Exact{c.factor_16} * larger == Exact{area} * (8 * (2 * std::int64_t{offset} - 1) - Exact{c.units_16} * step);
 }
 
-PipelineState state_of(const TieCase& c, OffsetSlope slope) {
+PipelineState state_of(const TieCase& c, const OffsetRule& rule) {
   PipelineState state;
-  state.profile.polygon_offset_slope.value = slope;
+  state.profile.polygon_offset_slope.value = rule.slope;
+  state.profile.polygon_offset_fraction.value = rule.fraction;
   state.polygon_offset = {
       .fill = true, .factor = static_cast<float>(c.factor_16) / 16.0F, .units = static_cast<float>(c.units_16) / 16.0F};
   return state;
 }
 
 // The triangle's offset as set-up finds it one by one (with packed vertices: in vectors); none where it is not drawn.
-std::optional<std::int32_t> offset_in_setup(const TieCase& c, OffsetSlope slope, bool packed) {
-  const PipelineState state = state_of(c, slope);
+std::optional<std::int64_t> offset_in_setup(const TieCase& c, const OffsetRule& rule, bool packed) {
+  const PipelineState state = state_of(c, rule);
   std::vector<glm::vec3> positions;
   for (const auto& v : c.triangle) {
     positions.push_back(clip_position(v, PixelRect{0, 0, kTieWindow, kTieWindow}, 4, c.format));
@@ -90,8 +95,11 @@ std::optional<std::int32_t> offset_in_setup(const TieCase& c, OffsetSlope slope,
   BinnedBlock block;
   EXPECT_TRUE(setup.set_up(0, setup.items(), grid, block));
   if (block.setup.primitives.empty()) return std::nullopt;
-  return block.setup.primitives[0].offset_z24;
+  const SetupPrimitive& p = block.setup.primitives[0];
+  return (std::int64_t{p.offset_z24} << kOffsetBits) + p.fraction;
 }
+
+constexpr OffsetRule kRounded{OffsetSlope::larger, OffsetFraction::rounded};
 
 // Corners on whole pixels, half pixels and elsewhere; depths and factors so that m and its product are often whole
 // halves, or miss them by the least that the area allows.
@@ -118,29 +126,31 @@ TEST(PolygonOffsetTies, GoUpWhereDoublesFallShort) {
                   .factor_16 = 38,
                   .units_16 = 16 * 35};
   ASSERT_TRUE(is_tie(c, 8088001));
-  EXPECT_EQ(offset_in_setup(c, OffsetSlope::larger, false), 8088001);
+  EXPECT_EQ(offset_in_setup(c, kRounded, false), std::int64_t{8088001} << kOffsetBits);
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on(target);
-    EXPECT_EQ(offset_in_setup(c, OffsetSlope::larger, true), 8088001) << simd_target_name(target);
+    EXPECT_EQ(offset_in_setup(c, kRounded, true), std::int64_t{8088001} << kOffsetBits) << simd_target_name(target);
   }
 }
 
 TEST(PolygonOffsetTies, RandomTrianglesAreRoundedExactly) {
   const std::uint64_t count = kSlowBuild ? 3000 : 30000;
-  for (const OffsetSlope slope : {OffsetSlope::larger, OffsetSlope::root}) {
+  for (const OffsetRule& rule :
+       {kRounded, OffsetRule{OffsetSlope::root, OffsetFraction::rounded},
+        OffsetRule{OffsetSlope::larger, OffsetFraction::kept}, OffsetRule{OffsetSlope::root, OffsetFraction::kept}}) {
     std::uint64_t drawn = 0, ties = 0;
     for (std::uint64_t index = 0; index < count; ++index) {
       Random random(0x71E5, index);
       const TieCase c = near_a_tie(random);
-      const auto offset = offset_in_setup(c, slope, false);
+      const auto offset = offset_in_setup(c, rule, false);
       if (!offset) continue;
       ++drawn;
-      ties += is_tie(c, *offset) ? 1U : 0U;
-      expect_exact(c, slope, *offset);
+      ties += is_tie(c, (*offset + (1 << (kOffsetBits - 1))) >> kOffsetBits) ? 1U : 0U;
+      expect_exact(c, rule, *offset);
       ASSERT_FALSE(HasFailure()) << "case " << index;
     }
     EXPECT_GT(drawn, count / 2);
-    EXPECT_GT(ties, slope == OffsetSlope::larger ? count / 30 : 0);
+    EXPECT_GT(ties, rule.slope == OffsetSlope::larger ? count / 30 : 0);
   }
 }
 
@@ -150,11 +160,12 @@ TEST(PolygonOffsetTies, VectorsAgreeWithSetUpOneByOne) {
     for (std::uint64_t index = 0; index < (kSlowBuild ? 1000U : 8000U); ++index) {
       Random random(0x71E5, index);
       const TieCase c = near_a_tie(random);
-      const OffsetSlope slope = random.pick({OffsetSlope::larger, OffsetSlope::root});
-      const auto offset = offset_in_setup(c, slope, true);
+      const OffsetRule rule{random.pick({OffsetSlope::larger, OffsetSlope::root}),
+                            random.pick({OffsetFraction::kept, OffsetFraction::rounded})};
+      const auto offset = offset_in_setup(c, rule, true);
       // Vectors also drop what covers no pixel.
       if (!offset) continue;
-      ASSERT_EQ(offset, offset_in_setup(c, slope, false)) << simd_target_name(target) << ", case " << index;
+      ASSERT_EQ(offset, offset_in_setup(c, rule, false)) << simd_target_name(target) << ", case " << index;
     }
     EXPECT_TRUE(on.ran());
   }
@@ -172,12 +183,14 @@ TEST(PolygonOffsetTies, HugeTermsThatCancelLeaveTheirDifference) {
         const PolygonOffset cancels{
             .fill = true, .factor = 3 * sign * size, .units = -static_cast<float>(thirds) * sign * size};
         if (!std::isfinite(cancels.factor) || !std::isfinite(cancels.units)) continue;
-        EXPECT_EQ(polygon_offset_z24(cancels, OffsetSlope::larger, plane, depth), 0) << size;
-        EXPECT_EQ(polygon_offset_z24(cancels, OffsetSlope::root, plane, depth), 0) << size;
+        for (const OffsetFraction fraction : {OffsetFraction::kept, OffsetFraction::rounded}) {
+          EXPECT_EQ(polygon_offset_q16(cancels, {OffsetSlope::larger, fraction}, plane, depth), 0) << size;
+          EXPECT_EQ(polygon_offset_q16(cancels, {OffsetSlope::root, fraction}, plane, depth), 0) << size;
+        }
         PolygonOffset more = cancels;
         more.units = std::nextafter(more.units, 0.0F);
-        EXPECT_EQ(polygon_offset_z24(more, OffsetSlope::larger, plane, depth),
-                  size > 0x1p40F ? static_cast<int>(sign) * kLargestOffset
+        EXPECT_EQ(polygon_offset_q16(more, kRounded, plane, depth) >> kOffsetBits,
+                  size > 0x1p40F ? static_cast<std::int64_t>(sign) * kLargestOffset
                                  : std::lround(static_cast<double>(more.units) - static_cast<double>(cancels.units)))
             << size;
       }
@@ -191,7 +204,8 @@ TEST(PolygonOffsetTies, TheLeastFloatDecidesATie) {
   const DepthPlane plane{.area = 16, .dx = 1, .dy = 1};  // m = 1
   const float least = std::bit_cast<float>(1U);
   const auto offset = [&](float factor, float units) {
-    return polygon_offset_z24({.fill = true, .factor = factor, .units = units}, OffsetSlope::larger, plane, depth);
+    const PolygonOffset given{.fill = true, .factor = factor, .units = units};
+    return polygon_offset_q16(given, kRounded, plane, depth) >> kOffsetBits;
   };
   EXPECT_EQ(offset(0.5F, 0.0F), 1);
   EXPECT_EQ(offset(0.5F, least), 1);

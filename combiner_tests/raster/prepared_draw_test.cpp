@@ -173,6 +173,8 @@ TEST(PreparedDraw, ReportsWhatItWasNotPreparedFor) {
       {"polygon offset", [](PreparedCase& c) { c.state.polygon_offset.factor = 1; }},
       {"polygon offset", [](PreparedCase& c) { c.state.polygon_offset.units = 1; }},
       {"slope", [](PreparedCase& c) { c.state.profile.polygon_offset_slope.value = OffsetSlope::root; }},
+      {"offset's fraction",
+       [](PreparedCase& c) { c.state.profile.polygon_offset_fraction.value = OffsetFraction::rounded; }},
       {"point size", [](PreparedCase& c) { c.state.point_size = 2; }},
       {"line width", [](PreparedCase& c) { c.state.line_width = 2; }},
       {"shape of points", [](PreparedCase& c) { c.state.profile.point_shape.value = PointShape::whole_pixels; }},

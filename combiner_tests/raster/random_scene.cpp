@@ -15,6 +15,7 @@ PipelineState random_state(Random& random, const RandomScene& scene) {
   randomize_fragment_operations(random, state);
   state.profile.subpixel_bits.value = random.one_in(4) ? random.below(5) : 4;
   if (random.one_in(8)) state.profile.polygon_offset_slope.value = OffsetSlope::root;
+  if (random.one_in(4)) state.profile.polygon_offset_fraction.value = OffsetFraction::rounded;
   if (random.one_in(4)) state.profile.color_interpolation.value = ColorInterpolation::affine;
   if (random.one_in(4)) state.profile.surface_blend.value = SurfaceBlend::bytes;
   if (random.one_in(4)) state.profile.coverage_narrowing.value = Narrowing::toward_zero;
@@ -290,7 +291,8 @@ std::string describe(const RandomScene& scene) {
         << static_cast<int>(s.profile.point_shape.value) << ' ' << static_cast<int>(s.profile.line_shape.value)
         << ", offset " << s.polygon_offset.fill << s.polygon_offset.line << s.polygon_offset.point << ' '
         << s.polygon_offset.factor << ' ' << s.polygon_offset.units << " slope "
-        << static_cast<int>(s.profile.polygon_offset_slope.value) << ", depth range " << s.depth_near << ' '
+        << static_cast<int>(s.profile.polygon_offset_slope.value) << " fraction "
+        << static_cast<int>(s.profile.polygon_offset_fraction.value) << ", depth range " << s.depth_near << ' '
         << s.depth_far << ", program " << s.program.has_value() << ", clear " << d.clear.has_value();
     rect("viewport", s.viewport);
     rect("scissor", s.scissor);

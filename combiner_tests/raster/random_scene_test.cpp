@@ -67,7 +67,10 @@ class StateTable {
       add("modes", 3 * number(s.front_mode) + number(s.back_mode), t.fragments);
       const PolygonOffset& o = s.polygon_offset;
       add("offset", number(o.fill) + 2 * number(o.line) + 4 * number(o.point), t.fragments);
-      if (o.fill || o.line || o.point) add("slope", number(s.profile.polygon_offset_slope.value), t.fragments);
+      if (o.fill || o.line || o.point) {
+        add("slope", number(s.profile.polygon_offset_slope.value), t.fragments);
+        add("fraction", number(s.profile.polygon_offset_fraction.value), t.fragments);
+      }
     }
     if (s.alpha_test.enabled) add("alpha function", number(s.alpha_test.function), t.fragments);
     if (s.depth_test.enabled) add("depth function", number(s.depth_test.function), after_stencil);

@@ -216,6 +216,7 @@ PipelineState any_state(Random& random) {
     state.polygon_offset = {.fill = true, .factor = random.real_f(-40, 40), .units = random.real_f(-900, 900)};
     if (random.one_in(4)) state.polygon_offset.factor = random.pick({1e30F, -1e30F, 0.0F});
     if (random.one_in(2)) state.profile.polygon_offset_slope.value = OffsetSlope::root;
+    if (random.one_in(2)) state.profile.polygon_offset_fraction.value = OffsetFraction::rounded;
   }
   if (random.one_in(3)) {
     state.depth_near = random.real_f(-0.2, 1.2);
@@ -313,10 +314,14 @@ void compare_blocks(const SetupBlock& batch, const SetupBlock& single, const Pix
     const SetupPrimitive& p = batch.primitives[next++];
     ASSERT_EQ(p.front_facing, expected.front_facing);
     ASSERT_EQ(p.offset_z24, expected.offset_z24);
+    ASSERT_EQ(p.fraction, expected.fraction);
     if (!single.corners.empty()) compare_corners(batch, batch.corners_of(p), single, single.corners_of(expected));
     if (p.kind == SetupKind::pixel) {
       ASSERT_EQ(c.pixels, 1);
-      for (const std::uint32_t z : p.z24) ASSERT_EQ(z, oracle::depth_at(window_of(expected), c.x, c.y));
+      // With the offset's fraction, in 1/65536.
+      oracle::WindowTriangle finer = window_of(expected);
+      for (auto& v : finer) v.z24 = 65536 * v.z24 + expected.fraction;
+      for (const std::uint32_t z : p.z24) ASSERT_EQ(z, oracle::depth_at(finer, c.x, c.y) / 65536);
     } else {
       ASSERT_EQ(p.kind, expected.kind);
       ASSERT_EQ(p.z24, expected.z24);

@@ -20,7 +20,8 @@ using namespace ninebit;
 using ninebit::test::Random;
 using ninebit::test::with_threads;
 
-constexpr std::array kTableFormats{DepthStencilFormat::d24s8, DepthStencilFormat::d15s1};
+constexpr std::array kTableFormats{DepthStencilFormat::d24s8, DepthStencilFormat::d15s1, DepthStencilFormat::f24s8,
+                                   DepthStencilFormat::w24s8};
 
 // While it lives, memory that is allocated holds this byte's complement, and memory that is freed the byte.
 class MemoryHolds {
@@ -125,6 +126,8 @@ class TechniqueTable : public testing::Test {
 TEST_F(TechniqueTable, DrawsTheSameBytesEachTime) {
   for (std::size_t technique = 0; technique < techniques().size(); ++technique) {
     for (const DepthStencilFormat format : kTableFormats) {
+      // Volumes to infinity are refused.
+      if (layout_of(format).is_w && techniques()[technique].name == "shadow-volume") continue;
       for (const glm::ivec2& size : {glm::ivec2(128, 64), glm::ivec2(150, 70), glm::ivec2(33, 17)}) {
         const std::string what = std::string(techniques()[technique].name) + ", " +
                                  std::to_string(stencil_bits(format)) + " stencil bits, width " +

@@ -122,7 +122,9 @@ class Checker {
     if (texture.origin != TextureOrigin::target_depth) return;
     const DepthStencilFormat format = target == nullptr ? effect_.depth_stencil : target->depth_stencil;
     if (target != nullptr && target->cube) complain("reads the depth of a cube map, which GL does not have");
-    if (format == DepthStencilFormat::d15s1) complain("reads a depth of 15 bits; expected d24s8 or d16");
+    if (format != DepthStencilFormat::d24s8 && format != DepthStencilFormat::d16) {
+      complain("reads the depth of " + std::string(layout_of(format).name) + "; expected d24s8 or d16");
+    }
   }
 
   void check_pass(std::size_t number) {

@@ -107,6 +107,11 @@ Status EffectRenderer::Prepared::prepare_pass(const EffectPass& pass, const Effe
   PreparedPass prepared{.state = pass.state};
   prepared.state.profile = profile;
   prepared.state.fog = {.enabled = pass.fog.mode != FogMode::none, .color = pass.fog.color};
+  if (pass.fog.mode == FogMode::registers) {
+    prepared.state.fog.function = pass.fog.function;
+    prepared.state.fog.bias = pass.fog.bias;
+    prepared.state.fog.slope = pass.fog.slope;
+  }
   prepared.target = targets.number_of(pass.target);
   if (!pass.program.empty()) {
     auto program = effect_program(effect, pass, profile, readers, warnings);
@@ -144,6 +149,10 @@ Status EffectRenderer::Prepared::set_view(const EffectPass& pass, PreparedPass& 
     prepared.projections = {light_projection(scene, light)};
   } else {
     prepared.projections = {camera_projection(scene, scene.cameras[0], targets.aspect(prepared.target))};
+  }
+  for (glm::mat4& projection : prepared.projections) {
+    const DepthStencilFormat format = targets.faces(prepared.target)[0].format();
+    projection = scaled_to_w_buffer(projection, prepared.positions, format);
   }
   return {};
 }

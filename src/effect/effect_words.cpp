@@ -215,9 +215,20 @@ Result<EffectFog> parse_fog(std::string_view text) {
     fog.density = n[0];
     return fog;
   }
+  constexpr std::string_view kRegisters = "registers-";
+  if (said.word.starts_with(kRegisters) && n.size() == 2) {
+    if (const auto function = value_of(kFogFunctions, said.word.substr(kRegisters.size()))) {
+      fog.mode = FogMode::registers;
+      fog.function = *function;
+      fog.bias = n[0];
+      fog.slope = n[1];
+      return fog;
+    }
+  }
   return wrong(in_quotes(text) +
                " is not a fog; expected none, linear:START,END with two different distances, exp:DENSITY or "
-               "exp2:DENSITY with a density that is not negative");
+               "exp2:DENSITY with a density that is not negative, or registers-FUNCTION:BIAS,SLOPE with the function " +
+               list_of(kFogFunctions));
 }
 
 Result<EffectTexture> parse_texture_source(std::string_view text) {

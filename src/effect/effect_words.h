@@ -146,8 +146,21 @@ inline constexpr Words<DepthComparison, 9> kDepthComparisons{{{"none", DepthComp
                                                               {"gequal", DepthComparison::gequal},
                                                               {"always", DepthComparison::always}}};
 
-inline constexpr Words<DepthStencilFormat, 3> kDepthStencilFormats{
-    {{"d24s8", DepthStencilFormat::d24s8}, {"d16", DepthStencilFormat::d16}, {"d15s1", DepthStencilFormat::d15s1}}};
+// After "registers-".
+inline constexpr Words<FogFunction, 6> kFogFunctions{{{"linear", FogFunction::linear},
+                                                      {"linear-abs", FogFunction::linear_abs},
+                                                      {"exp", FogFunction::exp},
+                                                      {"exp-abs", FogFunction::exp_abs},
+                                                      {"exp2", FogFunction::exp2},
+                                                      {"exp2-abs", FogFunction::exp2_abs}}};
+
+inline constexpr auto kDepthStencilFormats = [] {
+  Words<DepthStencilFormat, kDepthStencilLayouts.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = {kDepthStencilLayouts[i].name, static_cast<DepthStencilFormat>(i)};
+  }
+  return words;
+}();
 
 inline constexpr auto kColorFormatWords = [] {
   Words<ColorFormat, kColorFormats.size()> words{};

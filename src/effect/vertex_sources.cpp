@@ -122,6 +122,8 @@ float fog_factor(const EffectFog& fog, float distance) {
       return std::exp(-fog.density * distance);
     case FogMode::exp2:
       return std::exp(-(fog.density * distance) * (fog.density * distance));
+    case FogMode::registers:
+      return distance;
     case FogMode::none:
       break;
   }
@@ -178,7 +180,8 @@ std::vector<float> fog_factors(const EffectFog& fog, const VertexInputs& inputs)
   factors.reserve(inputs.scene->positions.size());
   for (const glm::vec3& position : inputs.scene->positions) {
     const float distance = std::fabs(glm::dot(position - camera.position, axis));
-    factors.push_back(std::clamp(fog_factor(fog, distance), 0.0F, 1.0F));
+    const float factor = fog_factor(fog, distance);
+    factors.push_back(fog.mode == FogMode::registers ? factor : std::clamp(factor, 0.0F, 1.0F));
   }
   return factors;
 }

@@ -95,7 +95,12 @@ PipelineState surface_pass(const RenderSettings& settings) {
 Result<CameraFrame> CameraFrame::make(const Scene& scene, const RenderSettings& settings, const LightKinds& lights) {
   if (Status checked = check_scene(scene, lights); !checked) return checked.error();
   if (stencil_bits(settings.depth_stencil) == 0) {
-    return invalid("the depth-stencil format d16 has no stencil bits to hold shadows; expected d24s8 or d15s1");
+    std::string with_stencil;
+    for (const DepthStencilLayout& layout : kDepthStencilLayouts) {
+      if (layout.stencil_bits > 0) with_stencil += (with_stencil.empty() ? "" : ", ") + std::string(layout.name);
+    }
+    return invalid("the depth-stencil format " + std::string(layout_of(settings.depth_stencil).name) +
+                   " has no stencil bits to hold shadows; expected one of " + with_stencil);
   }
   auto frame = Surface::make(settings.width, settings.height,
                              {.depth_stencil = settings.depth_stencil,
@@ -115,9 +120,14 @@ CameraFrame::CameraFrame(const Scene& scene, const RenderSettings& settings, Sur
       rendering_{.frame = std::move(frame)},
       shading_(shade_vertices(scene, scene.lights[0], settings)),
       groups_(std::move(groups)),
-      projection_(camera_projection(scene, scene.cameras[0],
-                                    static_cast<float>(settings.width) / static_cast<float>(settings.height))) {
+      projection_() {
+  set_projection(camera_projection(scene, scene.cameras[0],
+                                   static_cast<float>(settings.width) / static_cast<float>(settings.height)));
   if (settings.evidence) rendering_.evidence.emplace();
+}
+
+void CameraFrame::set_projection(const glm::mat4& projection) {
+  projection_ = scaled_to_w_buffer(projection, scene_->positions, settings_.depth_stencil);
 }
 
 Status CameraFrame::draw(std::string_view name, const PipelineState& state, VertexArrays arrays,

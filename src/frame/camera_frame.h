@@ -99,7 +99,7 @@ class CameraFrame {
   [[nodiscard]] const FramePasses& passes() const { return passes_; }
   [[nodiscard]] const glm::mat4& projection() const { return projection_; }
   // Replaces the camera's projection for all later passes.
-  void set_projection(const glm::mat4& projection) { projection_ = projection; }
+  void set_projection(const glm::mat4& projection);
   // Colours per vertex (with settings.cartoon per triangle). A technique with other lighting changes them before
   // draw_lit_and_shadow.
   [[nodiscard]] VertexShading& shading() { return shading_; }

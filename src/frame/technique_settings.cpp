@@ -109,11 +109,16 @@ constexpr SettingWord word(std::string_view name, T value) {
 }
 constexpr std::array kCullWords{word("none", CullFace::none), word("back", CullFace::back),
                                 word("front", CullFace::front)};
-constexpr std::array kFrameWords{word("d24s8", DepthStencilFormat::d24s8), word("d16", DepthStencilFormat::d16),
-                                 word("d15s1", DepthStencilFormat::d15s1)};
 constexpr std::array kColorWords = [] {
   std::array<SettingWord, kColorFormats.size()> words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = word(kColorFormats[i].name, kColorFormats[i].format);
+  return words;
+}();
+constexpr auto kFrameWords = [] {
+  std::array<SettingWord, kDepthStencilLayouts.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = word(kDepthStencilLayouts[i].name, static_cast<DepthStencilFormat>(i));
+  }
   return words;
 }();
 constexpr std::array kStyleWords{word("plain", false), word("cartoon", true)};

@@ -111,6 +111,18 @@ float row_times(const glm::mat4& m, int row, const glm::vec3& p) {
 
 }  // namespace
 
+glm::mat4 scaled_to_w_buffer(const glm::mat4& projection, std::span<const glm::vec3> positions,
+                             DepthStencilFormat format) {
+  const DepthStencilLayout& layout = layout_of(format);
+  if (!layout.is_w) return projection;
+  float largest = 0.0F;
+  for (const glm::vec3& p : positions) largest = std::max(largest, row_times(projection, 3, p));
+  if (!(largest > 0.0F)) return projection;
+  // Numbers below 2^bits fit. A floating-point buffer of 24 bits is as fine everywhere, and holds more than a float.
+  const int bits = layout.exponent_bits == 0 ? layout.depth_bits : std::min((1 << layout.exponent_bits) / 2 + 1, 24);
+  return projection * std::ldexp(1.0F, bits - 1 - std::ilogb(largest));
+}
+
 LightBeam::LightBeam(const Scene& scene, const Light& light)
     : light_(light), projection_(light_projection(scene, light)), middle_(bounds_of(scene).center()) {}
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene.h"
 
@@ -28,6 +29,11 @@ struct DepthRange {
 // The same without a far plane: a point of homogeneous coordinate w = 0 has exactly the window depth 1, because clip z
 // and clip w of a direction are the same sum.
 [[nodiscard]] glm::mat4 infinite_camera_projection(const Scene& scene, const Camera& camera, float aspect_ratio);
+
+// The matrix times a power of two, which moves no position in the window, if the format is a W buffer's: the largest w
+// of these positions is in the upper half of what the buffer holds.
+[[nodiscard]] glm::mat4 scaled_to_w_buffer(const glm::mat4& projection, std::span<const glm::vec3> positions,
+                                           DepthStencilFormat format);
 
 // World space to clip space of a spot or directional light's map: the square pyramid of the spot's opening angle, which
 // is everything that the light illuminates, or a parallel beam around the whole scene.

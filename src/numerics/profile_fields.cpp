@@ -58,6 +58,7 @@ constexpr std::array kNarrowingPoints{FieldWord{"after-scale", "after scaling"},
 constexpr std::array kSecondaryAlphas{FieldWord{"one", "1.0"}, FieldWord{"as-given", "as given"}};
 constexpr std::array kSlopes{FieldWord{"larger", "the larger of |dz/dx| and |dz/dy|"},
                              FieldWord{"root", "the root of their squares' sum"}};
+constexpr std::array kOffsetFractions{FieldWord{"kept", "kept"}, FieldWord{"rounded", "rounded"}};
 constexpr std::array kInterpolations{FieldWord{"perspective", "in perspective"}, FieldWord{"affine", "affine"}};
 constexpr std::array kWeights{FieldWord{"exact", "exact"}, FieldWord{"8-bits", "8 bits"}};
 constexpr std::array kSurfaceBlends{FieldWord{"zeros", "as zeros"}, FieldWord{"bytes", "as in bytes"}};
@@ -149,6 +150,8 @@ constexpr std::array kFields{
                                            "How many fraction bits of a vertex colour count before it becomes a byte."),
     word<&P::polygon_offset_slope>("polygon_offset_slope", rasterizer, kSlopes, "20",
                                    "Which slope of a polygon the polygon offset multiplies."),
+    word<&P::polygon_offset_fraction>("polygon_offset_fraction", rasterizer, kOffsetFractions, "20",
+                                      "What becomes of the polygon offset's fraction before the offset is added."),
     word<&P::color_interpolation>("color_interpolation", rasterizer, kInterpolations, "27",
                                   "Whether smooth colours follow the perspective or run straight across the window."),
     word<&P::color_weights>("color_weights", rasterizer, kWeights, "27",
@@ -159,8 +162,7 @@ constexpr std::array kFields{
                                  "How an alpha times the coverage of a smoothed primitive becomes a byte."),
     word<&P::depth_narrowing>("depth_narrowing", rasterizer, kNarrowings, "28",
                               "How a fragment's depth becomes a depth code."),
-    word<&P::fog_narrowing>("fog_narrowing", rasterizer, kNarrowings, "25",
-                            "How a fragment's fog factor becomes a byte."),
+    word<&P::fog_byte>("fog_byte", rasterizer, kStageBytes, "25", "How a fragment's fog factor becomes a byte."),
     number<&P::texture_weight_bits>("texture_weight_bits", rasterizer, numbers_of<1, 8>, nullptr, "26",
                                     "How many fraction bits the weights of linear filters have."),
     word<&P::texture_weight_narrowing>("texture_weight_narrowing", rasterizer, kNarrowings, "26",

@@ -36,6 +36,7 @@ struct Difference {
 struct Verdict {
   std::vector<Rival> rivals;
   std::size_t rows = 0, agree = 0, skipped = 0;
+  std::size_t near = 0;                            // of those that agree, the ones that do for their tolerance alone
   std::vector<Difference> differences;             // the first --most
   std::map<std::string, std::size_t> where;        // number of rows by the first place that differs
   std::vector<std::size_t> explained, agree_then;  // per rival: of the differing rows; of all rows
@@ -64,6 +65,11 @@ void judge(const VerifyRow& row, const HardwareProfile& profile, std::size_t mos
   }
   if (agree) {
     ++verdict.agree;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      if (!row.expected[i].is_near(codes[i])) continue;
+      ++verdict.near;
+      break;
+    }
     return;
   }
   std::size_t first = 0;
@@ -150,6 +156,7 @@ std::string text_of(const Verdict& verdict, const std::string& table) {
     text += fmt::format("… and {} more rows\n", differ - verdict.differences.size());
   }
   text += fmt::format("{} rows: {} agree, {} differ", verdict.rows, verdict.agree, differ);
+  if (verdict.near > 0) text += fmt::format("; {} of those that agree are off by 1", verdict.near);
   text += verdict.skipped == 0 ? "\n" : fmt::format("; {} with match 0 skipped\n", verdict.skipped);
   if (differ == 0) return text;
   text += fmt::format("\n{:<54}{:>8}\n", "first difference in", "rows");
@@ -195,6 +202,7 @@ Json json_of(const Verdict& verdict, const VerifyFlags& flags) {
           {"count", verdict.rows},
           {"agree", verdict.agree},
           {"differ", verdict.rows - verdict.agree},
+          {"near", verdict.near},
           {"skipped", verdict.skipped},
           {"places", std::move(places)},
           {"rules", std::move(rules)},

@@ -72,19 +72,23 @@ struct ColorSource {
 
 // The fog factor of a vertex from the distance z to the camera's plane, as GL_FOG_MODE computes it.
 enum class FogMode : std::uint8_t {
-  none,    // GL_FOG is disabled
-  linear,  // (end - z) / (end - start)
-  exp,     // e^(-density z)
-  exp2     // e^(-(density z)^2)
+  none,      // GL_FOG is disabled
+  linear,    // (end - z) / (end - start)
+  exp,       // e^(-density z)
+  exp2,      // e^(-(density z)^2)
+  registers  // z itself, from which the chip's function computes the factor of each fragment (rule 49)
 };
 
 // Fog of a pass. Factors are clamped to [0, 1]; 1 is no fog.
 struct EffectFog {
-  FogMode mode = FogMode::none;         // how the factor is computed
-  float start = 0.0F;                   // of linear, in world units
-  float end = 1.0F;                     // of linear, in world units, different from start
-  float density = 1.0F;                 // of exp and exp2, per world unit, not negative
-  std::array<std::uint8_t, 3> color{};  // the fog register's red, green, blue
+  FogMode mode = FogMode::none;                // how the factor is computed
+  float start = 0.0F;                          // of linear, in world units
+  float end = 1.0F;                            // of linear, in world units, different from start
+  float density = 1.0F;                        // of exp and exp2, per world unit, not negative
+  FogFunction function = FogFunction::linear;  // of registers
+  float bias = 0.0F;                           // of registers
+  float slope = 0.0F;                          // of registers, per world unit
+  std::array<std::uint8_t, 3> color{};         // the fog register's red, green, blue
 };
 
 // Where a texture comes from.

@@ -43,13 +43,14 @@ inline constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
   return static_cast<std::uint8_t>(static_cast<double>(component) * 255.0 + 0.5);
 }
 
-// Converts a fog factor to the byte that the combiners read (rule 25): times 255, narrowed as the profile says, clamped
-// to [0, 255]. NaN becomes 0.
+// Converts a fog factor to the byte that the combiners read, as profile.fog_byte says: cut to 12 bits n, which give
+// 255 (n + 1) >> 12 (rule 25), or to nearest. Clamped to [0, 255]; NaN becomes 0.
 [[nodiscard]] constexpr std::uint8_t byte_of_fog_factor(const HardwareProfile& profile, float factor) {
-  if (profile.fog_narrowing.value == Narrowing::nearest_halves_up) return byte_of_color(factor);
+  if (profile.fog_byte.value == StageByte::nearest) return byte_of_color(factor);
   if (!(factor > 0.0F)) return 0;
   if (factor >= 1.0F) return 255;
-  return static_cast<std::uint8_t>(static_cast<double>(factor) * 255.0);
+  const int n = static_cast<int>(factor * 4096.0F);
+  return static_cast<std::uint8_t>(255 * (n + 1) >> 12);
 }
 
 // Converts a float vertex colour to the byte that the combiners read (rule 17): cuts the mantissa to the profile's

@@ -57,6 +57,11 @@ enum class NarrowingPoint : std::uint8_t {
 enum class SecondaryAlpha : std::uint8_t { one, as_given };
 // The slope of a polygon in its polygon offset (OpenGL 1.3, 3.5.5 allows both).
 enum class OffsetSlope : std::uint8_t { larger, root };  // max(|dz/dx|, |dz/dy|), or the root of the sum of squares
+// What becomes of the fraction of a polygon offset, in steps of a 24-bit depth.
+enum class OffsetFraction : std::uint8_t {
+  kept,    // the sum of depth and offset is narrowed
+  rounded  // the offset is rounded to nearest, halves up, before it is added
+};
 // How smooth colours are interpolated: perspective-correct like texture coordinates, or linearly in the window.
 enum class ColorInterpolation : std::uint8_t { perspective, affine };
 // The weights of a primitive's vertices in its smooth colours.
@@ -84,7 +89,7 @@ enum class PointShape : std::uint8_t {
   whole_pixels,  // OpenGL 1.3, 3.3: a square of whole pixels, moved to whole pixels
   squares        // those whose centres a square around the point's own position holds, with a rule for its edges
 };
-// How a texture-shader stage's number from 0 to 1 becomes a byte.
+// How a fog factor, or a texture-shader stage's number, from 0 to 1 becomes a byte.
 enum class StageByte : std::uint8_t {
   twelve_bits,  // cut to 12 bits n, then 255 (n + 1) >> 12
   nearest       // times 255, to nearest, halves up
@@ -148,12 +153,13 @@ struct HardwareProfile {
   Choice<PointShape> point_shape;            // of points, and of the corners of polygons in that mode
   Choice<int> vertex_color_mantissa_bits;    // a float vertex colour keeps this many fraction bits, then x 255, half up
   Choice<OffsetSlope> polygon_offset_slope;  // m of the polygon offset factor × m + r × units
+  Choice<OffsetFraction> polygon_offset_fraction;  // of that sum
   Choice<ColorInterpolation> color_interpolation;  // of smooth primary and secondary colours
   Choice<ColorWeights> color_weights;              // of smooth primary and secondary colours
   Choice<SurfaceBlend> surface_blend;              // of surfaces with fewer bits than bytes
   Choice<Narrowing> coverage_narrowing;            // of an alpha times a smoothed primitive's coverage, to a byte
   Choice<Narrowing> depth_narrowing;               // of a fragment's depth on its primitive, to a depth code
-  Choice<Narrowing> fog_narrowing;                 // of a fragment's fog factor, times 255, to a byte
+  Choice<StageByte> fog_byte;                      // of a fragment's fog factor
   Choice<int> texture_weight_bits;                 // fraction bits of the weights of linear filters
   Choice<Narrowing> texture_weight_narrowing;      // of a place between two texels, to these bits
   Choice<FilterRounding> texture_filter_rounding;  // of linear filters
@@ -213,6 +219,8 @@ inline constexpr HardwareProfile geforce2{
     .point_shape = {PointShape::squares, Evidence::inferred, "rule 31, measured on NV2A"},
     .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
     .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20, measured on NV2A"},
+    .polygon_offset_fraction = {OffsetFraction::kept, Evidence::inferred,
+                                "rule 20, measured on NV2A: the depth and the offset are added, then cut"},
     .color_interpolation = {ColorInterpolation::perspective, Evidence::inferred,
                             "rule 27: in perspective on NV2A; OpenGL allows both; rival: affine"},
     .color_weights = {ColorWeights::eight_bits, Evidence::inferred, "rule 27, measured on NV2A"},
@@ -220,7 +228,7 @@ inline constexpr HardwareProfile geforce2{
     .coverage_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed,
                            "rule 47: no picture has another alpha than 255"},
     .depth_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 28, measured on NV2A"},
-    .fog_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 25, measured on NV2A"},
+    .fog_byte = {StageByte::twelve_bits, Evidence::inferred, "rule 25, measured on NV2A"},
     .texture_weight_bits = {8, Evidence::inferred, "rule 26, measured on NV2A"},
     .texture_weight_narrowing = {Narrowing::toward_zero, Evidence::inferred, "rule 26, measured on NV2A"},
     .texture_filter_rounding = {FilterRounding::each_blend, Evidence::inferred, "rule 26, measured on NV2A"},
@@ -284,12 +292,13 @@ consteval HardwareProfile xbox() {
   p.point_shape = {PointShape::squares, Evidence::measured, "rule 31: 354 of 355 points"};
   p.vertex_color_mantissa_bits = {13, Evidence::measured, "rule 17: 273 of 273"};
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20: equal slopes in depth dumps"};
+  p.polygon_offset_fraction = {OffsetFraction::kept, Evidence::measured, "rule 20: 312,960 pixels"};
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::measured,
                            "rule 27: 359,729 pixels; affine where a bit of NV097_SET_CONTROL0 is off"};
   p.color_weights = {ColorWeights::eight_bits, Evidence::measured, "rule 27: 1.2 million pixels"};
   p.surface_blend = {SurfaceBlend::zeros, Evidence::measured, "rule 44: 1,823,808 pixels, none wrong"};
   p.depth_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 28: 216,525 of 216,529 pixels"};
-  p.fog_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 25: 662 of 680 pixels"};
+  p.fog_byte = {StageByte::twelve_bits, Evidence::measured, "rule 25: 5,796 of 5,800 pixels"};
   p.texture_weight_bits = {8, Evidence::measured, "rule 26: a ramp of 84 pixels"};
   p.texture_weight_narrowing = {Narrowing::toward_zero, Evidence::measured,
                                 "rule 26: a ramp of 84 pixels, 167 of 168 rows"};
@@ -339,13 +348,15 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.point_shape = {PointShape::whole_pixels, Evidence::specified, "OpenGL 1.3, 3.3"};
   p.vertex_color_mantissa_bits = {23, Evidence::assumed, "no bit of a float is cut before it is rounded to a byte"};
   p.polygon_offset_slope = {OffsetSlope::larger, Evidence::assumed, as_nv2a};
+  p.polygon_offset_fraction = {OffsetFraction::kept, Evidence::specified,
+                               "OpenGL 1.3, 3.5.5: the offset is added to the depth"};
   p.color_interpolation = {ColorInterpolation::perspective, Evidence::assumed, as_nv2a};
   p.color_weights = {ColorWeights::exact, Evidence::specified, "OpenGL 1.3, 3.5.1"};
   p.coverage_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: colours are rounded to nearest"};
   p.surface_blend = {SurfaceBlend::bytes, Evidence::specified,
                      "OpenGL 1.3, 4.1.6: the numbers that the bits stand for"};
   p.depth_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: depths are rounded to nearest"};
-  p.fog_narrowing = {Narrowing::nearest_halves_up, Evidence::specified, "OpenGL: colours are rounded to nearest"};
+  p.fog_byte = {StageByte::nearest, Evidence::specified, "OpenGL: colours are rounded to nearest"};
   p.texture_weight_bits = {8, Evidence::assumed, as_nv2a};
   p.texture_weight_narrowing = {Narrowing::nearest_halves_up, Evidence::assumed, "the nearest weights of these bits"};
   p.texture_filter_rounding = {FilterRounding::once, Evidence::specified, "OpenGL 1.3, 3.8.8: one weighted sum"};

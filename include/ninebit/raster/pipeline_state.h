@@ -73,7 +73,8 @@ struct DepthTest {
 };
 
 // factor × m + r × units is added to the depth of a polygon's fragments; the sum is clamped to [0, 1]. m is the
-// polygon's slope as profile.polygon_offset_slope defines it; r is one step of the target's depth format.
+// polygon's slope as profile.polygon_offset_slope defines it; r is one step of the target's depth format, and 1 in
+// formats that hold floating-point numbers or w.
 struct PolygonOffset {
   bool fill = false;    // GL_POLYGON_OFFSET_FILL: for polygons in that polygon mode
   bool line = false;    // GL_POLYGON_OFFSET_LINE
@@ -135,10 +136,26 @@ struct PointSprite {
   std::array<bool, kTextureStages> coord_replace{};  // GL_COORD_REPLACE_NV: the units that have these coordinates
 };
 
+// How a fragment's fog factor f follows from the interpolated value x of its vertices, VertexArrays::fog_factors. All
+// but `factor` are the NV2A's SET_FOG_MODE, computed at each fragment from bias b and slope l (rule 49), with
+// t = b - 1.5 + l x.
+enum class FogFunction : std::uint8_t {
+  factor,      // x itself, clamped to [0, 1] at the vertices: factors that OpenGL computed
+  linear,      // b - 1 + l x
+  linear_abs,  // b - 1 + l |x|
+  exp,         // 2^(16 t), at most 1
+  exp_abs,     // 2^(-16 |t|)
+  exp2,        // 2^(-32 t²), as exp2_abs
+  exp2_abs     // 2^(-32 t²)
+};
+
 // The fog registers. Programs always read its colour; they read the fragments' factors only while fog is enabled.
 struct Fog {
-  bool enabled = false;                 // GL_FOG
-  std::array<std::uint8_t, 3> color{};  // red, green, blue
+  bool enabled = false;                        // GL_FOG
+  std::array<std::uint8_t, 3> color{};         // red, green, blue
+  FogFunction function = FogFunction::factor;  // of the vertices' values
+  float bias = 0.0F;                           // SET_FOG_PARAMS 0
+  float slope = 0.0F;                          // SET_FOG_PARAMS 1
 };
 
 // The state of a draw. rasterize() reports values outside of the given ranges.
@@ -148,6 +165,9 @@ struct PipelineState {
   std::optional<PixelRect> viewport;  // within the target; empty: the whole target
   float depth_near = 0.0F;            // glDepthRange, each clamped to [0, 1]
   float depth_far = 1.0F;             // likewise
+  // The number that window depth 1 stands for in a floating-point depth buffer (f24s8, f16); empty: the format's
+  // largest.
+  std::optional<float> float_depth_one;
 
   ShadeModel shade_model = ShadeModel::smooth;          // of primary and secondary colours
   CullFace cull_face = CullFace::none;                  // of polygons in any mode

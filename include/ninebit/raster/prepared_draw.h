@@ -68,9 +68,9 @@ class PreparedDraw {
 // colour components, and its stencil, if any, has eight bits. Results are the same either way.
 //
 // Reports, before anything is drawn: the errors of rasterize(); that nothing has been prepared; each difference from
-// the preparation in: size and depth format of the target; viewport, scissor, depth range; culling, front face, polygon
-// modes, polygon offset (and profile.polygon_offset_slope), point size, line width, profile.subpixel_bits; type, number
-// of positions, indices.
+// the preparation in: size and depth format of the target; viewport, scissor, depth range, float_depth_one; culling,
+// front face, polygon modes, polygon offset (and profile.polygon_offset_slope and polygon_offset_fraction), point size,
+// line width, profile.subpixel_bits; type, number of positions, indices.
 [[nodiscard]] Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
                                const DrawActions& actions, RenderTarget& target);
 

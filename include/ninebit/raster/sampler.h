@@ -32,6 +32,7 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/texture.h"
 
@@ -55,6 +56,20 @@ enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat, 
 // itself.
 enum class DepthComparison : std::uint8_t { none, never, less, equal, lequal, greater, notequal, gequal, always };
 
+// What becomes of a texel whose word is the colour key's, by Direct3D's words of the Xbox (rule 54).
+enum class ColorKeyOperation : std::uint8_t {
+  disable,
+  alpha,  // its alpha is 0
+  rgba,   // all its components are 0
+  kill    // the fragment is not drawn, whether or not the program reads the texel
+};
+
+// Texels of rgba8 equal the key in all 32 bits, those of rgb8 in red, green and blue.
+struct ColorKey {
+  ColorKeyOperation operation = ColorKeyOperation::disable;  // what becomes of such texels
+  std::uint32_t key = 0;                                     // 0xAARRGGBB
+};
+
 // A texture object's parameters and the unit's bias, with GL's defaults.
 struct Sampler {
   MinFilter min_filter = MinFilter::nearest_mipmap_linear;  // for minification
@@ -69,7 +84,17 @@ struct Sampler {
   // Components red, green, blue, alpha whose bytes are two's complement: filtered as such, and doubled in a register
   // (rule 15). Of hilo16, alpha's flag is of HI and green's of LO.
   std::array<bool, 4> is_signed{};
+  // The NV2A's. The images hold a border around their texels (rule 52): an image of 2n texels, 16 at least, is a
+  // texture of n, whose texel i is stored at i + 4. Where clamp_to_border leaves the texture, it reads that border.
+  bool border_texels = false;
+  // Of s and t: where the mode is repeat, triangles and lines take the shorter way around the texture (rule 53).
+  std::array<bool, 2> cylinder_wrap{};
+  ColorKey color_key{};  // of nearest texels of rgba8 and rgb8
 };
+
+// Reports what a sampler's border texels, cylinder wrap and colour key cannot be combined with. The texture has passed
+// check_texture.
+[[nodiscard]] Status check_sampler(const Texture& texture, const Sampler& sampler);
 
 // Which bytes of a texture's texels are two's complement: those that the sampler says, and ds and dt.
 [[nodiscard]] std::array<bool, 4> signed_components(const Texture& texture, const Sampler& sampler);
@@ -116,6 +141,13 @@ class TextureSampler {
   // Whether r is read, and with derivatives its differences.
   [[nodiscard]] bool needs_r() const { return cube_ || volume_ || comparison_ != DepthComparison::none; }
 
+  // Whether fragments may be killed by the colour key, and whether fragment i is.
+  [[nodiscard]] bool kills() const { return sampler_.color_key.operation == ColorKeyOperation::kill; }
+  [[nodiscard]] bool kills(const TextureCoordinates& at, std::size_t i) const;
+
+  // Which of s and t wrap around a cylinder.
+  [[nodiscard]] std::array<bool, 2> cylinder() const;
+
   // Whether codes may be negative.
   [[nodiscard]] bool gives_signed_codes() const { return decodes_; }
 
@@ -151,6 +183,7 @@ class TextureSampler {
   [[nodiscard]] Filtered weigh(const Taps& taps, float r) const;
   void weigh_words(const Taps& taps, Filtered& to) const;
   class ByteSampler;  // the fast path for bytes
+  [[nodiscard]] bool is_keyed(const Texel& texel) const;
   void find_sources(const HardwareProfile& profile, TexelUse use);
   void decode(std::size_t count, const std::array<s9*, 4>& codes) const;
 

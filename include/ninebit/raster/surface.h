@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -40,21 +41,48 @@ struct Plane {
   explicit operator bool() const { return data != nullptr; }            // false: empty
 };
 
-// How depth and stencil are stored. A depth code k of m bits stands for the window depth k / (2^m - 1); stencil values
-// have s bits.
-enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1 };
+// How depth and stencil are stored. d: a depth code k of m bits stands for the window depth k / (2^m - 1). f: it is a
+// floating-point number (rule 51). w, wf: a W buffer (rule 50), whose codes are whole or floating-point values of w.
+enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1, f24s8, f16, w24s8, w16, wf24s8, wf16 };
+
+// What the planes of a format hold.
+struct DepthStencilLayout {
+  std::string_view name;  // the format's: "d24s8"
+  int depth_bits;         // of a depth code
+  int stencil_bits;       // of a stencil value
+  bool is_w;              // depth is w, not z
+  int exponent_bits;      // of a floating-point depth, whose other bits are its mantissa's; 0: fixed point
+  // Whether a code stands for a window depth times the largest code.
+  [[nodiscard]] constexpr bool is_fixed_z() const { return !is_w && exponent_bits == 0; }
+};
+
+// In the order of DepthStencilFormat.
+inline constexpr std::array<DepthStencilLayout, 9> kDepthStencilLayouts{{{"d24s8", 24, 8, false, 0},
+                                                                         {"d16", 16, 0, false, 0},
+                                                                         {"d15s1", 15, 1, false, 0},
+                                                                         {"f24s8", 24, 8, false, 8},
+                                                                         {"f16", 16, 0, false, 4},
+                                                                         {"w24s8", 24, 8, true, 0},
+                                                                         {"w16", 16, 0, true, 0},
+                                                                         {"wf24s8", 24, 8, true, 8},
+                                                                         {"wf16", 16, 0, true, 4}}};
+
+// The layout of a format.
+[[nodiscard]] constexpr const DepthStencilLayout& layout_of(DepthStencilFormat format) {
+  return kDepthStencilLayouts[static_cast<std::size_t>(format)];
+}
 
 // The number of bits of a depth code: 24, 16 or 15.
 [[nodiscard]] constexpr int depth_bits(DepthStencilFormat format) {
-  return format == DepthStencilFormat::d24s8 ? 24 : format == DepthStencilFormat::d16 ? 16 : 15;
+  return layout_of(format).depth_bits;
 }
 
 // The number of bits of a stencil value: 8, 0 or 1.
 [[nodiscard]] constexpr int stencil_bits(DepthStencilFormat format) {
-  return format == DepthStencilFormat::d24s8 ? 8 : format == DepthStencilFormat::d16 ? 0 : 1;
+  return layout_of(format).stencil_bits;
 }
 
-// The largest depth code, that of window depth 1.
+// The largest depth code, all ones: that of window depth 1, and of a w that is too large.
 [[nodiscard]] constexpr std::uint32_t max_depth(DepthStencilFormat format) {
   return (std::uint32_t{1} << depth_bits(format)) - 1;
 }
@@ -131,7 +159,7 @@ struct RenderTarget {
 // The initial content of a surface, and the values that clear() writes.
 struct ClearValues {
   std::array<std::uint8_t, 4> color{};  // red, green, blue, alpha
-  double depth = 1.0;                   // clamped to [0, 1], then rounded to the nearest code
+  double depth = 1.0;                   // clamped to [0, 1], then the nearest code; in a W buffer of the largest w
   int stencil = 0;                      // its low bits
 };
 

@@ -146,9 +146,11 @@ std::string conversions(const HardwareProfile& profile) {
       "\nivec4 ninebit_codes(vec4 v) {\n  return ivec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5))" + down + ";\n}\n";
   text += "\nivec4 ninebit_signed_codes(vec4 v) {\n  return max((2 * ivec4(floor(clamp(v, -1.0, 1.0) * 127.0 + 0.5)))" +
           down + ", " + std::to_string(profile.lowest.value) + ");\n}\n";
-  text += "\nint ninebit_fog_code(float factor) {\n  return int(floor(clamp(factor, 0.0, 1.0) * 255.0";
-  if (profile.fog_narrowing.value == Narrowing::nearest_halves_up) text += " + 0.5";
-  text += "))" + down + ";\n}\n\nvec4 ninebit_color(ivec4 codes) {\n";
+  text += "\nint ninebit_fog_code(float factor) {\n";
+  text += profile.fog_byte.value == StageByte::nearest
+              ? "  return int(floor(clamp(factor, 0.0, 1.0) * 255.0 + 0.5))"
+              : "  return (255 * (int(clamp(factor, 0.0, 4095.0 / 4096.0) * 4096.0) + 1) >> 12)";
+  text += down + ";\n}\n\nvec4 ninebit_color(ivec4 codes) {\n";
   if (shift != 0) {
     text += "  codes = ivec4(greaterThanEqual(codes, ivec4(" + std::to_string(profile.one.value) + "))) * 255 +\n" +
             "          ivec4(lessThan(codes, ivec4(" + std::to_string(profile.one.value) + "))) * ((codes << " +

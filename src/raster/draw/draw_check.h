@@ -22,4 +22,9 @@ namespace ninebit {
 // Reports units that are on and have no texture coordinates.
 [[nodiscard]] Status check_units(const DrawContext& context);
 
+// Whether the matrix gives all vertices the same w.
+[[nodiscard]] bool has_one_w(const glm::mat4& clip_from_object, const VertexArrays& arrays);
+// Reports a depth test in a W buffer of such vertices.
+[[nodiscard]] Status check_w(const PipelineState& state, bool one_w, const RenderTarget& target);
+
 }  // namespace ninebit

@@ -25,6 +25,7 @@ namespace ninebit {
 // If `is_valid` is false, only the memory is kept.
 struct PreparedDraw::Geometry {
   bool is_valid = false;
+  bool one_w = false;     // has_one_w()
   PipelineState state{};  // as far as the geometry depends on it
   int width = 0;
   int height = 0;
@@ -46,6 +47,7 @@ PipelineState geometry_state(const PipelineState& state) {
   s.viewport = state.viewport;
   s.depth_near = state.depth_near;
   s.depth_far = state.depth_far;
+  s.float_depth_one = state.float_depth_one;
   s.cull_face = state.cull_face;
   s.front_face = state.front_face;
   s.front_mode = state.front_mode;
@@ -84,11 +86,14 @@ Status check_prepared(const PreparedDraw::Geometry& g, const PipelineState& stat
       Part{same(p.viewport.value_or(PixelRect{0, 0, g.width, g.height}), viewport_of(state, target)), "viewport"},
       Part{same(g.drawn, drawn_pixels(state, target)), "scissor"},
       Part{p.depth_near == state.depth_near && p.depth_far == state.depth_far, "depth range"},
+      Part{p.float_depth_one == state.float_depth_one, "number of window depth 1"},
       Part{p.cull_face == state.cull_face, "culling"},
       Part{p.front_face == state.front_face, "front face"},
       Part{p.front_mode == state.front_mode && p.back_mode == state.back_mode, "polygon mode"},
       Part{same(p.polygon_offset, state.polygon_offset), "polygon offset"},
       Part{p.profile.polygon_offset_slope.value == state.profile.polygon_offset_slope.value, "polygon offset's slope"},
+      Part{p.profile.polygon_offset_fraction.value == state.profile.polygon_offset_fraction.value,
+           "polygon offset's fraction"},
       Part{p.profile.depth_narrowing.value == state.profile.depth_narrowing.value, "narrowing of depths"},
       Part{p.profile.point_shape.value == state.profile.point_shape.value, "shape of points"},
       Part{p.profile.line_shape.value == state.profile.line_shape.value, "shape of lines"},
@@ -156,6 +161,7 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
                                  .homogeneous_positions = arrays.homogeneous_positions,
                                  .indices = arrays.indices};
   if (Status checked = check_draw(g.state, bare_arrays, {}, bare_target); !checked) return checked;
+  g.one_w = has_one_w(clip_from_object, arrays);
   g.width = target.width;
   g.height = target.height;
   g.format = target.format;
@@ -237,6 +243,7 @@ Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
   std::vector<const DrawContext*> pointers;
   for (const DrawPass& pass : passes) {
     if (Status checked = check_draw(*pass.state, pass.arrays, pass.units, target); !checked) return checked;
+    if (Status checked = check_w(*pass.state, g.one_w, target); !checked) return checked;
     if (Status checked = check_prepared(g, *pass.state, pass.arrays, target); !checked) return checked;
     const DrawContext& context = contexts.emplace_back(*pass.state, pass.arrays, pass.units, target);
     if (Status checked = check_units(context); !checked) return checked;

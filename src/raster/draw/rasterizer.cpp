@@ -83,6 +83,7 @@ void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
 Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                    std::span<const TextureUnit> units, RenderTarget& target, const SampleShift& shift) {
   if (Status checked = check_draw(state, arrays, units, target); !checked) return checked;
+  if (Status checked = check_w(state, has_one_w(clip_from_object, arrays), target); !checked) return checked;
   if (Status checked = check_indices(arrays); !checked) return checked;
   const DrawContext context(state, arrays, units, target);
   if (Status checked = check_units(context); !checked) return checked;

@@ -8,8 +8,8 @@
 #include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/line_setup.h"
 #include "src/raster/setup/primitive_assembly.h"
+#include "src/raster/setup/primitive_depth.h"
 #include "src/raster/setup/triangle_edges.h"
-#include "src/raster/surface/floor_divider.h"
 
 namespace ninebit {
 namespace {
@@ -41,25 +41,21 @@ TileContents tile_contents(std::span<const LanePass> passes, const RenderTarget&
   return all;
 }
 
-// Finds the depth codes of a primitive's fragments, makes the early tests, and hands the others to `Next`. (It copies
+// Makes the early tests of a primitive's fragments, and hands the others to `Next`. (It copies
 // what each fragment reads: the compiler assumes that stores of bytes may change anything else.)
 template <class Next>
 class FragmentSink {
  public:
   FragmentSink(const DrawContext& context, const SetupPrimitive& primitive, Next next)
       : operations_(context.operations),
-        depth_(context.depth),
         primitive_(primitive.primitive),
-        offset_z24_(primitive.offset_z24),
         front_facing_(primitive.front_facing),
-        is_code_(primitive.offset_z24 == 0 && context.depth.step_z24() == 1),
         stipple_(is_polygon(primitive) && context.state.polygon_stipple ? &*context.state.polygon_stipple : nullptr),
         next_(next) {}
 
-  void operator()(int x, int y, std::uint32_t z24, const std::array<std::int64_t, 3>& edge,
+  void operator()(int x, int y, std::uint32_t depth, const std::array<std::int64_t, 3>& edge,
                   std::uint8_t coverage = 255) const {
     if (stipple_ != nullptr && !has_pixel(*stipple_, x, y)) return;
-    const std::uint32_t depth = is_code_ ? z24 : depth_.code(z24, offset_z24_);
     // Two objects: the first stays in registers.
     if (operations_.is_lost_early({x, y, depth, primitive_, front_facing_})) return;
     next_({x, y, depth, primitive_, front_facing_, coverage}, edge);
@@ -71,11 +67,8 @@ class FragmentSink {
   }
 
   const FragmentOperations& operations_;
-  const WindowDepth depth_;
   const std::uint32_t primitive_;
-  const std::int32_t offset_z24_;
   const bool front_facing_;
-  const bool is_code_;
   const StipplePattern* const stipple_;  // null: all pixels are drawn
   const Next next_;
 };
@@ -87,8 +80,10 @@ PixelBox common_pixels(const PixelBox& tile, const PixelBounds& box) {
 
 // Not inlined: the caller would be large and short of registers.
 template <class Sink>
-[[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
+[[gnu::noinline]] void draw_triangle(const PixelBox& tile, const SetupPrimitive& t, const WindowDepth& window,
+                                     Sink sink) {
   const TriangleEdges plane(t);
+  const PrimitiveDepth depth(window, t, plane.area());
   const int left = std::max<int>(tile.left, t.box.left), right = std::min<int>(tile.right - 1, t.box.right);
   const int bottom = std::max<int>(tile.bottom, t.box.bottom), top = std::min<int>(tile.top - 1, t.box.top);
   const bool narrow = right - left < 8;  // testing each pixel costs less than dividing for the span
@@ -98,7 +93,7 @@ template <class Sink>
     std::array<std::int64_t, 3> e = plane.at(first, y);
     for (int x = first; x <= last; ++x, plane.step_right(e)) {
       if (narrow && !plane.inside(e)) continue;
-      sink(x, y, plane.z24(e), e);
+      sink(x, y, depth(e), e);
     }
   }
 }
@@ -106,7 +101,8 @@ template <class Sink>
 // A pixel with any sample inside is drawn. Where its centre lies outside, an edge function below 0 counts as 0 there:
 // the fragment's values are those of a place on the triangle (assumed).
 template <class Sink>
-[[gnu::noinline]] void draw_smooth_triangle(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
+[[gnu::noinline]] void draw_smooth_triangle(const PixelBox& tile, const SetupPrimitive& t, const WindowDepth& window,
+                                            Sink sink) {
   const TriangleEdges plane(t);
   const PixelBox box = common_pixels(tile, t.box);
   for (int y = box.bottom; y < box.top; ++y) {
@@ -116,7 +112,8 @@ template <class Sink>
       if (inside == 0) continue;
       const std::array<std::int64_t, 3> place{std::max(e[0], std::int64_t{0}), std::max(e[1], std::int64_t{0}),
                                               std::max(e[2], std::int64_t{0})};
-      sink(x, y, plane.z24_of_weights(place), place, coverage_byte(inside));
+      const PrimitiveDepth depth(window, t, place[0] + place[1] + place[2]);
+      sink(x, y, depth(place), place, coverage_byte(inside));
     }
   }
 }
@@ -129,9 +126,7 @@ class AlongLine {
         y_(line.y_q4()[0]),
         dx_(line.x_q4()[1] - x_),
         dy_(line.y_q4()[1] - y_),
-        squared_length_(dx_ * dx_ + dy_ * dy_),
-        divide_(2 * squared_length_),
-        line_(line) {}
+        squared_length_(dx_ * dx_ + dy_ * dy_) {}
 
   // FragmentPlace::edge at the foot of the perpendicular from the centre.
   [[nodiscard]] std::array<std::int64_t, 3> at(int x, int y) const {
@@ -139,22 +134,18 @@ class AlongLine {
     const std::int64_t from_start = std::clamp(along, std::int64_t{0}, squared_length_);
     return {squared_length_ - from_start, from_start, 0};
   }
-  [[nodiscard]] std::uint32_t z24(const std::array<std::int64_t, 3>& edge) const {
-    const std::int64_t wide = edge[0] * line_.z24[0] + edge[1] * line_.z24[1];
-    return static_cast<std::uint32_t>(divide_(2 * wide + (line_.cuts_depth ? 0 : squared_length_)));
-  }
+  [[nodiscard]] std::int64_t squared_length() const { return squared_length_; }
 
  private:
   std::int64_t x_, y_, dx_, dy_, squared_length_;
-  FloorDivider divide_;
-  const SetupPrimitive& line_;
 };
 
 // The pixels of one column (row) share the position along the line that the lowest one's centre has.
 template <class Sink>
-void draw_diamonds(const PixelBox& tile, const SetupPrimitive& line, int width, Sink sink) {
+void draw_diamonds(const PixelBox& tile, const SetupPrimitive& line, const WindowDepth& window, int width, Sink sink) {
   const LineWalk walk(line);
   const AlongLine place(line);
+  const PrimitiveDepth depth(window, line, place.squared_length());
   const bool x_major = walk.is_x_major();
   const int first = std::max(walk.first(), x_major ? tile.left : tile.bottom);
   const int last = std::min(walk.last(), (x_major ? tile.right : tile.top) - 1);
@@ -164,56 +155,63 @@ void draw_diamonds(const PixelBox& tile, const SetupPrimitive& line, int width, 
     if (!walk.pixel_at(major, minor)) continue;
     const int x = x_major ? major : minor, y = x_major ? minor : major;
     const std::array<std::int64_t, 3> edge = place.at(x, y);
-    const std::uint32_t z24 = place.z24(edge);
+    const std::uint32_t code = depth(edge);
     for (int m = std::max(minor, minor_first); m < std::min(minor + width, minor_end); ++m) {
-      sink(x_major ? x : m, x_major ? m : y, z24, edge);
+      sink(x_major ? x : m, x_major ? m : y, code, edge);
     }
   }
 }
 
 template <class Sink>
-void draw_rectangle(const PixelBox& tile, const SetupPrimitive& line, int eighths, Sink sink) {
+void draw_rectangle(const PixelBox& tile, const SetupPrimitive& line, const WindowDepth& window, int eighths,
+                    Sink sink) {
   const LineRectangle rectangle(line, eighths);
   const AlongLine place(line);
+  const PrimitiveDepth depth(window, line, place.squared_length());
   const PixelBox box = common_pixels(tile, line.box);
   for (int y = box.bottom; y < box.top; ++y) {
     int first = box.left, last = box.right - 1;
     if (!rectangle.span(y, first, last)) continue;
     for (int x = first; x <= last; ++x) {
       const std::array<std::int64_t, 3> edge = place.at(x, y);
-      sink(x, y, place.z24(edge), edge);
+      sink(x, y, depth(edge), edge);
     }
   }
 }
 
 template <class Sink>
-void draw_smooth_rectangle(const PixelBox& tile, const SetupPrimitive& line, int eighths, Sink sink) {
+void draw_smooth_rectangle(const PixelBox& tile, const SetupPrimitive& line, const WindowDepth& window, int eighths,
+                           Sink sink) {
   const LineRectangle rectangle(line, eighths);
   const AlongLine place(line);
+  const PrimitiveDepth depth(window, line, place.squared_length());
   const PixelBox box = common_pixels(tile, line.box);
   for (int y = box.bottom; y < box.top; ++y) {
     for (int x = box.left; x < box.right; ++x) {
       const int inside = rectangle.samples_inside(x, y);
       if (inside == 0) continue;
       const std::array<std::int64_t, 3> edge = place.at(x, y);
-      sink(x, y, place.z24(edge), edge, coverage_byte(inside));
+      sink(x, y, depth(edge), edge, coverage_byte(inside));
     }
   }
 }
 
 template <class Sink>
-void draw_point(const PixelBox& tile, const SetupPrimitive& point, Sink sink) {
+void draw_point(const PixelBox& tile, const SetupPrimitive& point, const WindowDepth& window, Sink sink) {
+  const std::uint32_t depth = PrimitiveDepth(window, point, 1)({1, 0, 0});
   const PixelBox box = common_pixels(tile, point.box);
   for (int y = box.bottom; y < box.top; ++y) {
-    for (int x = box.left; x < box.right; ++x) sink(x, y, point.z24[0], {1, 0, 0});
+    for (int x = box.left; x < box.right; ++x) sink(x, y, depth, {1, 0, 0});
   }
 }
 
 template <class Sink>
-void draw_pixel(const PixelBox& tile, const SetupPrimitive& t, Sink sink) {
+void draw_pixel(const PixelBox& tile, const SetupPrimitive& t, const WindowDepth& window, Sink sink) {
   const int x = t.box.left, y = t.box.bottom;
   if (x < tile.left || x >= tile.right || y < tile.bottom || y >= tile.top) return;  // (a probe's tile is one pixel)
-  sink(x, y, t.z24[0], TriangleEdges(t).at(x, y));
+  const TriangleEdges plane(t);
+  const std::array<std::int64_t, 3> edge = plane.at(x, y);
+  sink(x, y, PrimitiveDepth(window, t, plane.area())(edge), edge);
 }
 
 template <class Next>
@@ -221,22 +219,23 @@ void draw_primitive(const DrawContext& context, const PixelBox& tile, const Setu
   const FragmentSink<Next> sink(context, p, next);
   switch (p.kind) {
     case SetupKind::triangle:
-      context.state.polygon_smooth ? draw_smooth_triangle(tile, p, sink) : draw_triangle(tile, p, sink);
+      context.state.polygon_smooth ? draw_smooth_triangle(tile, p, context.depth, sink)
+                                   : draw_triangle(tile, p, context.depth, sink);
       break;
     case SetupKind::line:
       if (context.state.line_smooth) {
-        draw_smooth_rectangle(tile, p, eighths_of(context.state.line_width), sink);
+        draw_smooth_rectangle(tile, p, context.depth, eighths_of(context.state.line_width), sink);
       } else if (context.state.profile.line_shape == LineShape::diamonds) {
-        draw_diamonds(tile, p, whole_pixels(eighths_of(context.state.line_width)), sink);
+        draw_diamonds(tile, p, context.depth, whole_pixels(eighths_of(context.state.line_width)), sink);
       } else {
-        draw_rectangle(tile, p, eighths_of(context.state.line_width), sink);
+        draw_rectangle(tile, p, context.depth, eighths_of(context.state.line_width), sink);
       }
       break;
     case SetupKind::point:
-      draw_point(tile, p, sink);
+      draw_point(tile, p, context.depth, sink);
       break;
     case SetupKind::pixel:
-      draw_pixel(tile, p, sink);
+      draw_pixel(tile, p, context.depth, sink);
       break;
   }
 }
@@ -281,6 +280,9 @@ bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes,
 
 bool TileRasterizer::can_clear_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
   if (!can_share_tiles(passes, target)) return false;
+  // Tiles are cleared to the default number of window depth 1.
+  const auto has_own_one = [](const DrawContext* pass) { return pass->state.float_depth_one.has_value(); };
+  if (std::any_of(passes.begin(), passes.end(), has_own_one)) return false;
   // Clearing leaves the bits beyond the stencil bits as they are.
   if (target.stencil && stencil_bits(target.format) < 8) return false;
   // A cleared tile holds every colour plane: each pass has to write all of them, or none.

@@ -71,12 +71,13 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       assembly(vertices),
       operations(pipeline, target, !for_probe && !replaces_depth(pipeline)),
       outputs(target),
-      depth(target.format, state.profile.depth_narrowing),
+      depth(target.format, state.profile.depth_narrowing, state.float_depth_one),
       largest_depth(max_depth(target.format)) {
   state.texture_shader.enabled ? prepare_stages(units) : prepare_units(units);
-  has_flat_result = !for_probe && !stages_decide && outputs.need_fragment_alone() &&
+  has_flat_result = !for_probe && !stages_decide && !kills_by_key && outputs.need_fragment_alone() &&
                     (!operations.needs_color() || (!state.program && shades_flat(arrays.vertex_colors)));
-  fills_registers = for_probe || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
+  fills_registers =
+      for_probe || kills_by_key || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
   initial = initial_of(*this);
   prepare_program(target, for_probe);
 }
@@ -85,7 +86,10 @@ void DrawContext::prepare_units(std::span<const TextureUnit> units) {
   for (std::size_t unit = 0; unit < units.size(); ++unit) {
     if (units[unit].texture == nullptr) continue;
     samplers[unit] = TextureSampler::make(state.profile, *units[unit].texture, units[unit].sampler);
-    if (!samplers[unit] || !samplers[unit]->needs_derivatives()) continue;
+    if (!samplers[unit]) continue;
+    kills_by_key = kills_by_key || samplers[unit]->kills();
+    wraps_around = wraps_around || samplers[unit]->cylinder() != std::array<bool, 2>{};
+    if (!samplers[unit]->needs_derivatives()) continue;
     needs_texture_changes = true;
     point_change[unit] = texel_width(*units[unit].texture);
   }
@@ -136,7 +140,8 @@ void DrawContext::prepare_program(const RenderTarget& target, bool for_probe) {
     const auto reg = static_cast<std::size_t>(texture_register(static_cast<int>(unit)));
     // (Before the first general combiner, spare0's alpha is that of unit 0.)
     const bool as_spare0 = unit == 0 && reads[static_cast<std::size_t>(Register::spare0)];
-    reads_unit[unit] = (stages || samplers[unit]) && (reads[reg] || as_spare0);
+    const bool kills = samplers[unit] && samplers[unit]->kills();
+    reads_unit[unit] = (stages || samplers[unit]) && (reads[reg] || as_spare0 || kills);
   }
 }
 

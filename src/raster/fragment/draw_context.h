@@ -71,6 +71,8 @@ struct DrawContext {
   // Of s at points, where rho is 1 (OpenGL 1.3, 3.8.8), for units and stages that read textures at s/q, t/q, r/q.
   std::array<float, kMaxTextureUnits> point_change{};
   bool needs_texture_changes = false;
+  bool kills_by_key = false;  // whether a unit's colour key may kill fragments
+  bool wraps_around = false;  // whether a unit's coordinates wrap around a cylinder
 
   // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment.
   bool has_flat_result = false;

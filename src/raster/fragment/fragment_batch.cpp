@@ -1,7 +1,9 @@
 #include "src/raster/fragment/fragment_batch.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "src/raster/fragment/fog.h"
 #include "src/raster/rules/one_fragment.h"
 
 namespace ninebit {
@@ -9,6 +11,13 @@ namespace {
 
 float unit_range(float value) {
   return !(value > 0.0F) ? 0.0F : value > 1.0F ? 1.0F : value;
+}
+
+// The coordinate b of a vertex beside a's, on a texture that is wrapped around a cylinder: the nearest of b, b ± 1, ….
+// A difference of exactly one half stays (rule 53).
+float around_cylinder(float a, float b) {
+  const float turns = std::ceil(std::fabs(b - a) - 0.5F);
+  return turns > 0.0F ? b - std::copysign(turns, b - a) : b;
 }
 
 // The vertex that is not an end of a line has the share 0; the line's ends follow it in order, which holds for the
@@ -88,13 +97,16 @@ void FragmentBatch::fill_secondary() {
 
 void FragmentBatch::fill_fog() {
   const HardwareProfile& profile = context_.state.profile;
-  const std::span<const float> factors = context_.arrays.fog_factors;
+  const Fog& fog = context_.state.fog;
+  const std::span<const float> values = context_.arrays.fog_factors;
+  const auto at_vertex = [&](std::uint32_t v) {
+    return fog.function == FogFunction::factor ? unit_range(values[v]) : values[v];
+  };
   s9* const codes = registers_(Register::fog, kAlpha);
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
-    const float factor = interpolate(weights_.perspective(), i, unit_range(factors[v[0]]), unit_range(factors[v[1]]),
-                                     unit_range(factors[v[2]]));
-    codes[i] = from_byte(profile, byte_of_fog_factor(profile, factor));
+    const float x = interpolate(weights_.perspective(), i, at_vertex(v[0]), at_vertex(v[1]), at_vertex(v[2]));
+    codes[i] = from_byte(profile, fog_byte(profile, fog, x));
   }
 }
 
@@ -123,9 +135,15 @@ void FragmentBatch::fill_texture(std::size_t unit) {
   const std::size_t components = sampler.needs_r() ? 3 : 2;
   const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
   const std::size_t kinds = sampler.needs_derivatives() ? 3 : 1;
+  const std::array<bool, 2> cylinder = sampler.cylinder();
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
-    const glm::vec3 &a = at_vertex[v[0]], &b = at_vertex[v[1]], &c = at_vertex[v[2]];
+    glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
+    for (int k = 0; k < 2; ++k) {
+      if (!cylinder[static_cast<std::size_t>(k)]) continue;
+      b[k] = around_cylinder(a[k], b[k]);
+      c[k] = around_cylinder(a[k], c[k]);
+    }
     for (std::size_t kind = 0; kind < kinds; ++kind) {
       for (std::size_t k = 0; k < components; ++k) {
         const auto n = static_cast<int>(k);
@@ -153,6 +171,9 @@ void FragmentBatch::fill_texture(std::size_t unit) {
     coordinates.value[k] = coordinates_[0][k].data();
     coordinates.dx[k] = coordinates_[1][k].data();
     coordinates.dy[k] = coordinates_[2][k].data();
+  }
+  for (std::size_t i = 0; i < count_ && sampler.kills(); ++i) {
+    keyed_[i] = keyed_[i] || sampler.kills(coordinates, i);
   }
   const Register reg = texture_register(static_cast<int>(unit));
   sampler.sample(coordinates, count_,
@@ -221,6 +242,7 @@ void FragmentBatch::fill_registers() {
   if (!context_.arrays.secondary_colors.empty()) fill_secondary();
   if (context_.state.fog.enabled && !context_.arrays.fog_factors.empty()) fill_fog();
   if (stages_) return run_stages();
+  keyed_.fill(false);
   for (std::size_t unit = 0; unit < context_.samplers.size(); ++unit) {
     if (context_.reads_unit[unit]) fill_texture(unit);
   }

@@ -12,6 +12,7 @@
 
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
+#include "src/raster/lanes/primitive_draw.h"
 #include "src/raster/lanes/tile_triangles.h"
 #include "src/raster/setup/triangle_edges.h"
 #include "src/raster/setup/window_primitives.h"
@@ -52,9 +53,48 @@ struct DepthLanes {
   }
 };
 
+// The lower or the upper half of a vector's columns and rows, from its first pixel on.
+template <class Rows>
+struct RealPlaces {
+  alignas(64) static constexpr auto kColumn = [] {
+    std::array<double, kLaneCount> at{};
+    for (std::size_t i = 0; i < kLaneCount; ++i) at[i] = Rows::column(static_cast<int>(i));
+    return at;
+  }();
+  alignas(64) static constexpr auto kRow = [] {
+    std::array<double, kLaneCount> at{};
+    for (std::size_t i = 0; i < kLaneCount; ++i) at[i] = Rows::row(static_cast<int>(i));
+    return at;
+  }();
+};
+
+// Codes of the lanes, the first of which is pixel (x, y): RealDepth::number().
+template <class Rows>
+HWY_INLINE V real_depths(const TriangleRealDepth& t, const WindowDepth& depth, int x, int y) {
+  alignas(64) std::array<double, kLaneCount> number;
+  for (std::size_t first = 0; first < kLaneCount; first += hn::Lanes(kDD)) {
+    const auto column = hn::Add(hn::Load(kDD, RealPlaces<Rows>::kColumn.data() + first), hn::Set(kDD, x));
+    const auto row = hn::Add(hn::Load(kDD, RealPlaces<Rows>::kRow.data() + first), hn::Set(kDD, y));
+    const auto of = [&](std::size_t i) HWY_ATTR {
+      // Whole numbers below 2^53, however they are added.
+      const auto along = hn::Add(hn::Set(kDD, t.edge[i]), hn::Mul(hn::Set(kDD, t.edge_x[i]), column));
+      const auto share = hn::Add(along, hn::Mul(hn::Set(kDD, t.edge_y[i]), row));
+      return hn::Mul(share, hn::Set(kDD, t.depth.corner[i]));
+    };
+    const auto sum = hn::Add(hn::Add(of(0), of(1)), of(2)), parts = hn::Set(kDD, t.depth.parts);
+    const auto own = depth.is_w() ? hn::Div(parts, sum) : hn::Mul(hn::Div(sum, parts), hn::Set(kDD, depth.one()));
+    hn::Store(hn::Add(own, hn::Set(kDD, t.depth.offset)), kDD, number.data() + first);
+  }
+  alignas(64) std::array<std::int32_t, kLaneCount> code;
+  for (std::size_t i = 0; i < kLaneCount; ++i) code[i] = static_cast<std::int32_t>(depth.code_of_number(number[i]));
+  return hn::Load(kD, code.data());
+}
+
 // Window depths of the lanes of the mask, the first of which is pixel (x, y), from both halves of their DepthLanes.
 template <class Rows>
-HWY_INLINE V find_depths(const SetupPrimitive& p, int x, int y, M mask, V64 z_low, V64 z_high) {
+HWY_INLINE V find_depths(const PrimitiveDraw& current, int x, int y, M mask, V64 z_low, V64 z_high) {
+  if (HWY_UNLIKELY(current.real != nullptr)) return real_depths<Rows>(*current.real, current.pass.context.depth, x, y);
+  const SetupPrimitive& p = current.primitive;
   const hn::RebindToUnsigned<D> du;
   const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
   const V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));

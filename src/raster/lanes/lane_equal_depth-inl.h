@@ -97,7 +97,7 @@ HWY_NOINLINE void gather_rows(const PrimitiveDraw& current, const TileTriangles&
       }
       M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
       if (!hn::AllFalse(kD, mask)) {
-        const V z24 = find_depths<OneRow>(current.primitive, left + column, y, mask, z_low, hn::Add(z_low, z.half));
+        const V z24 = find_depths<OneRow>(current, left + column, y, mask, z_low, hn::Add(z_low, z.half));
         const V depth = depth_codes(kD, current.pass, current.primitive, z24);
         const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));
         mask = hn::And(mask, has_depth(kD, here, depth));

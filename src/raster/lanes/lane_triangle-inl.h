@@ -92,7 +92,7 @@ HWY_INLINE void gather_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& c
 template <Drawing kDrawing, class Rows, class Inside>
 HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& current, const TileTriangles& t,
                                std::size_t k, const PixelVector<Inside>& at) {
-  const V z24 = find_depths<Rows>(current.primitive, at.x, at.y, at.mask, at.z_low, at.z_high);
+  const V z24 = find_depths<Rows>(current, at.x, at.y, at.mask, at.z_low, at.z_high);
   if constexpr (is_nearest(kDrawing)) {
     draw_nearest<kDrawing == Drawing::noted, Rows>(draw, current, at.place, at.mask, z24);
   } else if constexpr (kDrawing == Drawing::flat) {

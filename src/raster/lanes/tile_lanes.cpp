@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 
 #include "src/raster/fragment/blend.h"
 #include "src/raster/lanes/primitive_draw.h"
@@ -121,6 +122,7 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
                            needs_color ? pass.context.arrays.primitive_colors : std::span<const ColorBytes>()};
   const std::uint32_t first_number = tile.owners.next_number;
   tile.owners.next_number += static_cast<std::uint32_t>(indices.size());
+  const bool is_real = pass.context.depth.is_real();
   const bool loses_farther = tile.farthest.are_known && pass.depths_are_codes;
   const auto is_lost = [&](const SetupPrimitive& p, int left, int bottom, int right, int top) {
     const int x = tile.planes.left, y = tile.planes.bottom;
@@ -154,6 +156,8 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
       const bool is_placed = ((group.triangles.placed >> k) & 1U) != 0;
       if (is_placed ? ((group.triangles.drawn >> k) & 1U) == 0 : !t.place(k, p)) continue;
       find_color();
+      std::optional<TriangleRealDepth> real;
+      if (is_real) current.real = &real.emplace(p);
       draw_placed<kDrawing>(current, t, k);
     }
   }
@@ -197,6 +201,7 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   }
   if (state.front_mode != PolygonMode::fill || state.back_mode != PolygonMode::fill) return false;
   if (state.polygon_smooth || !context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
+  if (context.kills_by_key || context.wraps_around) return false;
   if (!context.has_flat_result) {
     if (state.fog.enabled && !arrays.fog_factors.empty() && context.reads[static_cast<std::size_t>(Register::fog)]) {
       return false;

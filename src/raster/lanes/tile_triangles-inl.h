@@ -121,11 +121,10 @@ HWY_INLINE M store_edges(TileTriangles& t, const CornerLanes& c, const RegionLan
 HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const EdgeLanes& edges) {
   const V z0 = word(&word.first.z24[0]);
   const V dz1 = hn::Sub(word(&word.first.z24[1]), z0), dz2 = hn::Sub(word(&word.first.z24[2]), z0);
-  static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, cuts_depth) == 14);
-  const M cuts = hn::TestBit(word(&word.first.kind), hn::Set(kD, 1 << 16));
-  const V not_flat = hn::VecFromMask(kD, hn::Ne(hn::Or(dz1, dz2), hn::Zero(kD)));
-  // Halves to add: 1 where depths are rounded.
-  const V half_steps = hn::IfThenElseZero(hn::Not(hn::And(cuts, hn::MaskFromVec(not_flat))), hn::Set(kD, 1));
+  static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, fraction) == 14 && kOffsetBits == 16);
+  const M is_flat = hn::Eq(hn::Or(dz1, dz2), hn::Zero(kD));
+  const V own_fraction = hn::And(hn::ShiftRight<16>(word(&word.first.kind)), hn::Set(kD, 0xFFFF));
+  const V fraction = hn::IfThenElse(is_flat, hn::Set(kD, 1 << 15), own_fraction);
   const V area = hn::Add(hn::Add(edges.at_origin[0], edges.at_origin[1]), edges.at_origin[2]);
   const hn::Half<D> half;
   const auto real = [&](V v, bool upper) HWY_ATTR {
@@ -140,7 +139,7 @@ HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const
     };
     const auto slope_x = plane(r(edges.step_x[1]), r(edges.step_x[2]));
     const auto slope_y = plane(r(edges.step_y[1]), r(edges.step_y[2]));
-    const auto origin = hn::Add(hn::Add(r(z0), plane(e1, e2)), hn::Mul(r(half_steps), hn::Set(kDD, 0.5)));
+    const auto origin = hn::Add(hn::Add(r(z0), plane(e1, e2)), hn::Mul(r(fraction), hn::Set(kDD, kFractionUnit)));
     const auto steep = hn::Max(hn::Abs(slope_x), hn::Abs(slope_y));
     const auto far = hn::Mul(hn::Add(hn::Abs(e1), hn::Abs(e2)), scale);
     const auto is_sure =

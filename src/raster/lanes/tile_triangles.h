@@ -34,8 +34,8 @@ struct TileTriangles {
   // Coverage in floats, for which a product and a sum are one operation. Where has_floats, they are exact for all of
   // the region's vectors; else they are meaningless.
   alignas(64) std::array<Each<float>, 3> float_inside, float_inside_x, float_inside_y;
-  // Depth + 1/2 with 32 fraction bits, and its steps. Zeros, whose fraction is in doubt, where only the exact plane is
-  // good enough.
+  // Depth + the triangle's fraction with 32 fraction bits, and its steps. Zeros, whose fraction is in doubt, where only
+  // the exact plane is good enough.
   alignas(64) Each<double> depth, depth_x, depth_y;
   alignas(64) Each<std::int64_t> depth_step_x, depth_step_y;
   Each<bool> is_narrow;                       // true if the edge functions of all of the region's vectors fit 32 bits
@@ -48,10 +48,11 @@ struct TileTriangles {
   bool place(std::size_t k, const SetupPrimitive& p);
 };
 
-// z = z0 + (e1 (z1 - z0) + e2 (z2 - z0)) / area + 1/2, the steps likewise; without the 1/2 where depths are cut, but
-// for triangles of one depth, which is a whole number. Products of steps and depths are exact in doubles; each other
-// operation has a relative error of a few 2^-53. Within these limits the error of the sum is below 2^-18 at every pixel
-// of a tile.
+// z = z0 + (e1 (z1 - z0) + e2 (z2 - z0)) / area + the triangle's fraction, the steps likewise; with 1/2 in place of the
+// fraction for triangles of one depth, which is a whole number. Products of steps and depths are exact in doubles; each
+// other operation has a relative error of a few 2^-53. Within these limits the error of the sum is below 2^-18 at every
+// pixel of a tile.
+inline constexpr double kFractionUnit = 1.0 / (1 << kOffsetBits);
 inline constexpr double kSteepestDepth = 0x1p24, kFarthestDepth = 64.0, kHighestDepth = 0x1p29, kDepthOne = 0x1p32;
 
 inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
@@ -85,10 +86,10 @@ inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
   }
   const double scale = edges.inverse_area();
   const double z0 = p.z24[0], dz1 = p.z24[1] - z0, dz2 = p.z24[2] - z0;
-  const bool cuts = p.cuts_depth && (dz1 != 0.0 || dz2 != 0.0);
+  const double fraction = dz1 == 0.0 && dz2 == 0.0 ? 0.5 : p.fraction * kFractionUnit;
   const double slope_x = (edge_x[1][k] * dz1 + edge_x[2][k] * dz2) * scale;
   const double slope_y = (edge_y[1][k] * dz1 + edge_y[2][k] * dz2) * scale;
-  const double origin = z0 + (edge[1][k] * dz1 + edge[2][k] * dz2) * scale + (cuts ? 0.0 : 0.5);
+  const double origin = z0 + (edge[1][k] * dz1 + edge[2][k] * dz2) * scale + fraction;
   const bool is_sure = std::fabs(slope_x) <= kSteepestDepth && std::fabs(slope_y) <= kSteepestDepth &&
                        (std::fabs(edge[1][k]) + std::fabs(edge[2][k])) * scale <= kFarthestDepth &&
                        std::fabs(origin) <= kHighestDepth;

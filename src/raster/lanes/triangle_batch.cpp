@@ -166,7 +166,9 @@ HWY_INLINE void append(const SetupContext& context, std::size_t first, BatchTria
   const VI drawn = hn::Neg(hn::Add(hn::Add(e.in00, e.in10), hn::Add(e.in01, e.in11)));
   t.alive = hn::AndNot(hn::And(small, hn::Eq(drawn, set(0))), t.alive);
   if (hn::AllFalse(kDI, t.alive)) return;
-  const MI pixel = hn::And(small, hn::Eq(drawn, set(1)));
+  // Depths of single pixels are found in window depth alone.
+  MI pixel = hn::And(small, hn::Eq(drawn, set(1)));
+  if (context.window.depth().is_real()) pixel = hn::FirstN(kDI, 0);
   const VI right_by = hn::Not(hn::Or(e.in00, e.in01)), up_by = hn::Not(hn::Or(e.in00, e.in10));  // -1 or 0
   const VI small_low = hn::Or(hn::Sub(box.first_x, right_by), hn::ShiftLeft<16>(hn::Sub(box.first_y, up_by)));
   const VI small_high = hn::Or(hn::Sub(box.first_x, hn::Or(e.in10, e.in11)),

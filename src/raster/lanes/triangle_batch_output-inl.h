@@ -6,6 +6,8 @@
 #define NINEBIT_RASTER_LANES_TRIANGLE_BATCH_OUTPUT_INL_H_
 #endif
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +40,7 @@ struct Depths {
   alignas(64) TriangleCandidates::Lanes corner[3];
   alignas(64) TriangleCandidates::Lanes inv_w[3];
   alignas(64) TriangleCandidates::Lanes pixel;
-  alignas(64) TriangleCandidates::Lanes offset;
+  alignas(64) TriangleCandidates::Lanes offset, fraction;  // of SetupOffset
 };
 
 HWY_INLINE void gather_depths(const TriangleBatch& batch, const TriangleCandidates& c, Depths& to) {
@@ -54,31 +56,39 @@ HWY_INLINE void gather_depths(const TriangleBatch& batch, const TriangleCandidat
   }
 }
 
-// The depth plane at each single pixel, rounded to nearest, halves up: floor((2 Σ e z + area) / (2 area)), or cut,
-// which adds no area (rule 28). Numerator and denominator are exact; a quotient that is not whole is at least 2^-27
-// from the next whole number, which rounding to 53 bits cannot reach: it is below 2^24.
-HWY_INLINE void find_pixel_depths(const TriangleCandidates& c, bool cuts, Depths& to) {
+// The depth plane at each single pixel with the triangle's fraction, cut: floor((Σ e z + fraction × area) / area)
+// (rules 20 and 28). Numerator, the fraction of the area being cut, and denominator are exact; a quotient that is not
+// whole is at least 2^-26 from the next whole number, which rounding to 53 bits cannot reach: it is below 2^25.
+HWY_INLINE void find_pixel_depths(const TriangleCandidates& c, Depths& to) {
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
     const VD e0 = as_double(c.edge[0] + i), e1 = as_double(c.edge[1] + i), e2 = as_double(c.edge[2] + i);
     const VD area = hn::Add(hn::Add(e0, e1), e2);
     const VD wide = hn::Add(hn::Add(hn::Mul(e0, as_double(to.corner[0] + i)), hn::Mul(e1, as_double(to.corner[1] + i))),
                             hn::Mul(e2, as_double(to.corner[2] + i)));
-    const VD z = hn::Div(hn::Add(hn::Add(wide, wide), cuts ? hn::Zero(kDD) : area), hn::Add(area, area));
+    const VD fraction = hn::Mul(as_double(to.fraction + i), hn::Set(kDD, 1.0 / (1 << kOffsetBits)));
+    const VD z = hn::Div(hn::Add(wide, hn::Floor(hn::Mul(area, fraction))), area);
     store_numbers(z, to.pixel + i);
   }
 }
 
 // The offset of candidate k, by the function for any triangle.
-HWY_INLINE std::int32_t exact_offset(const SetupContext& context, const TriangleCandidates& c, const Depths& d,
-                                     std::size_t k) {
-  WindowVertex v[3];
-  for (int i = 0; i < 3; ++i) {
+HWY_INLINE SetupOffset exact_offset(const SetupContext& context, const TriangleCandidates& c, const Depths& d,
+                                    std::size_t k) {
+  std::array<WindowVertex, 3> v;
+  for (std::size_t i = 0; i < 3; ++i) {
     v[i] = {.x_q4 = c.x[i][k], .y_q4 = c.y[i][k], .z24 = static_cast<std::uint32_t>(d.corner[i][k])};
   }
-  return polygon_offset_z24(context.offset, context.slope, depth_plane(v[0], v[1], v[2]), context.window.depth());
+  return setup_offset(context.offset, context.offset_rule, v, context.window.depth());
 }
 
-// The formulas of depth_plane() and polygon_offset_z24(). Calls the latter where the bounds of the sum round to
+HWY_INLINE void store_exact_offset(const SetupContext& context, const TriangleCandidates& c, std::size_t k,
+                                   Depths& to) {
+  const SetupOffset exact = exact_offset(context, c, to, k);
+  to.offset[k] = exact.whole;
+  to.fraction[k] = exact.fraction;
+}
+
+// The formulas of depth_plane() and polygon_offset_q16(). Calls the latter where the bounds of the sum round to
 // different numbers.
 HWY_INLINE void find_offsets(const SetupContext& context, const TriangleCandidates& c, Depths& to) {
   const VD factor = hn::Set(kDD, static_cast<double>(context.offset.factor));
@@ -86,6 +96,8 @@ HWY_INLINE void find_offsets(const SetupContext& context, const TriangleCandidat
       hn::Set(kDD, static_cast<double>(context.offset.units) * static_cast<double>(context.window.depth().step_z24()));
   const VD limit = hn::Set(kDD, static_cast<double>(kLargestOffset)), sixteen = hn::Set(kDD, 16.0);
   const VD smallest_error = hn::Add(hn::Abs(units), hn::Set(kDD, 1.0));
+  const VD scale = hn::Set(kDD, 1 << context.offset_rule.bits()), unit = hn::Div(hn::Set(kDD, 1.0), scale);
+  const VD rounding = hn::Set(kDD, context.window.depth().cuts() ? 0.0 : 0.5);
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
     const auto difference = [i](const TriangleCandidates::Lanes(&v)[3], int k)
                                 HWY_ATTR { return hn::Sub(as_double(v[k] + i), as_double(v[0] + i)); };
@@ -95,20 +107,23 @@ HWY_INLINE void find_offsets(const SetupContext& context, const TriangleCandidat
     const VD dx = hn::Mul(sixteen, hn::Abs(hn::Sub(hn::Mul(bz, cy), hn::Mul(cz, by))));
     const VD dy = hn::Mul(sixteen, hn::Abs(hn::Sub(hn::Mul(bx, cz), hn::Mul(cx, bz))));
     VD m = hn::Div(hn::Max(dx, dy), area);
-    if (context.slope == OffsetSlope::root) {
+    if (context.offset_rule.slope == OffsetSlope::root) {
       const VD sx = hn::Div(dx, area), sy = hn::Div(dy, area);
       m = hn::Sqrt(hn::Add(hn::Mul(sx, sx), hn::Mul(sy, sy)));
     }
     const VD moved = hn::Mul(factor, m), sum = hn::Add(moved, units);
     const VD error = hn::Mul(hn::Set(kDD, kOffsetError), hn::Add(hn::Abs(moved), smallest_error));
-    const auto rounded = [limit](VD v) HWY_ATTR {
-      return hn::Floor(hn::Add(hn::Min(hn::Max(v, hn::Neg(limit)), limit), hn::Set(kDD, 0.5)));
+    const auto rounded = [limit, scale](VD v) HWY_ATTR {
+      return hn::Floor(hn::Add(hn::Mul(hn::Min(hn::Max(v, hn::Neg(limit)), limit), scale), hn::Set(kDD, 0.5)));
     };
     const VD low = rounded(hn::Sub(sum, error)), high = rounded(hn::Add(sum, error));
-    store_numbers(low, to.offset + i);
+    // The numbers of SetupOffset.
+    const VD offset = hn::Add(hn::Mul(low, unit), rounding), whole = hn::Floor(offset);
+    store_numbers(whole, to.offset + i);
+    store_numbers(hn::Mul(hn::Sub(offset, whole), hn::Set(kDD, 1 << kOffsetBits)), to.fraction + i);
     if (HWY_LIKELY(hn::AllTrue(kDD, hn::Eq(low, high)))) continue;
     const std::size_t end = i + hn::Lanes(kDD) < c.count ? i + hn::Lanes(kDD) : c.count;
-    for (std::size_t k = i; k < end; ++k) to.offset[k] = exact_offset(context, c, to, k);
+    for (std::size_t k = i; k < end; ++k) store_exact_offset(context, c, k, to);
   }
 }
 
@@ -145,20 +160,17 @@ HWY_INLINE void write_corners(const TriangleCandidates& c, const Depths& d, std:
 using PrimitiveRows = std::int32_t[3][4 * 16];
 
 // The candidates from i on as PrimitiveRows.
-HWY_INLINE void interleave(const SetupContext& context, const TriangleCandidates& c, const Depths& d, std::size_t i,
-                           PrimitiveRows& rows) {
-  const bool is_offset = context.is_offset(PolygonMode::fill);
-  static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, cuts_depth) == 14 &&
+HWY_INLINE void interleave(const TriangleCandidates& c, const Depths& d, std::size_t i, PrimitiveRows& rows) {
+  static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, fraction) == 14 &&
                 offsetof(SetupPrimitive, z24) == 16 && offsetof(SetupPrimitive, position) == 32);
   static_assert(std::endian::native == std::endian::little);
   const auto load = [i](const TriangleCandidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
-  const VI depths = set(context.window.depth().cuts() ? 1 << 16 : 0);
-  const VI kind = hn::Or(hn::And(load(c.kind), set(0xFFFF)), depths);
+  const VI kind = hn::Or(hn::And(load(c.kind), set(0xFFFF)), hn::ShiftLeft<16>(load(d.fraction)));
   hn::StoreInterleaved4(load(c.low), load(c.high), load(c.primitive), kind, kDI, rows[0]);
   const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
   const VI pixel = load(d.pixel);
   const auto depth = [&](int k) HWY_ATTR { return hn::IfThenElse(is_pixel, pixel, load(d.corner[k])); };
-  hn::StoreInterleaved4(depth(0), depth(1), depth(2), is_offset ? load(d.offset) : set(0), kDI, rows[1]);
+  hn::StoreInterleaved4(depth(0), depth(1), depth(2), load(d.offset), kDI, rows[1]);
   constexpr int kLow = PackedPositions::kLow, kHigh = PackedPositions::kHigh;
   VI word[3], high_y = set(0);
   for (int k = 0; k < 3; ++k) {
@@ -185,7 +197,7 @@ HWY_INLINE void write(const TriangleBatch& batch, const TriangleCandidates& c, c
                       TriangleBatchOutput& out) {
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
     alignas(64) PrimitiveRows rows;
-    interleave(batch.context, c, d, i, rows);
+    interleave(c, d, i, rows);
     const std::size_t count = c.count - i < hn::Lanes(kDI) ? c.count - i : hn::Lanes(kDI);
     alignas(64) std::int32_t tiles[16];
     hn::Store(tiles_of(hn::Load(kDI, c.low + i), hn::Load(kDI, c.high + i), batch.tile_columns), kDI, tiles);
@@ -205,8 +217,18 @@ HWY_NOINLINE void write_candidates(const TriangleBatch& batch, TriangleCandidate
   if (c.count == 0) return;
   Depths depths;
   gather_depths(batch, c, depths);
-  if (c.has_pixels) find_pixel_depths(c, batch.context.window.depth().cuts(), depths);
-  if (batch.context.is_offset(PolygonMode::fill)) find_offsets(batch.context, c, depths);
+  if (batch.context.is_offset(PolygonMode::fill)) {
+    if (batch.context.window.depth().is_real()) {
+      for (std::size_t k = 0; k < c.count; ++k) store_exact_offset(batch.context, c, k, depths);
+    } else {
+      find_offsets(batch.context, c, depths);
+    }
+  } else {
+    const SetupOffset none = batch.context.no_offset();
+    std::fill_n(depths.offset, c.count, none.whole);
+    std::fill_n(depths.fraction, c.count, std::int32_t{none.fraction});
+  }
+  if (c.has_pixels) find_pixel_depths(c, depths);
   write(batch, c, depths, out);
   c.count = 0;
   c.has_pixels = false;

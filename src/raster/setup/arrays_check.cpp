@@ -80,6 +80,13 @@ Status check_state(const PipelineState& state, const RenderTarget& target) {
   if (!std::isfinite(state.polygon_offset.factor) || !std::isfinite(state.polygon_offset.units)) {
     return fault("the polygon offset's factor and units are not both finite");
   }
+  if (!std::isfinite(state.fog.bias) || !std::isfinite(state.fog.slope)) {
+    return fault("the fog's bias and slope are not both finite");
+  }
+  if (state.float_depth_one && (!std::isfinite(*state.float_depth_one) || *state.float_depth_one <= 0.0F)) {
+    return fault("the number of window depth 1 is " + std::to_string(*state.float_depth_one) +
+                 "; expected a finite one above 0");
+  }
   if (!state.viewport) return {};
   const PixelRect& v = *state.viewport;
   const bool inside = v.x >= 0 && v.y >= 0 && v.width >= 0 && v.height >= 0 && v.x <= target.width &&
@@ -107,6 +114,16 @@ Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std:
     if (units[unit].texture == nullptr) continue;
     if (Status checked = check_texture(*units[unit].texture); !checked) {
       return fault("texture unit " + std::to_string(unit) + ": " + checked.error().message);
+    }
+    const Sampler& sampler = units[unit].sampler;
+    if (Status checked = check_sampler(*units[unit].texture, sampler); !checked) {
+      return fault("texture unit " + std::to_string(unit) + ": " + checked.error().message);
+    }
+    const bool is_plain =
+        sampler.cylinder_wrap == std::array<bool, 2>{} && sampler.color_key.operation != ColorKeyOperation::kill;
+    if (state.texture_shader.enabled && !is_plain) {
+      return fault("texture unit " + std::to_string(unit) +
+                   ": texture-shader stages neither wrap around cylinders nor kill fragments by a colour key");
     }
   }
   return {};

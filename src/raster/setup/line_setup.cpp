@@ -19,12 +19,11 @@ struct Piece {
 
 Piece start(const SetupContext& context, SetupKind kind, const SetupSource& source, const PixelBounds& box) {
   Piece p;
-  p.primitive.cuts_depth = context.window.depth().cuts();
   p.primitive.kind = kind;
   p.primitive.box = box;
   p.primitive.front_facing = source.front_facing;
   p.primitive.primitive = source.primitive;
-  p.primitive.offset_z24 = source.offset_z24;
+  p.primitive.set(source.offset.value_or(context.no_offset()));
   p.corners.vertex = source.vertex;
   p.corners.corner = {0, 1, 2};
   p.corners.weights = kNoWeights;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "src/raster/setup/setup_context.h"
 #include "src/raster/setup/window_primitives.h"
@@ -15,7 +16,7 @@ struct SetupSource {
   std::array<std::uint32_t, 3> vertex{};
   std::uint32_t primitive = 0;
   bool front_facing = true;
-  std::int32_t offset_z24 = 0;
+  std::optional<SetupOffset> offset{};  // empty: there is none
 };
 
 // A vertex of a line or a point: one of the source's, or with weights one that clipping made.

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace ninebit {
 namespace {
@@ -14,6 +15,7 @@ struct OffsetTerms {
   float units;
   int step_bits;  // r is 2^step_bits
   OffsetSlope slope;
+  int scale_bits;     // the whole sum is times 2^scale_bits
   std::int64_t area;  // > 0
   std::int64_t dx;    // >= 0, <= 2^47
   std::int64_t dy;
@@ -36,11 +38,11 @@ WideNumber square(const WideNumber& x) {
   return x * x;
 }
 
-// Whether factor × m + units × r >= n - 1/2, that is, factor × numerator >= area × (n - 1/2 - units × r). The numerator
-// of m may be a root, so that squares are compared where the signs do not decide. Their sizes: below 2^278 × 2^48 on
-// the left, 2^38 × 2^288 on the right.
+// Whether factor × m + units × r >= n - 1/2, that is, factor × numerator >= area × (n - 1/2 - units × r), with both
+// terms times 2^scale_bits. The numerator of m may be a root, so that squares are compared where the signs do not
+// decide. Their sizes: below 2^294 × 2^48 on the left, 2^38 × 2^304 on the right.
 bool reaches(const OffsetTerms& t, std::int64_t n) {
-  const WideNumber zero, units = magnitude(t.units, t.step_bits);
+  const WideNumber zero, units = magnitude(t.units, t.step_bits + t.scale_bits);
   const std::int64_t twice = 2 * n - 1;
   const WideNumber half_below(static_cast<std::uint64_t>(std::abs(twice)), kFloatSteps - 1);
   // The right side's second factor: a difference of sizes where both terms have the same sign.
@@ -51,7 +53,7 @@ bool reaches(const OffsetTerms& t, std::int64_t n) {
 
   const WideNumber dx(static_cast<std::uint64_t>(t.dx)), dy(static_cast<std::uint64_t>(t.dy));
   const WideNumber slope_squared = t.slope == OffsetSlope::root ? square(dx) + square(dy) : square(std::max(dx, dy));
-  const WideNumber left = square(magnitude(t.factor)) * slope_squared;
+  const WideNumber left = square(magnitude(t.factor, t.scale_bits)) * slope_squared;
   const WideNumber right = square(WideNumber(static_cast<std::uint64_t>(t.area)) * rest);
   const int left_sign = left == zero ? 0 : t.factor < 0 ? -1 : 1;
   const int right_sign = right == zero ? 0 : is_negative ? -1 : 1;
@@ -59,9 +61,10 @@ bool reaches(const OffsetTerms& t, std::int64_t n) {
   return left_sign < 0 ? left <= right : left >= right;
 }
 
-std::int32_t rounded(double sum) {
-  constexpr double kLimit = kLargestOffset;
-  return static_cast<std::int32_t>(std::floor(std::clamp(sum, -kLimit, kLimit) + 0.5));
+// To nearest, halves up, times 2^bits.
+std::int64_t rounded(double sum, int bits) {
+  constexpr auto kLimit = static_cast<double>(kLargestOffset);
+  return static_cast<std::int64_t>(std::floor(std::ldexp(std::clamp(sum, -kLimit, kLimit), bits) + 0.5));
 }
 
 }  // namespace
@@ -73,19 +76,20 @@ DepthPlane depth_plane(const WindowVertex& a, const WindowVertex& b, const Windo
 }
 
 // Rule 20.
-std::int32_t polygon_offset_z24(const PolygonOffset& offset, OffsetSlope slope, const DepthPlane& plane,
+std::int64_t polygon_offset_q16(const PolygonOffset& offset, const OffsetRule& rule, const DepthPlane& plane,
                                 const WindowDepth& depth) {
   const OffsetTerms t{.factor = offset.factor,
                       .units = offset.units,
                       .step_bits = depth.fraction_bits(),
-                      .slope = slope,
+                      .slope = rule.slope,
+                      .scale_bits = rule.bits(),
                       .area = std::abs(plane.area),
                       .dx = 16 * std::abs(plane.dx),
                       .dy = 16 * std::abs(plane.dy)};
   // Numerators within 2^48, which doubles hold exactly.
   const auto area = static_cast<double>(t.area);
   double m = static_cast<double>(std::max(t.dx, t.dy)) / area;
-  if (slope == OffsetSlope::root) {
+  if (rule.slope == OffsetSlope::root) {
     const double x = static_cast<double>(t.dx) / area, y = static_cast<double>(t.dy) / area;
     m = std::sqrt(x * x + y * y);
   }
@@ -93,16 +97,46 @@ std::int32_t polygon_offset_z24(const PolygonOffset& offset, OffsetSlope slope, 
   const double raised = static_cast<double>(offset.units) * static_cast<double>(depth.step_z24());
   const double sum = moved + raised, error = kOffsetError * (std::fabs(moved) + std::fabs(raised) + 1.0);
   // The largest number that the exact sum reaches.
-  std::int32_t low = rounded(sum - error), high = rounded(sum + error);
+  std::int64_t low = rounded(sum - error, rule.bits()), high = rounded(sum + error, rule.bits());
   while (low < high) {
-    const std::int32_t middle = low + (high - low + 1) / 2;
+    const std::int64_t middle = low + (high - low + 1) / 2;
     if (reaches(t, middle)) {
       low = middle;
     } else {
       high = middle - 1;
     }
   }
-  return low;
+  return low << (kOffsetBits - rule.bits());
+}
+
+namespace {
+
+// Rules 50 and 51.
+float real_offset(const PolygonOffset& offset, OffsetSlope slope, const std::array<WindowVertex, 3>& v,
+                  const WindowDepth& depth) {
+  const auto number = [&](std::size_t i) { return static_cast<double>(std::bit_cast<float>(v[i].z24)); };
+  const auto from_first = [&](std::int32_t WindowVertex::*at, std::size_t i) {
+    return static_cast<double>(v[i].*at - v[0].*at);
+  };
+  const double bx = from_first(&WindowVertex::x_q4, 1), by = from_first(&WindowVertex::y_q4, 1);
+  const double cx = from_first(&WindowVertex::x_q4, 2), cy = from_first(&WindowVertex::y_q4, 2);
+  const double bz = number(1) - number(0), cz = number(2) - number(0);
+  // 1/w is linear in the window: w changes by its square times as much.
+  const double scale = depth.is_w() ? 1.0 / (number(0) * number(0)) : depth.one();
+  const double per_pixel = 16.0 * scale / std::fabs(bx * cy - by * cx);
+  const double dx = std::fabs(bz * cy - cz * by) * per_pixel, dy = std::fabs(bx * cz - cx * bz) * per_pixel;
+  const double m = slope == OffsetSlope::root ? std::sqrt(dx * dx + dy * dy) : std::max(dx, dy);
+  constexpr double kMost = std::numeric_limits<float>::max();
+  const double sum = static_cast<double>(offset.factor) * m + static_cast<double>(offset.units);
+  return static_cast<float>(std::clamp(sum, -kMost, kMost));
+}
+
+}  // namespace
+
+SetupOffset setup_offset(const PolygonOffset& offset, const OffsetRule& rule, const std::array<WindowVertex, 3>& v,
+                         const WindowDepth& depth) {
+  if (depth.is_real()) return SetupOffset(real_offset(offset, rule.slope, v, depth));
+  return {polygon_offset_q16(offset, rule, depth_plane(v[0], v[1], v[2]), depth), depth.cuts()};
 }
 
 }  // namespace ninebit

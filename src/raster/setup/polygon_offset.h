@@ -8,6 +8,7 @@
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
+#include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
 
 namespace ninebit {
@@ -22,17 +23,31 @@ struct DepthPlane {
 [[nodiscard]] DepthPlane depth_plane(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c);
 
 // The offset stays within ± this in window depth, far beyond which every sum of depth and offset is clamped.
-inline constexpr std::int32_t kLargestOffset = 1 << 25;
+inline constexpr std::int64_t kLargestOffset = 1 << 25;
+
+// How a profile finds offsets.
+struct OffsetRule {
+  OffsetSlope slope;
+  OffsetFraction fraction;
+  // The fraction bits that may be other than 0.
+  [[nodiscard]] constexpr int bits() const { return fraction == OffsetFraction::kept ? kOffsetBits : 0; }
+};
 
 // A double's factor × m + units × r is within kOffsetError × (|factor × m| + |units × r| + 1) of the exact sum: m, the
 // product, the sum, these bounds and the half that is added are eight roundings or fewer, of 2^-53 each.
 inline constexpr double kOffsetError = 0x1p-49;
 
-// The offset in window depth: the exact sum, rounded to nearest, halves up, and clamped to ±kLargestOffset. Doubles
-// bound the sum; where both bounds do not round to the same number, whole numbers decide. The plane has an area; factor
-// and units are finite.
-[[nodiscard]] std::int32_t polygon_offset_z24(const PolygonOffset& offset, OffsetSlope slope, const DepthPlane& plane,
-                                              const WindowDepth& depth);
+// The offset in window depth times 2^kOffsetBits: the exact sum, rounded to nearest, halves up, to the rule's fraction
+// bits, and clamped to ±kLargestOffset. Doubles bound the sum; where both bounds do not round to the same number, whole
+// numbers decide. The plane has an area; factor and units are finite.
+[[nodiscard]] std::int64_t polygon_offset_q16(const PolygonOffset& offset, const OffsetRule& rule,
+                                              const DepthPlane& plane, const WindowDepth& depth);
+
+// The offset of a polygon with this triangle's plane, as primitives hold it. Of real numbers: factor × m + units, in
+// doubles, to the nearest float, the largest at most; the slope of w is that at the first corner. The triangle has an
+// area.
+[[nodiscard]] SetupOffset setup_offset(const PolygonOffset& offset, const OffsetRule& rule,
+                                       const std::array<WindowVertex, 3>& triangle, const WindowDepth& depth);
 
 // Whole numbers from 0 to 2^768 - 1, for comparisons that must be exact and are rare.
 

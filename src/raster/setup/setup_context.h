@@ -6,6 +6,7 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "src/raster/setup/clip.h"
+#include "src/raster/setup/polygon_offset.h"
 #include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"
@@ -32,7 +33,7 @@ struct SetupContext {
         smooth_polygons(state.polygon_smooth),
         smooth_lines(state.line_smooth),
         offset(state.polygon_offset),
-        slope(state.profile.polygon_offset_slope),
+        offset_rule{state.profile.polygon_offset_slope, state.profile.polygon_offset_fraction},
         needs_corners(corners) {}
 
   [[nodiscard]] bool is_front(bool counter_clockwise) const { return counter_clockwise == counter_clockwise_is_front; }
@@ -43,6 +44,10 @@ struct SetupContext {
   }
   // Whether polygons are filled, whatever their facing.
   [[nodiscard]] bool fills() const { return front_mode == PolygonMode::fill && back_mode == PolygonMode::fill; }
+  // What primitives without an offset have.
+  [[nodiscard]] SetupOffset no_offset() const {
+    return window.depth().is_real() ? SetupOffset(0.0F) : SetupOffset(0, window.depth().cuts());
+  }
   // The pixels that may be drawn whose centres, at 16 i + 8, the box in 1/16 pixel holds.
   [[nodiscard]] PixelBounds pixels_in(int left, int low, int right, int high) const {
     return {static_cast<std::int16_t>(std::max((left + 7) >> 4, drawn.left)),
@@ -66,7 +71,7 @@ struct SetupContext {
   bool smooth_polygons;
   bool smooth_lines;
   PolygonOffset offset;
-  OffsetSlope slope;
+  OffsetRule offset_rule;
   bool needs_corners;
 };
 

@@ -31,11 +31,11 @@ class TriangleEdges {
     return e[0] >= threshold_[0] && e[1] >= threshold_[1] && e[2] >= threshold_[2];
   }
 
-  // The depth plane, cut or rounded to nearest, halves up (rule 28). Within the triangle it lies between the corners'
-  // depths.
+  // The depth plane with the triangle's fraction, cut (rules 20 and 28). Within the triangle the plane lies between the
+  // corners' depths.
   [[nodiscard]] std::uint32_t z24(const std::array<std::int64_t, 3>& e) const {
     const std::int64_t wide = e[0] * triangle_.z24[0] + e[1] * triangle_.z24[1] + e[2] * triangle_.z24[2];
-    return static_cast<std::uint32_t>(divide_(2 * wide + rounding_));
+    return static_cast<std::uint32_t>(divide_(wide + fraction_));
   }
 
   // How many coverage samples of a pixel lie inside, whose edge functions these are.
@@ -50,13 +50,6 @@ class TriangleEdges {
     }
     return inside_count;
   }
-  // The depth plane with such weights, none negative, whatever their sum is.
-  [[nodiscard]] std::uint32_t z24_of_weights(const std::array<std::int64_t, 3>& e) const {
-    const std::int64_t sum = e[0] + e[1] + e[2];
-    const std::int64_t wide = e[0] * triangle_.z24[0] + e[1] * triangle_.z24[1] + e[2] * triangle_.z24[2];
-    return static_cast<std::uint32_t>((2 * wide + (rounding_ == 0 ? 0 : sum)) / (2 * sum));
-  }
-
   // Narrows [first, last] to the pixels of row y inside the triangle; false: there are none.
   [[nodiscard]] bool span(int y, int& first, int& last) const {
     const std::array<std::int64_t, 3> e = at(0, y);
@@ -69,12 +62,14 @@ class TriangleEdges {
     return low <= high;
   }
 
+  // The sum of the edge functions.
+  [[nodiscard]] std::int64_t area() const { return area_; }
   [[nodiscard]] std::int64_t step_x(std::size_t i) const { return step_x_[i]; }
   [[nodiscard]] std::int64_t step_y(std::size_t i) const { return step_y_[i]; }
   // An edge function below it is outside.
   [[nodiscard]] int threshold(std::size_t i) const { return threshold_[i]; }
   // 1 / the sum of the edge functions.
-  [[nodiscard]] double inverse_area() const { return 2.0 * divide_.inverse; }
+  [[nodiscard]] double inverse_area() const { return divide_.inverse; }
 
  private:
   using Positions = std::array<std::int32_t, 3>;
@@ -85,7 +80,7 @@ class TriangleEdges {
   }
 
   TriangleEdges(const SetupPrimitive& t, const Positions& x, const Positions& y)
-      : triangle_(t), area_(area_of(x, y)), rounding_(t.cuts_depth ? 0 : area_), divide_(2 * area_) {
+      : triangle_(t), area_(area_of(x, y)), fraction_(t.fraction_of(area_)), divide_(area_) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
       const std::int64_t dx = x[b] - x[a], dy = y[b] - y[a];
@@ -98,7 +93,7 @@ class TriangleEdges {
   }
 
   const SetupPrimitive& triangle_;
-  std::int64_t area_, rounding_;
+  std::int64_t area_, fraction_;
   FloorDivider divide_;
   std::array<std::int64_t, 3> step_x_, step_y_, origin_;
   std::array<int, 3> threshold_;

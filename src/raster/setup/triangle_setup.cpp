@@ -17,7 +17,7 @@ bool has_usable_w(const std::array<glm::vec4, 3>& clip) {
 }
 
 void emit(const SetupContext& context, const PolygonTriangle& triangle, std::array<WindowVertex, 3> v,
-          const glm::mat3* weights, std::int32_t offset_z24, SetupBlock& block) {
+          const glm::mat3* weights, const std::optional<SetupOffset>& offset, SetupBlock& block) {
   const auto [left, right] = std::minmax({v[0].x_q4, v[1].x_q4, v[2].x_q4});
   const auto [low, high] = std::minmax({v[0].y_q4, v[1].y_q4, v[2].y_q4});
   const int around = context.smooth_polygons ? kCoverageReach_q4 : 0;
@@ -42,9 +42,8 @@ void emit(const SetupContext& context, const PolygonTriangle& triangle, std::arr
   }
   t.kind = SetupKind::triangle;
   t.front_facing = front;
-  t.cuts_depth = context.window.depth().cuts();
   t.primitive = triangle.primitive;
-  t.offset_z24 = offset_z24;
+  t.set(offset.value_or(context.no_offset()));
   block.primitives.push_back(t);
   if (!context.needs_corners) return;
   c.vertex = triangle.vertex;
@@ -82,7 +81,7 @@ void for_each_piece(const SetupContext& context, const ClipPolygon& polygon, Pie
 // The boundary's edges as lines, or the vertices where they start as points.
 void outline(const SetupContext& context, const PolygonTriangle& triangle, const ClipPolygon& polygon, bool clipped,
              const PolygonFacts& facts, SetupBlock& block) {
-  const SetupSource source{triangle.vertex, triangle.primitive, facts.front_facing, facts.offset_z24};
+  const SetupSource source{triangle.vertex, triangle.primitive, facts.front_facing, facts.offset};
   const auto end = [&](int i) {
     const auto k = static_cast<std::size_t>((i + polygon.count) % polygon.count);
     const ClipVertex& v = polygon.vertex[k];
@@ -103,9 +102,11 @@ void outline(const SetupContext& context, const PolygonTriangle& triangle, const
 }  // namespace
 
 void PolygonSurvey::add(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c) {
-  const DepthPlane plane = depth_plane(a, b, c);
-  area_ += plane.area;
-  if (std::abs(plane.area) > std::abs(largest_.area)) largest_ = plane;
+  const std::int64_t area = depth_plane(a, b, c).area;
+  area_ += area;
+  if (std::abs(area) <= largest_area_) return;
+  largest_ = {a, b, c};
+  largest_area_ = std::abs(area);
 }
 
 void PolygonSurvey::add(const PolygonTriangle& triangle) {
@@ -125,12 +126,12 @@ PolygonFacts PolygonSurvey::facts() const {
   PolygonFacts facts;
   facts.front_facing = context_.is_front(area_ > 0);
   facts.mode = context_.mode(facts.front_facing);
-  facts.is_drawn = largest_.area != 0;
+  facts.is_drawn = largest_area_ != 0;
   if (facts.mode != PolygonMode::fill) {
     facts.is_drawn = area_ != 0 && !context_.is_culled(facts.front_facing);
   }
   if (facts.is_drawn && context_.is_offset(facts.mode)) {
-    facts.offset_z24 = polygon_offset_z24(context_.offset, context_.slope, largest_, context_.window.depth());
+    facts.offset = setup_offset(context_.offset, context_.offset_rule, largest_, context_.window.depth());
   }
   return facts;
 }
@@ -143,13 +144,13 @@ void set_up_triangle(const SetupContext& context, const PolygonTriangle& triangl
   const bool clipped = *crossed != 0;
   if (!clipped && !has_usable_w(triangle.clip)) return;
   if (!clipped && facts.mode == PolygonMode::fill) {
-    emit(context, triangle, to_window(context, triangle.clip), nullptr, facts.offset_z24, block);
+    emit(context, triangle, to_window(context, triangle.clip), nullptr, facts.offset, block);
     return;
   }
   const ClipPolygon polygon = clip_triangle(triangle.clip, triangle.boundary, *crossed, context.guard);
   if (facts.mode == PolygonMode::fill) {
     for_each_piece(context, polygon, [&](const std::array<WindowVertex, 3>& v, const glm::mat3& weights) {
-      emit(context, triangle, v, &weights, facts.offset_z24, block);
+      emit(context, triangle, v, &weights, facts.offset, block);
     });
   } else {
     outline(context, triangle, polygon, clipped, facts, block);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "src/raster/setup/polygon_offset.h"
 #include "src/raster/setup/setup_context.h"
@@ -23,8 +24,8 @@ struct PolygonTriangle {
 struct PolygonFacts {
   PolygonMode mode = PolygonMode::fill;
   bool is_drawn = true;
-  bool front_facing = true;  // in the modes line and point; when filled, each triangle has its own facing
-  std::int32_t offset_z24 = 0;
+  bool front_facing = true;             // in the modes line and point; when filled, each triangle has its own facing
+  std::optional<SetupOffset> offset{};  // empty: there is none
 };
 
 // Looks at all triangles of a polygon, as they are after clipping. Its facing is the sign of the sum of their areas
@@ -40,7 +41,8 @@ class PolygonSurvey {
   __extension__ using Wide = __int128;  // a polygon may have 2^32 triangles
   const SetupContext& context_;
   Wide area_ = 0;
-  DepthPlane largest_;
+  std::array<WindowVertex, 3> largest_{};
+  std::int64_t largest_area_ = 0;
 };
 
 // Appends the primitives of one triangle: nothing, the triangle, the fan of its clipped polygon, or its boundary

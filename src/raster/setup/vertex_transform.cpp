@@ -113,6 +113,22 @@ HWY_INLINE void transform_positions(const glm::mat4& m, const WindowScale& s, co
   }
 }
 
+// The depths of formats of real numbers: WindowDepth::corner_of().
+HWY_INLINE void transform_real_depths(const WindowScale& s, bool is_w, Step& step) {
+  if (is_w) {
+    std::copy(std::begin(step.inv_w), std::end(step.inv_w), step.z24);
+    return;
+  }
+  constexpr hn::Rebind<float, decltype(kDD)> kHalf;
+  for (std::size_t v = 0; v < kVertices; v += hn::Lanes(kDD)) {
+    const auto z = hn::PromoteTo(kDD, hn::Load(kHalfF, step.z + v));
+    const auto w = hn::PromoteTo(kDD, hn::Load(kHalfF, step.w + v));
+    const auto depth = hn::Add(hn::Mul(hn::Div(z, w), hn::Set(kDD, s.depth_half)), hn::Set(kDD, s.depth_middle));
+    const auto within = hn::Min(hn::Max(depth, hn::Zero(kDD)), hn::Set(kDD, 1.0));
+    hn::Store(hn::BitCast(kHalfI, hn::DemoteTo(kHalf, within)), kHalfI, step.z24 + v);
+  }
+}
+
 HWY_INLINE void transform_depths(const WindowScale& s, double largest, Step& step) {
   for (std::size_t v = 0; v < kVertices; v += hn::Lanes(kDD)) {
     const auto z = hn::PromoteTo(kDD, hn::Load(kHalfF, step.z + v));
@@ -142,7 +158,11 @@ HWY_INLINE void transform_each(const Position* object, const glm::mat4& matrix, 
       to = last_out;
     }
     transform_positions(matrix, scale, in, step);
-    transform_depths(scale, largest, step);
+    if (window.depth().is_real()) {
+      transform_real_depths(scale, window.depth().is_w(), step);
+    } else {
+      transform_depths(scale, largest, step);
+    }
     for (std::size_t v = 0; v < kVertices; v += hn::Lanes(kDI)) {
       hn::StoreInterleaved4(hn::Load(kDI, step.x_and_code + v), hn::Load(kDI, step.y + v), hn::Load(kDI, step.z24 + v),
                             hn::Load(kDI, step.inv_w + v), kDI, &to[v].x_q4_and_code);

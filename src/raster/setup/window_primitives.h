@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -43,6 +44,24 @@ struct PackedPositions {
   }
 };
 
+// Offsets have this many fraction bits below window depth; all of them are 0 where the profile rounds offsets.
+inline constexpr int kOffsetBits = 16;
+
+// An offset as primitives hold it: the depth on a primitive is `whole` + floor(plane + fraction / 2^kOffsetBits). The
+// half that rounds depths to nearest is part of the fraction (rules 20 and 28). Where depths are real numbers, `whole`
+// has the bits of a float, which is added to them.
+struct SetupOffset {
+  std::int32_t whole = 0;
+  std::uint16_t fraction = 0;
+  constexpr SetupOffset() = default;
+  constexpr SetupOffset(std::int64_t offset_q16, bool cuts) {
+    const std::int64_t sum = offset_q16 + (cuts ? 0 : (1 << kOffsetBits) / 2);
+    whole = static_cast<std::int32_t>(sum >> kOffsetBits);
+    fraction = static_cast<std::uint16_t>(sum & ((1 << kOffsetBits) - 1));
+  }
+  constexpr explicit SetupOffset(float number) : whole(std::bit_cast<std::int32_t>(number)) {}
+};
+
 // A triangle (counter-clockwise in the window, y up), a line from its first corner to its second, or a point. Bounds
 // that the integer arithmetic relies on: positions lie within 8,192 pixels of the viewport's centre, so differences of
 // positions stay within 2^18 sixteenths of a pixel, edge functions, areas and squared lengths within 2^37, and these ×
@@ -54,11 +73,17 @@ struct alignas(16) SetupPrimitive {
   std::uint32_t primitive;  // number of the GL primitive in the draw call
   SetupKind kind;
   bool front_facing;
-  bool cuts_depth;                   // depths on its plane are cut, not rounded (rule 28)
-  std::array<std::uint32_t, 3> z24;  // window depth, see window_transform.h; of a `pixel` three times the one there
-  std::int32_t offset_z24;           // polygon offset
+  std::uint16_t fraction;            // of SetupOffset
+  std::array<std::uint32_t, 3> z24;  // WindowDepth::corner_of(); of a `pixel` three times the depth there
+  std::int32_t offset_z24;           // SetupOffset::whole
   PackedPositions position;          // of a wide line of diamonds: moved to its lowest line; of a point its centre
 
+  void set(const SetupOffset& offset) {
+    offset_z24 = offset.whole;
+    fraction = offset.fraction;
+  }
+  // The fraction, rounded down, of `parts`, into which the primitive's plane divides a whole number; at most 2^38.
+  [[nodiscard]] std::int64_t fraction_of(std::int64_t parts) const { return (parts * fraction) >> kOffsetBits; }
   [[nodiscard]] std::array<std::int32_t, 3> x_q4() const { return {position.x(0), position.x(1), position.x(2)}; }
   [[nodiscard]] std::array<std::int32_t, 3> y_q4() const { return {position.y(0), position.y(1), position.y(2)}; }
 };

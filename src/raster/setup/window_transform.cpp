@@ -28,6 +28,6 @@ WindowTransform::WindowTransform(const PipelineState& state, const PixelRect& vi
              .shift = shift,
              .depth_half = (unit(state.depth_far) - unit(state.depth_near)) * 0.5,
              .depth_middle = (unit(state.depth_near) + unit(state.depth_far)) * 0.5},
-      depth_(format, state.profile.depth_narrowing) {}
+      depth_(format, state.profile.depth_narrowing, state.float_depth_one) {}
 
 }  // namespace ninebit

@@ -2,24 +2,31 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/rules/one_fragment.h"
+#include "src/raster/surface/depth_numbers.h"
 #include "src/raster/surface/sample_planes.h"
 
 namespace ninebit {
 
-// Window depth in 24 bits: the depth codes of a target's format, with as many fraction bits as are left.
+// Window depth in 24 bits: the depth codes of a target's format, with as many fraction bits as are left. Formats that
+// hold floating-point numbers or w have real numbers instead, which become codes at each fragment.
 
 class WindowDepth {
  public:
-  // `narrowing` is that of depths on primitives, to codes.
-  constexpr WindowDepth(DepthStencilFormat format, Narrowing narrowing)
-      : fraction_bits_(24 - depth_bits(format)),
+  // `narrowing` is that of depths on primitives, to codes; `one` is PipelineState::float_depth_one.
+  constexpr WindowDepth(DepthStencilFormat format, Narrowing narrowing, std::optional<float> one = {})
+      : layout_(layout_of(format)),
+        numbers_(format, narrowing),
+        one_(one ? static_cast<double>(*one) : numbers_.largest()),
+        fraction_bits_(24 - depth_bits(format)),
         half_(narrowing == Narrowing::toward_zero ? 0 : (1 << fraction_bits_) >> 1),
         cuts_(narrowing == Narrowing::toward_zero),
         max_z24_(std::int64_t{max_depth(format)} << fraction_bits_) {}
@@ -32,6 +39,22 @@ class WindowDepth {
   [[nodiscard]] constexpr int half() const { return half_; }
   // Whether depths on primitives are cut; else they are rounded to nearest, halves up.
   [[nodiscard]] constexpr bool cuts() const { return cuts_; }
+
+  // Whether depths are real numbers, and whether these are w.
+  [[nodiscard]] constexpr bool is_real() const { return !layout_.is_fixed_z(); }
+  [[nodiscard]] constexpr bool is_w() const { return layout_.is_w; }
+  // The number of window depth 1 in a floating-point format.
+  [[nodiscard]] constexpr double one() const { return one_; }
+
+  // A vertex's depth as primitives hold it: z24_of(depth), or the bits of a float, which is the depth in [0, 1] or 1/w.
+  [[nodiscard]] std::uint32_t corner_of(double depth, float inv_w) const {
+    if (!is_real()) return z24_of(depth);
+    if (is_w()) return std::bit_cast<std::uint32_t>(inv_w);
+    return std::bit_cast<std::uint32_t>(depth > 0.0 ? static_cast<float>(std::min(depth, 1.0)) : 0.0F);
+  }
+
+  // The code of a real number (rules 50 and 51); depths are cut or rounded as on primitives.
+  [[nodiscard]] std::uint32_t code_of_number(double number) const { return numbers_.code(number); }
 
   // A vertex's depth in [0, 1], rounded to nearest, halves up; clamped, NaN becomes 0.
   [[nodiscard]] constexpr std::uint32_t z24_of(double depth) const {
@@ -49,6 +72,9 @@ class WindowDepth {
   }
 
  private:
+  DepthStencilLayout layout_;
+  DepthNumbers numbers_;
+  double one_;
   int fraction_bits_, half_;
   bool cuts_;
   std::int64_t max_z24_;
@@ -57,7 +83,7 @@ class WindowDepth {
 struct WindowVertex {
   std::int32_t x_q4 = 0;
   std::int32_t y_q4 = 0;
-  std::uint32_t z24 = 0;
+  std::uint32_t z24 = 0;  // WindowDepth::corner_of()
   float inv_w = 0.0F;
 };
 
@@ -112,8 +138,8 @@ inline WindowVertex WindowTransform::operator()(const glm::vec4& clip) const {
            scale_.shift.x_q4;
   v.y_q4 = static_cast<std::int32_t>((y * scale_.half_height + scale_.centre_y) * scale_.steps) * scale_.to_q4 +
            scale_.shift.y_q4;
-  v.z24 = depth_.z24_of(static_cast<double>(clip.z) / static_cast<double>(clip.w) * scale_.depth_half +
-                        scale_.depth_middle);
+  v.z24 = depth_.corner_of(
+      static_cast<double>(clip.z) / static_cast<double>(clip.w) * scale_.depth_half + scale_.depth_middle, v.inv_w);
   return v;
 }
 

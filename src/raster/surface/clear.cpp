@@ -3,6 +3,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "src/raster/surface/color_words.h"
+#include "src/raster/surface/depth_numbers.h"
 #include "src/raster/surface/sample_planes.h"
 #include "src/raster/surface/target_check.h"
 
@@ -33,8 +34,13 @@ void fill_masked(const PixelRect& rect, const Plane<std::uint8_t>& plane, unsign
 
 }  // namespace
 
-std::uint32_t depth_code(DepthStencilFormat format, double depth) {
+std::uint32_t depth_code(DepthStencilFormat format, double depth, std::optional<float> one) {
   if (!(depth > 0.0)) return 0;
+  if (layout_of(format).exponent_bits > 0) {
+    const DepthNumbers numbers(format, Narrowing::nearest_halves_up);
+    const bool has_one = one && !layout_of(format).is_w;
+    return numbers.code(std::min(depth, 1.0) * (has_one ? static_cast<double>(*one) : numbers.largest()));
+  }
   const std::uint32_t largest = max_depth(format);
   if (depth >= 1.0) return largest;
   const double below = std::floor(depth * largest);
@@ -64,7 +70,9 @@ Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues
       if (state.color_mask[i]) fill(rect, target.color[i], color[i]);
     }
   }
-  if (buffers.depth && state.depth_test.write) fill(rect, target.depth, depth_code(target.format, values.depth));
+  if (buffers.depth && state.depth_test.write) {
+    fill(rect, target.depth, depth_code(target.format, values.depth, state.float_depth_one));
+  }
   if (buffers.stencil) {
     const unsigned writable = state.stencil_test.front.write_mask & ((1U << stencil_bits(target.format)) - 1);
     fill_masked(rect, target.stencil, stencil_value(target.format, values.stencil), writable);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "ninebit/raster/surface.h"
 
@@ -23,8 +24,9 @@ bool are_words(const std::array<Plane<T>, 4>& planes) {
 
 // Clear values as the planes hold them.
 
-// A window depth clamped to [0, 1], as the nearest code, halves up. NaN becomes 0.
-[[nodiscard]] std::uint32_t depth_code(DepthStencilFormat format, double depth);
+// A window depth clamped to [0, 1], as the nearest code, halves up. NaN becomes 0. In floating-point formats, `one` is
+// PipelineState::float_depth_one; in W buffers the depth is a share of the largest w.
+[[nodiscard]] std::uint32_t depth_code(DepthStencilFormat format, double depth, std::optional<float> one = {});
 
 // The low bits of a stencil value.
 [[nodiscard]] std::uint8_t stencil_value(DepthStencilFormat format, int stencil);

@@ -106,6 +106,10 @@ Status check_planes(const PipelineState& state, const RenderTarget& target) {
   if (state.stencil_test.enabled && has_stencil_bits && !target.stencil) {
     return fault("the stencil test needs a stencil plane");
   }
+  if (state.stencil_test.enabled && !has_stencil_bits && !layout_of(target.format).is_fixed_z()) {
+    return fault("the stencil test is enabled, but the depth-stencil format " +
+                 std::string(layout_of(target.format).name) + " has no stencil bits");
+  }
   if (state.depth_test.enabled && !target.depth) return fault("the depth test needs a depth plane");
   for (std::size_t i = 0; i < 4; ++i) {
     if (std::string complaint = stride_complaint(target, target.color[i]); !complaint.empty()) {

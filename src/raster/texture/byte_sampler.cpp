@@ -41,6 +41,7 @@ int cube_detail_q8(int size, const TextureCoordinates& at, std::size_t i) {
 
 std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::make(const TextureSampler& of) {
   if (of.texture_->faces[0][0].planes.index() != 0 || of.volume_ || of.rectangle_) return {};
+  if (of.sampler_.border_texels || of.sampler_.color_key.operation != ColorKeyOperation::disable) return {};
   const bool filters = is_linear(of.sampler_.min_filter) || of.sampler_.mag_filter == MagFilter::linear;
   const bool has_border = of.sampler_.wrap_s == Wrap::clamp_to_border || of.sampler_.wrap_t == Wrap::clamp_to_border;
   if (has_border || (has_words(of.texture_->format) && (filters || of.needs_derivatives_))) return {};

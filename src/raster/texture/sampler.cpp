@@ -185,6 +185,9 @@ TextureSampler::Filtered TextureSampler::filter(const TextureCoordinates& at, st
   for (std::size_t n = 0; n < (taps.between != 0 ? 2U : 1U); ++n) {
     const TextureImage& image = texture_->faces[face][static_cast<std::size_t>(choice.level) + n];
     const auto along = [&](float coordinate, int size, Wrap wrap) {
+      if (sampler_.border_texels) {
+        return bordered_texels(coordinate, {size / 2, size / 2, wrap}, choice.linear, filter_rules_);
+      }
       const TextureAxis axis{size, rectangle_ ? 1 : size, wrap};
       if (choice.linear) return linear_texels(coordinate, axis, filter_rules_);
       return LinearTexels{.first = nearest_texel(coordinate, axis)};
@@ -393,7 +396,49 @@ Texel TextureSampler::texel(const TextureCoordinates& at, std::size_t i) const {
       result.value[k] = static_cast<std::uint8_t>(filtered.code[k]);
     }
   }
+  const ColorKeyOperation operation = sampler_.color_key.operation;
+  const bool clears = operation == ColorKeyOperation::alpha || operation == ColorKeyOperation::rgba;
+  if (clears && is_keyed(result)) {
+    if (operation == ColorKeyOperation::rgba) result.value = {};
+    result.value[kAlpha] = 0;
+  }
   return result;
+}
+
+// Rule 54.
+bool TextureSampler::is_keyed(const Texel& texel) const {
+  const auto byte = [&](int k) { return std::uint32_t{texel.value[static_cast<std::size_t>(k)]}; };
+  const std::uint32_t word = byte(kAlpha) << 24 | byte(kRed) << 16 | byte(kGreen) << 8 | byte(kBlue);
+  const std::uint32_t compared = texture_->format == InternalFormat::rgb8 ? 0xFFFFFF : 0xFFFFFFFF;
+  return ((word ^ sampler_.color_key.key) & compared) == 0;
+}
+
+bool TextureSampler::kills(const TextureCoordinates& at, std::size_t i) const {
+  return kills() && is_keyed(texel(at, i));
+}
+
+std::array<bool, 2> TextureSampler::cylinder() const {
+  return {sampler_.cylinder_wrap[0] && sampler_.wrap_s == Wrap::repeat,
+          sampler_.cylinder_wrap[1] && sampler_.wrap_t == Wrap::repeat};
+}
+
+Status check_sampler(const Texture& texture, const Sampler& sampler) {
+  const auto fault = [](const char* message) { return Diagnostic{.message = message}; };
+  const bool is_plain = texture.target == TextureTarget::texture_1d || texture.target == TextureTarget::texture_2d;
+  const bool is_nearest = sampler.min_filter == MinFilter::nearest && sampler.mag_filter == MagFilter::nearest;
+  if (sampler.border_texels) {
+    const TextureImage& image = texture.faces[0][0];
+    const bool is_large = image.width >= 16 && image.height >= 16;
+    if (!is_plain || !is_large || uses_mipmaps(sampler.min_filter)) {
+      return fault("border texels need a 2D image of 16 texels a side at least, without mip-maps");
+    }
+  }
+  if (sampler.color_key.operation == ColorKeyOperation::disable) return {};
+  if (texture.format != InternalFormat::rgba8 && texture.format != InternalFormat::rgb8) {
+    return fault("a colour key needs texels of rgba8 or rgb8");
+  }
+  if (!is_nearest) return fault("a colour key needs the nearest texel: what linear filters do with it is not known");
+  return {};
 }
 
 std::array<float, 4> TextureSampler::color(const TextureCoordinates& at, std::size_t i) const {

@@ -55,6 +55,9 @@ inline int texel_or_border(std::int64_t texel, int size) {
   return texel >= 0 && texel < size ? static_cast<int>(texel) : kBorderTexel;
 }
 
+// Images with border texels (rule 52) hold as many around the texture's beginning.
+inline constexpr int kStoredBorder = 4;
+
 // NEAREST: the texel that holds s; the end of the range belongs to the last one.
 inline int nearest_texel(float s, const TextureAxis& axis) {
   const double u = wrapped_position(s, axis);
@@ -91,6 +94,28 @@ inline LinearTexels linear_texels(float s, const TextureAxis& axis, const Filter
       break;
   }
   return {static_cast<int>(first), static_cast<int>(std::min<std::int64_t>(first + 1, size - 1)), weight};
+}
+
+// The texels of an image with a border of its own, by their places in the image. `axis` is the texture's; the image
+// has twice as many texels. Linear filters read the border like texels: assumed.
+inline LinearTexels bordered_texels(float s, const TextureAxis& axis, bool linear, const FilterRules& rules) {
+  const auto stored = [&](std::int64_t texel) {
+    return static_cast<int>(std::clamp<std::int64_t>(texel + kStoredBorder, 0, 2 * std::int64_t{axis.size} - 1));
+  };
+  if (axis.wrap != Wrap::clamp_to_border) {
+    LinearTexels inner = linear ? linear_texels(s, axis, rules) : LinearTexels{.first = nearest_texel(s, axis)};
+    const auto move = [&](int texel) { return texel == kBorderTexel ? kBorderTexel : stored(texel); };
+    return {move(inner.first), move(inner.second), inner.weight};
+  }
+  if (std::isnan(s)) s = 0.0F;
+  const double n = axis.size, at = std::clamp(static_cast<double>(s) * n, -2.0 * n - 16.0, 3.0 * n);
+  if (!linear) return {.first = stored(floor_of(at))};
+  const std::int64_t one = std::int64_t{1} << rules.weight_bits;
+  const double scaled = at * static_cast<double>(one);
+  const std::int64_t fixed =
+      rules.cuts_weights ? floor_of(scaled) - one / 2 : floor_of(scaled + 0.5 * static_cast<double>(1 - one));
+  const std::int64_t first = fixed >> rules.weight_bits;
+  return {stored(first), stored(first + 1), static_cast<std::uint32_t>(fixed & (one - 1))};
 }
 
 }  // namespace ninebit

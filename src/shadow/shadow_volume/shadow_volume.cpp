@@ -204,6 +204,11 @@ void VolumeRenderer::add_picture() {
 }  // namespace
 
 Result<Rendering> render_shadow_volume(const Scene& scene, const RenderSettings& settings, const Progress& progress) {
+  const DepthStencilLayout& layout = layout_of(settings.depth_stencil);
+  if (layout.is_w) {
+    return Diagnostic{.message = "shadow volumes reach infinity, where w is not a distance: the W buffer " +
+                                 std::string(layout.name) + " cannot hold them; expected d24s8, d15s1 or f24s8"};
+  }
   auto made = CameraFrame::make(scene, settings, kVolumeLights);
   if (!made) return made.error();
   CameraFrame& frame = *made;

@@ -75,6 +75,9 @@ void set_picture(const DrawFlags& flags, Effect& effect) {
   if (const auto format = effect_detail::value_of(effect_detail::kColorFormatWords, flags.color_format)) {
     effect.color_format = *format;
   }
+  if (!flags.depth_stencil.empty()) {
+    effect.depth_stencil = *effect_detail::value_of(effect_detail::kDepthStencilFormats, flags.depth_stencil);
+  }
   if (flags.size.empty()) return;
   const auto size = *numbers<int>(flags.size, 'x');
   effect.width = size[0];
@@ -142,7 +145,8 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--secondary", flags.secondary, "Secondary colour (default: black)")
       ->type_name("SOURCE")
       ->check(parses(&parse_color_source));
-  verb.add_option("--fog", flags.fog, "Fog factor: linear:START,END, exp:DENSITY or exp2:DENSITY")
+  verb.add_option("--fog", flags.fog,
+                  "Fog factor: linear:START,END, exp:DENSITY, exp2:DENSITY, or registers-FUNCTION:BIAS,SLOPE")
       ->type_name("FACTOR")
       ->check(parses(&parse_fog));
   verb.add_option("--fog-color", flags.fog_color, "Fog colour")->type_name("R,G,B")->check(text_check(&check_rgb));
@@ -181,6 +185,10 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   for (const ColorFormatFacts& facts : kColorFormats) color_formats.emplace_back(facts.name);
   verb.add_option("--color-format", flags.color_format, "Format of the picture's colours (default: a8r8g8b8)")
       ->check(CLI::IsMember(color_formats));
+  std::vector<std::string> formats;
+  for (const DepthStencilLayout& layout : kDepthStencilLayouts) formats.emplace_back(layout.name);
+  verb.add_option("--depth-stencil", flags.depth_stencil, "Depth and stencil format of the picture (default: d24s8)")
+      ->check(CLI::IsMember(formats));
   verb.add_option("--mesh", flags.mesh, "Mesh to draw: a scene file, sphere:N, torus:N, plane:N or cube")
       ->type_name("FILE|BUILTIN")
       ->check(text_check(&check_file_name));
@@ -268,7 +276,7 @@ Status override_effect(const DrawFlags& flags, Effect& effect) {
   for (const CLI::Option* const option : flags.pass_options) {
     if (option->count() == 0) continue;
     return Diagnostic{.message = fmt::format("{} has no effect with an effect file; expected the flags of the size, "
-                                             "colour format, mesh, camera and light",
+                                             "colour and depth formats, mesh, camera and light",
                                              option->get_name())};
   }
   set_picture(flags, effect);

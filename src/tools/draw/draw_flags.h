@@ -24,7 +24,7 @@ struct DrawFlags {
   CLI::Option* profile = nullptr;  // --profile; whether it was given
   std::string file;                // a program or an effect
   std::string output;              // a PNG file
-  std::string size, color_format;
+  std::string size, color_format, depth_stencil;
   std::string mesh, up;
   bool allow_outside = false;
   std::vector<std::string> defines;  // as ProgramFlags::defines

@@ -1,10 +1,12 @@
 #include "src/tools/verify/measured_combiners.h"
 
 #include <array>
+#include <optional>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/fixed9.h"
 #include "src/tools/verify/measured_rows.h"
 
@@ -125,6 +127,149 @@ std::vector<int> run_product(const MeasuredRow& row, const HardwareProfile& prof
     products.push_back(run(state, initial_registers(profile, inputs), profile)[0]);
   }
   return products;
+}
+
+CombinerState quad_state(Register reg, bool own_alpha) {
+  CombinerState state = state_with(input(reg));
+  if (own_alpha) state.final_combiner.g = input(reg, ComponentUsage::alpha);
+  return state;
+}
+
+namespace {
+
+// Three bytes of constants or registers of the quads' programs.
+using Triple = std::array<int, 3>;
+
+// What a quad of the tables' pictures runs.
+struct QuadProgram {
+  CombinerState state;
+  Triple constant{}, secondary{};
+};
+
+ColorF color_of_bytes(const Triple& bytes) {
+  ColorF color{0.0F, 0.0F, 0.0F, 0.0F};
+  for (std::size_t k = 0; k < 3; ++k) color[k] = static_cast<float>(bytes[k]) / 255.0F;
+  return color;
+}
+
+// Both portions of stage 0 write constant 0 to spare0, alpha its blue.
+CombinerState constant_to_spare0() {
+  CombinerState state = state_with(input(Register::spare0));
+  Portion &rgb = state.general[0].rgb, &alpha = state.general[0].alpha;
+  rgb.a = input(Register::constant0);
+  rgb.b = one(ComponentUsage::rgb);
+  alpha.a = input(Register::constant0, ComponentUsage::blue);
+  alpha.b = one(ComponentUsage::alpha);
+  rgb.out.ab = alpha.out.ab = Register::spare0;
+  return state;
+}
+
+// 25, 63, 255 by an option of the output.
+QuadProgram option_quad(OutputOption option, bool own_alpha) {
+  QuadProgram quad{.state = constant_to_spare0(), .constant = {25, 63, 255}};
+  for (Portion* portion : {&quad.state.general[0].rgb, &quad.state.general[0].alpha}) {
+    portion->out.scale = option.scale;
+    portion->out.bias = option.bias;
+  }
+  if (own_alpha) quad.state.final_combiner.g = input(Register::spare0, ComponentUsage::alpha);
+  return quad;
+}
+
+// The row's colour, its blue as alpha.
+QuadProgram blue_quad(const MeasuredRow& row, bool is_cd, bool own_alpha) {
+  QuadProgram quad{.state = constant_to_spare0()};
+  Portion &rgb = quad.state.general[0].rgb, &alpha = quad.state.general[0].alpha;
+  alpha = state_with(input(Register::zero)).general[0].alpha;
+  if (is_cd) {
+    rgb.c = rgb.a;
+    rgb.d = rgb.b;
+    rgb.out.ab = Register::discard;
+    rgb.out.cd = Register::spare0;
+  }
+  (is_cd ? rgb.out.cd_blue_to_alpha : rgb.out.ab_blue_to_alpha) = true;
+  const char* const columns[] = {"r", "g", "b"};
+  for (std::size_t k = 0; k < 3; ++k) quad.constant[k] = number_of(row.text(columns[k])).value_or(0);
+  if (own_alpha) quad.state.final_combiner.g = input(Register::spare0, ComponentUsage::alpha);
+  return quad;
+}
+
+// The colour sum of R0, the constant, and V1.
+QuadProgram sum_quad(const Triple& r0, const Triple& v1, bool inverts_r0 = false, bool inverts_v1 = false) {
+  QuadProgram quad{.state = constant_to_spare0(), .constant = r0, .secondary = v1};
+  quad.state.final_combiner.d = input(Register::spare0_plus_secondary);
+  quad.state.color_sum_invert_spare0 = inverts_r0;
+  quad.state.color_sum_invert_secondary = inverts_v1;
+  return quad;
+}
+
+// 127 times the colour sum of 255 and 255.
+QuadProgram doubled_quad(bool clamps) {
+  QuadProgram quad = sum_quad({255, 255, 255}, {255, 255, 255});
+  FinalCombiner& last = quad.state.final_combiner;
+  last.a = input(Register::constant1);
+  last.b = last.d;
+  last.d = input(Register::zero);
+  quad.state.constant1 = color_of_bytes({127, 127, 127});
+  quad.state.color_sum_clamp = clamps;
+  return quad;
+}
+
+// E·F of the constant and 127.
+QuadProgram product_quad() {
+  QuadProgram quad{.state = constant_to_spare0(), .constant = {255, 191, 127}};
+  FinalCombiner& last = quad.state.final_combiner;
+  last.d = input(Register::e_times_f);
+  last.e = input(Register::spare0);
+  last.f = input(Register::constant1);
+  quad.state.constant1 = color_of_bytes({127, 127, 127});
+  return quad;
+}
+
+constexpr Words<OutputOption, 6> kQuadOptions{{{"identity", {Scale::none, Bias::none}},
+                                               {"bias", {Scale::none, Bias::by_negative_one_half}},
+                                               {"shl1", {Scale::by_two, Bias::none}},
+                                               {"shl1_bias", {Scale::by_two, Bias::by_negative_one_half}},
+                                               {"shl2", {Scale::by_four, Bias::none}},
+                                               {"shr1", {Scale::by_one_half, Bias::none}}}};
+
+// Empty: the row's operation is not known.
+std::optional<QuadProgram> quad_of(const MeasuredRow& row) {
+  const std::string &picture = row.text("picture"), &operation = row.text("operation");
+  const bool own_alpha = !row.text("computes").ends_with("alpha one");
+  if (picture == "CombinerOps") {
+    const auto option = value_of(kQuadOptions, operation);
+    return option ? std::optional(option_quad(*option, own_alpha)) : std::nullopt;
+  }
+  if (operation.starts_with("blue to alpha ")) return blue_quad(row, operation.ends_with("CD"), own_alpha);
+  constexpr Triple kR0{63, 127, 191}, kV1{178, 127, 38}, kGrey{191, 191, 191};
+  if (operation == "EF_PROD") return product_quad();
+  if (operation == "SPEC_R0_SUM") return picture == "Flags" ? sum_quad(kGrey, {}) : sum_quad(kR0, kV1);
+  if (operation == "SPEC_R0_SUM inv R0") return sum_quad(kR0, kV1, true);
+  if (operation == "SPEC_R0_SUM inv V1") return sum_quad(kR0, kV1, false, true);
+  if (operation == "SPEC_R0_SUM inverted") return sum_quad(kGrey, {}, true);
+  if (operation == "SPEC_R0_SUM unclamped") return doubled_quad(false);
+  if (operation == "SPEC_R0_SUM clamped") return doubled_quad(true);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<int> run_quad(const MeasuredRow& row, const HardwareProfile& profile) {
+  QuadProgram quad = *quad_of(row);
+  quad.state.constant0 = color_of_bytes(quad.constant);
+  FragmentInputs inputs;
+  for (std::size_t k = 0; k < 3; ++k) inputs.secondary[k] = static_cast<std::uint8_t>(quad.secondary[k]);
+  const std::array<int, 4> color = run(quad.state, initial_registers(profile, inputs), profile);
+  return {color.begin(), color.end()};
+}
+
+std::string wrong_quad(const MeasuredRow& row, const HardwareProfile& profile) {
+  const auto quad = quad_of(row);
+  if (!quad)
+    return fmt::format("the operation '{}' of {} is not known", shown(row.text("operation")),
+                       shown(row.text("picture")));
+  const auto refused = validate(quad->state, profile);
+  return refused.empty() ? "" : fmt::format("profile {}: {}", profile.name, refused[0].message);
 }
 
 std::string wrong_scale(const MeasuredRow& row, const HardwareProfile&) {

@@ -1,7 +1,9 @@
 // The tables that `ninebit verify` knows, and what computes each.
 #include <algorithm>
 
+#include "src/tools/verify/measured_columns.h"
 #include "src/tools/verify/measured_combiners.h"
+#include "src/tools/verify/measured_pixels.h"
 #include "src/tools/verify/measured_rows.h"
 #include "src/tools/verify/measured_stages.h"
 #include "src/tools/verify/measured_surfaces.h"
@@ -10,28 +12,7 @@
 namespace ninebit::tools {
 namespace {
 
-using Column = MeasuredColumn;
-using Kind = MeasuredColumn::Kind;
-
-Column whole(std::string_view name, std::int64_t low, std::int64_t high) {
-  return {name, Kind::whole, low, high};
-}
-Column byte(std::string_view name) {
-  return whole(name, 0, 255);
-}
-
-// Columns of one kind, from their part of the header.
-void add(std::vector<Column>& to, std::string_view names, Column like) {
-  for (const std::string_view name : pieces(names, ',')) {
-    like.name = name;
-    to.push_back(like);
-  }
-}
-std::vector<Column> columns(std::initializer_list<std::pair<std::string_view, Column>> groups) {
-  std::vector<Column> all;
-  for (const auto& [names, like] : groups) add(all, names, like);
-  return all;
-}
+using namespace columns_of_tables;
 
 // The background that a picture was blended over, and the alpha. Its colours, as the tables' comments give them.
 constexpr StatedValue kUnderBlend{"under", "over ", StatedValue::Kind::list, 0, 255, "(32,32,32,255)", 4},
@@ -359,8 +340,8 @@ namespace {
 const std::vector<MeasuredFormat>& formats() {
   static const std::vector<MeasuredFormat> all = [] {
     std::vector<MeasuredFormat> joined = make_formats();
-    for (const auto& more :
-         {make_primitive_formats(), make_combiner_formats(), make_stage_formats(), make_surface_formats()}) {
+    for (const auto& more : {make_primitive_formats(), make_combiner_formats(), make_stage_formats(),
+                             make_surface_formats(), make_pixel_formats()}) {
       joined.insert(joined.end(), more.begin(), more.end());
     }
     return joined;

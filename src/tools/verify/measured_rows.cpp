@@ -60,30 +60,6 @@ constexpr Words<DepthComparison, 8> kComparisons{{{"N", DepthComparison::never},
 // Whether r is compared.
 constexpr Words<bool, 2> kStageModes{{{"2D", false}, {"3D", true}}};
 
-// One pixel and what was drawn into it.
-struct Pixel {
-  ColorBytes color{};
-  std::uint32_t depth = 0;
-  bool is_drawn = false;
-};
-
-constexpr std::array<glm::vec4, 3> kWholePixel{glm::vec4(-1, -1, 0, 1), glm::vec4(3, -1, 0, 1), glm::vec4(-1, 3, 0, 1)};
-
-// Draws triangles into a target of one pixel, which had the colour `under` and depth 1.
-Pixel draw_pixel(const PipelineState& state, const VertexArrays& arrays, const ColorBytes& under,
-                 DepthStencilFormat format = DepthStencilFormat::d24s8) {
-  Surface surface = Surface::make(1, 1, {.depth_stencil = format, .with_primitive = true}).value();
-  RenderTarget target = surface.target();
-  Pixel pixel;
-  for (std::size_t k = 0; k < 4; ++k) *target.color[k].data = under[k];
-  // The states of measured tables are always valid.
-  if (!rasterize(state, glm::mat4(1.0F), arrays, {}, target)) return pixel;
-  for (std::size_t k = 0; k < 4; ++k) pixel.color[k] = *target.color[k].data;
-  pixel.depth = surface.depth()[0];
-  pixel.is_drawn = surface.primitive()[0] == 0;
-  return pixel;
-}
-
 Pixel draw_color(const PipelineState& state, const ColorBytes& color, const ColorBytes& under) {
   const std::array<ColorBytes, 3> colors{color, color, color};
   return draw_pixel(state, {.homogeneous_positions = kWholePixel, .vertex_colors = colors}, under);
@@ -91,14 +67,6 @@ Pixel draw_color(const PipelineState& state, const ColorBytes& color, const Colo
 
 std::vector<int> values(const ColorBytes& color) {
   return {color[0], color[1], color[2], color[3]};
-}
-
-// The clip coordinate, divided by w, of a window coordinate in 1/16 pixel, seen from pixel `at`. It stands for the
-// middle of the cell that is cut toward zero to this coordinate.
-float clip_of(int q4, int at) {
-  const int from_pixel = q4 - 16 * at;
-  const double middle = from_pixel + (from_pixel > 0 ? 0.5 : from_pixel < 0 ? -0.5 : 0.0);
-  return static_cast<float>(middle / 8.0 - 1.0);
 }
 
 using Block = std::array<std::uint8_t, 16>;
@@ -160,6 +128,44 @@ std::uint8_t level_sample(const MeasuredRow& row, const std::string& level, cons
 }
 
 }  // namespace
+
+Pixel draw_pixel(const PipelineState& state, const VertexArrays& arrays, const ColorBytes& under,
+                 std::span<const TextureUnit> units, DepthStencilFormat format) {
+  Surface surface = Surface::make(1, 1, {.depth_stencil = format, .with_primitive = true}).value();
+  RenderTarget target = surface.target();
+  Pixel pixel;
+  for (std::size_t k = 0; k < 4; ++k) *target.color[k].data = under[k];
+  // The states of measured tables are always valid.
+  if (!rasterize(state, glm::mat4(1.0F), arrays, units, target)) return pixel;
+  for (std::size_t k = 0; k < 4; ++k) pixel.color[k] = *target.color[k].data;
+  pixel.depth = surface.depth()[0];
+  pixel.is_drawn = surface.primitive()[0] == 0;
+  return pixel;
+}
+
+float clip_of(int q4, int at) {
+  const int from_pixel = q4 - 16 * at;
+  const double middle = from_pixel + (from_pixel > 0 ? 0.5 : from_pixel < 0 ? -0.5 : 0.0);
+  return static_cast<float>(middle / 8.0 - 1.0);
+}
+
+Texture rgba_texture(int size, std::array<std::vector<std::uint8_t>, 4> bytes) {
+  std::vector<std::uint8_t> texels;
+  for (const auto& plane : bytes) texels.insert(texels.end(), plane.begin(), plane.end());
+  return make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{{size, size, std::move(texels)}}}).value();
+}
+
+Bytes4 texel_bytes(const Texture& texture, const Sampler& sampler, std::array<float, 3> at,
+                   const HardwareProfile& profile) {
+  const auto made = TextureSampler::make(profile, texture, sampler);
+  const float none = 0.0F;
+  TextureCoordinates coordinates;
+  for (std::size_t k = 0; k < 3; ++k) {
+    coordinates.value[k] = &at[k];
+    coordinates.dx[k] = coordinates.dy[k] = &none;
+  }
+  return made->bytes(coordinates, 0);
+}
 
 std::vector<int> draw_alpha_test(const MeasuredRow& row, const HardwareProfile& profile) {
   PipelineState state = plain_state(profile);
@@ -242,7 +248,7 @@ std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profi
   PipelineState state = plain_state(profile);
   state.depth_test = {.enabled = true, .function = CompareFunction::always, .write = true};
   const VertexArrays arrays{.type = PrimitiveType::quads, .homogeneous_positions = corners};
-  return {static_cast<int>(draw_pixel(state, arrays, {}, format).depth)};
+  return {static_cast<int>(draw_pixel(state, arrays, {}, {}, format).depth)};
 }
 
 std::vector<int> draw_shadow(const MeasuredRow& row, const HardwareProfile& profile) {

@@ -3,13 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/sampler.h"
+#include "ninebit/raster/surface.h"
 #include "src/effect/effect_words.h"
 #include "src/tools/verify/measured_table.h"
 
@@ -81,6 +86,33 @@ class MeasuredRow;
   state.depth_test.enabled = false;
   return state;
 }
+
+// One pixel and what was drawn into it.
+struct Pixel {
+  ColorBytes color{};
+  std::uint32_t depth = 0;
+  bool is_drawn = false;
+};
+
+// A triangle that covers a target of one pixel.
+inline constexpr std::array<glm::vec4, 3> kWholePixel{glm::vec4(-1, -1, 0, 1), glm::vec4(3, -1, 0, 1),
+                                                      glm::vec4(-1, 3, 0, 1)};
+
+// Draws triangles into a target of one pixel, which had the colour `under` and depth 1.
+[[nodiscard]] Pixel draw_pixel(const PipelineState& state, const VertexArrays& arrays, const ColorBytes& under,
+                               std::span<const TextureUnit> units = {},
+                               DepthStencilFormat format = DepthStencilFormat::d24s8);
+
+// The clip coordinate, divided by w, of a window coordinate in 1/16 pixel, seen from pixel `at`. It stands for the
+// middle of the cell that is cut toward zero to this coordinate.
+[[nodiscard]] float clip_of(int q4, int at);
+
+// A square texture of rgba8.
+[[nodiscard]] Texture rgba_texture(int size, std::array<std::vector<std::uint8_t>, 4> bytes);
+
+// The bytes at (s, t, r).
+[[nodiscard]] Bytes4 texel_bytes(const Texture& texture, const Sampler& sampler, std::array<float, 3> at,
+                                 const HardwareProfile& profile);
 
 // Checks of the words in measured tables.
 

@@ -123,6 +123,17 @@ std::vector<std::string_view> pieces(std::string_view text, char separator) {
   }
 }
 
+std::vector<std::string_view> quoted_pieces(std::string_view text) {
+  std::vector<std::string_view> found;
+  while (true) {
+    const bool is_quoted = text.starts_with('"') && text.find('"', 1) != std::string_view::npos;
+    const std::size_t close = is_quoted ? text.find('"', 1) : 0, end = text.find(',', close);
+    found.push_back(is_quoted ? text.substr(1, close - 1) : trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return found;
+    text.remove_prefix(end + 1);
+  }
+}
+
 std::optional<int> number_of(std::string_view text) {
   int value = 0;
   return reads(text, value) ? std::optional(value) : std::nullopt;

@@ -111,6 +111,8 @@ struct MeasuredFormat {
   std::vector<MeasuredColumn> columns_beside{};
   // A file of bytes in the same folder, all of which every row has under the file's name; empty: none.
   std::string_view bytes_beside{};
+  // By how much a row's values may differ, where the rule is known no better; null: not at all.
+  int (*tolerance)(const MeasuredRow& row) = nullptr;
 };
 
 // The names of columns, separated by commas.
@@ -140,6 +142,9 @@ struct MeasuredFormat {
 
 // A text that is a whole number.
 [[nodiscard]] std::optional<int> number_of(std::string_view text);
+
+// The fields of a line between commas, trimmed; a field in quotes may have commas.
+[[nodiscard]] std::vector<std::string_view> quoted_pieces(std::string_view text);
 
 // The pieces of a line between separators, trimmed.
 [[nodiscard]] std::vector<std::string_view> pieces(std::string_view text, char separator);

@@ -21,7 +21,12 @@ bool has_numbers_alone(std::string_view line) {
 }  // namespace
 
 bool Expectation::allows(int code) const {
-  return allowed.empty() || std::find(allowed.begin(), allowed.end(), code) != allowed.end();
+  return allowed.empty() || std::any_of(allowed.begin(), allowed.end(),
+                                        [&](int value) { return std::abs(std::int64_t{value} - code) <= tolerance; });
+}
+
+bool Expectation::is_near(int code) const {
+  return allows(code) && !allowed.empty() && std::find(allowed.begin(), allowed.end(), code) == allowed.end();
 }
 
 Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlags& program, bool allow_outside,
@@ -232,7 +237,7 @@ Result<std::optional<VerifyRow>> VerifyTable::measured_row(const CsvLine& line) 
   row.format = format_;
   MeasuredRow& cells = row.measured;
   cells = stated_;
-  if (Status read = read_measured(format_->columns, pieces(line.text, ','), name(), line.number, cells); !read) {
+  if (Status read = read_measured(format_->columns, quoted_pieces(line.text), name(), line.number, cells); !read) {
     return read.error();
   }
   if (format_->wrong != nullptr) {
@@ -258,8 +263,10 @@ Result<std::optional<VerifyRow>> VerifyTable::measured_row(const CsvLine& line) 
         column.kind == Kind::real) {
       if (!text.empty()) row.name += fmt::format("{}{} {}", row.name.empty() ? "" : ", ", column.name, text);
     } else if (is_of_the_picture(column)) {
-      row.expected.push_back(
-          {.column = std::string(column.name), .stage = {}, .allowed = allowed_values(column, text)});
+      row.expected.push_back({.column = std::string(column.name),
+                              .stage = {},
+                              .allowed = allowed_values(column, text),
+                              .tolerance = format_->tolerance != nullptr ? format_->tolerance(cells) : 0});
     }
   }
   return std::optional(std::move(row));

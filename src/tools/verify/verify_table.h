@@ -25,7 +25,10 @@ struct Expectation {
   Register reg = Register::spare0;
   int component = 0;
   std::vector<int> allowed;  // any of these is accepted
+  int tolerance = 0;         // MeasuredFormat::tolerance
   [[nodiscard]] bool allows(int code) const;
+  // Whether the code is accepted for the tolerance alone.
+  [[nodiscard]] bool is_near(int code) const;
 };
 
 struct VerifyRow {

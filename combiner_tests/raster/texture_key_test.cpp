@@ -1,0 +1,158 @@
+// Colour keys, border texels and cylinder wrap of the NV2A's textures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "combiner_tests/raster/support.h"
+#include "ninebit/raster/sampler.h"
+
+namespace ninebit::test {
+namespace {
+
+Texture bytes_texture(InternalFormat format, int width, int height, std::vector<std::uint8_t> planes) {
+  return make_texture(TextureTarget::texture_2d, format, {{{width, height, std::move(planes)}}}).value();
+}
+
+// The texel under each pixel of a row of `width`, with the colour that was there before.
+struct KeyRow {
+  std::array<PlaneSamples<std::uint8_t>, 4> color;
+  PlaneSamples<std::uint32_t> depth;
+};
+KeyRow draw_row(const Texture& texture, const Sampler& sampler, int width, const PipelineState& base,
+                float s_left = 0.0F, float s_right = 1.0F) {
+  Surface surface = Surface::make(width, 1).value();
+  surface.fill({.color = {9, 9, 9, 9}});
+  RenderTarget target = surface.target();
+  const std::array<glm::vec3, 4> positions{glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0),
+                                           glm::vec3(-1, 1, 0)};
+  const std::array<glm::vec3, 4> coordinates{glm::vec3(s_left, 0.5, 0), glm::vec3(s_right, 0.5, 0),
+                                             glm::vec3(s_right, 0.5, 0), glm::vec3(s_left, 0.5, 0)};
+  PipelineState state = base;
+  state.depth_test = {true, CompareFunction::always, true};
+  VertexArrays arrays{.type = PrimitiveType::quads, .positions = positions};
+  arrays.texture_coordinates[0] = coordinates;
+  const std::array<TextureUnit, 1> units{TextureUnit{&texture, sampler}};
+  const Status status = rasterize(state, kIdentity, arrays, units, target);
+  EXPECT_TRUE(status.ok()) << status.error().message;
+  return {{surface.color(0), surface.color(1), surface.color(2), surface.color(3)}, surface.depth()};
+}
+
+PipelineState textured() {
+  PipelineState state;
+  state.program = pass_through(Register::texture0, Register::texture0);
+  return state;
+}
+
+// Texels 0x40102030, 0x41102030, 0x40102031, 0x40102030.
+Texture key_texture(InternalFormat format) {
+  std::vector<std::uint8_t> planes{0x10, 0x10, 0x10, 0x10, 0x20, 0x20, 0x20, 0x20, 0x30, 0x30, 0x31, 0x30};
+  if (format == InternalFormat::rgba8) planes.insert(planes.end(), {0x40, 0x41, 0x40, 0x40});
+  return bytes_texture(format, 4, 1, planes);
+}
+
+TEST(ColorKeys, CompareAllBitsAndDoAsTheyAreTold) {
+  Sampler sampler = kNearestSampler;
+  const Texture texture = key_texture(InternalFormat::rgba8);
+  sampler.color_key = {ColorKeyOperation::alpha, 0x40102030};
+  KeyRow row = draw_row(texture, sampler, 4, textured());
+  EXPECT_EQ(row.color[3], (PlaneSamples<std::uint8_t>{0, 0x41, 0x40, 0}));
+  EXPECT_EQ(row.color[0], (PlaneSamples<std::uint8_t>{0x10, 0x10, 0x10, 0x10}));
+  sampler.color_key.operation = ColorKeyOperation::rgba;
+  row = draw_row(texture, sampler, 4, textured());
+  EXPECT_EQ(row.color[3], (PlaneSamples<std::uint8_t>{0, 0x41, 0x40, 0}));
+  EXPECT_EQ(row.color[0], (PlaneSamples<std::uint8_t>{0, 0x10, 0x10, 0}));
+  sampler.color_key.operation = ColorKeyOperation::kill;
+  row = draw_row(texture, sampler, 4, textured());
+  EXPECT_EQ(row.color[0], (PlaneSamples<std::uint8_t>{9, 0x10, 0x10, 9}));
+  EXPECT_EQ(row.depth[0], 0xFFFFFFU);
+  EXPECT_NE(row.depth[1], 0xFFFFFFU);
+  // The alpha of a texel without one is not compared.
+  sampler.color_key = {ColorKeyOperation::kill, 0x99102030};
+  row = draw_row(key_texture(InternalFormat::rgb8), sampler, 4, textured());
+  EXPECT_EQ(row.color[0], (PlaneSamples<std::uint8_t>{9, 9, 0x10, 9}));
+}
+
+// A program that does not read the texel, and no program at all.
+TEST(ColorKeys, KillWhetherOrNotTheTexelIsRead) {
+  Sampler sampler = kNearestSampler;
+  sampler.color_key = {ColorKeyOperation::kill, 0x40102030};
+  PipelineState state;
+  for (const bool has_program : {false, true}) {
+    if (has_program) state.program = pass_through(Register::primary, Register::primary);
+    const KeyRow row = draw_row(key_texture(InternalFormat::rgba8), sampler, 4, state);
+    EXPECT_EQ(row.color[0], (PlaneSamples<std::uint8_t>{9, 255, 255, 9})) << has_program;
+  }
+}
+
+TEST(ColorKeys, OfOtherFormatsAndFiltersAreRefused) {
+  Sampler sampler = kNearestSampler;
+  sampler.color_key.operation = ColorKeyOperation::alpha;
+  const Texture grey = bytes_texture(InternalFormat::luminance8, 1, 1, {7});
+  EXPECT_EQ(check_sampler(grey, sampler).error().message, "a colour key needs texels of rgba8 or rgb8");
+  sampler.mag_filter = MagFilter::linear;
+  const Texture texture = key_texture(InternalFormat::rgba8);
+  EXPECT_NE(check_sampler(texture, sampler).error().message.find("needs the nearest texel"), std::string::npos);
+  Sampler bordered = kNearestSampler;
+  bordered.border_texels = true;
+  EXPECT_NE(check_sampler(texture, bordered).error().message.find("16 texels a side"), std::string::npos);
+  PipelineState state;
+  state.profile = profiles::nv2a;
+  state.texture_shader.enabled = true;
+  Surface surface = Surface::make(1, 1).value();
+  RenderTarget target = surface.target();
+  Sampler around = kNearestSampler;
+  around.cylinder_wrap = {true, false};
+  const std::array<TextureUnit, 1> units{TextureUnit{&texture, around}};
+  EXPECT_NE(rasterize(state, kIdentity, {}, units, target).error().message.find("neither wrap around cylinders"),
+            std::string::npos);
+}
+
+// A texel i of 8 is stored at i + 4 of 16; outside, the border mode reads what is stored there.
+TEST(BorderTexels, AreStoredFourTexelsFurther) {
+  std::vector<std::uint8_t> stored;
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 16; ++x) stored.push_back(static_cast<std::uint8_t>(16 * y + x));
+  }
+  const Texture texture = bytes_texture(InternalFormat::luminance8, 16, 16, stored);
+  const auto read = [&](Wrap wrap, float s, float t) {
+    Sampler sampler{.min_filter = MinFilter::nearest, .mag_filter = MagFilter::nearest, .wrap_s = wrap, .wrap_t = wrap};
+    sampler.border_texels = true;
+    const auto made = TextureSampler::make(profiles::nv2a, texture, sampler);
+    TextureCoordinates at;
+    at.value = {&s, &t, nullptr};
+    return int{made->texel(at, 0).value[0]};
+  };
+  const auto at_texel = [](int i) { return (static_cast<float>(i) + 0.5F) / 8.0F; };
+  for (int y = -4; y < 12; ++y) {
+    for (int x = -4; x < 12; ++x) {
+      EXPECT_EQ(read(Wrap::clamp_to_border, at_texel(x), at_texel(y)), 16 * (y + 4) + x + 4);
+      EXPECT_EQ(read(Wrap::repeat, at_texel(x), at_texel(y)), 16 * ((y & 7) + 4) + (x & 7) + 4);
+    }
+  }
+  // Beyond what is stored, its last texel: assumed.
+  EXPECT_EQ(read(Wrap::clamp_to_border, 1e9F, -1e9F), 15);
+  EXPECT_EQ(read(Wrap::clamp_to_border, std::nanf(""), 0.0F), 16 * 4 + 4);
+}
+
+// What a row of eight texels shows where a triangle's coordinates run from s to s + d.
+TEST(CylinderWrap, TakesTheShorterWayWhereTheModeRepeats) {
+  const Texture texture = bytes_texture(InternalFormat::luminance8, 8, 1, {0, 1, 2, 3, 4, 5, 6, 7});
+  const auto row = [&](Wrap wrap, bool is_cylinder, float from, float to) {
+    Sampler sampler = kNearestSampler;
+    sampler.wrap_s = wrap;
+    sampler.cylinder_wrap = {is_cylinder, false};
+    return draw_row(texture, sampler, 16, textured(), from, to).color[0];
+  };
+  // A difference of exactly 1 becomes 0 ...
+  EXPECT_EQ(row(Wrap::repeat, true, 0.3F, 1.3F), PlaneSamples<std::uint8_t>(16, 2));
+  // ... but not in a mirrored direction.
+  EXPECT_EQ(row(Wrap::mirrored_repeat, true, 0.3F, 1.3F), row(Wrap::mirrored_repeat, false, 0.3F, 1.3F));
+  // A small one across 1 changes nothing.
+  EXPECT_EQ(row(Wrap::repeat, true, 0.9F, 1.1F), row(Wrap::repeat, false, 0.9F, 1.1F));
+  // From 0.9 to 0.1 goes on over 1; one half stays.
+  EXPECT_EQ(row(Wrap::repeat, true, 0.9F, 0.1F), row(Wrap::repeat, false, 0.9F, 1.1F));
+  EXPECT_EQ(row(Wrap::repeat, true, 0.25F, 0.75F), row(Wrap::repeat, false, 0.25F, 0.75F));
+}
+
+}  // namespace
+}  // namespace ninebit::test
