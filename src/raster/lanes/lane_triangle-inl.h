@@ -43,7 +43,7 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const PrimitiveDraw& cur
   if (HWY_UNLIKELY(operations.stipples)) mask = stippled<Rows>(d, current, place, mask);
   std::int32_t* const at = lanes_of(current.tile.planes.depth_stencil.data()) + place;
   const auto color = hn::Set(d, static_cast<std::int32_t>(current.color));
-  const auto alpha = hn::Set(d, static_cast<std::int32_t>(current.alpha));
+  const auto alpha = hn::Set(d, static_cast<std::int32_t>(current.alpha()));
   const LaneResult<D> result = apply_lanes(d, draw, mask, depth, alpha, Rows::load(d, at));
   if (operations.depth_write || operations.stencil_write) Rows::store(result.depth_stencil, d, at);
   if (!operations.color) return;

@@ -48,9 +48,13 @@ struct PrimitiveDraw {
   const SetupBlock& block;
   const SetupCorners* corners;              // null for a flat result
   std::uint32_t color;                      // of a flat result, as it is stored
-  std::uint32_t alpha;                      // of Drawing::flat
   std::uint32_t number;                     // see PixelOwners
   const TriangleRealDepth* real = nullptr;  // of a format of real numbers
+
+  // Of a flat result: the whole alpha, which tests read.
+  [[nodiscard]] std::uint32_t alpha() const {
+    return pass.operations.store.is_exact ? color >> 24 : pass.context.flat_primary(primitive.primitive)[3];
+  }
 };
 
 }  // namespace ninebit

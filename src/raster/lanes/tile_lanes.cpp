@@ -137,12 +137,11 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
     for (; i < group.end; ++i) {
       const SetupPrimitive& p = block.primitives[indices[i]];
       const SetupCorners* const corners = kDrawing == Drawing::gathers ? &block.corners_of(p) : nullptr;
-      PrimitiveDraw current{tile, pass, p, block, corners, 0, 0, first_number + static_cast<std::uint32_t>(i)};
+      PrimitiveDraw current{tile, pass, p, block, corners, 0, first_number + static_cast<std::uint32_t>(i)};
       const auto find_color = [&] {
         if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);
         std::memcpy(&current.color, color.data(), sizeof(current.color));
-        if constexpr (kDrawing == Drawing::flat) current.alpha = color[3];
         if (HWY_UNLIKELY(!stores_all)) current.color = pass.operations.store(current.color);
       };
       if (p.kind == SetupKind::pixel) {

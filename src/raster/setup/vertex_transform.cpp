@@ -64,7 +64,7 @@ HWY_INLINE VI code_of(const WindowScale& s, VF x, VF y, VF z, VF w) {
 HWY_INLINE VI snapped(const WindowScale& s, VF v, float guard, float half, float centre, int shift) {
   const VF within = hn::Min(hn::Max(v, set(-guard)), set(guard));
   const VF steps = hn::Mul(hn::Add(hn::Mul(within, set(half)), set(centre)), set(s.steps));
-  return hn::Add(hn::Mul(hn::ConvertTo(kDI, steps), hn::Set(kDI, s.to_q4)), hn::Set(kDI, shift));
+  return hn::Add(hn::ShiftLeftSame(hn::ConvertTo(kDI, steps), s.to_q4_bits), hn::Set(kDI, shift));
 }
 
 // Each takes a row of the matrix to a vector of positions that it has loaded.

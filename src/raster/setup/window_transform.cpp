@@ -24,7 +24,7 @@ WindowTransform::WindowTransform(const PipelineState& state, const PixelRect& vi
              .centre_x = static_cast<float>(viewport.x) + static_cast<float>(viewport.width) * 0.5F,
              .centre_y = static_cast<float>(viewport.y) + static_cast<float>(viewport.height) * 0.5F,
              .steps = static_cast<float>(1 << state.profile.subpixel_bits),
-             .to_q4 = 1 << (4 - state.profile.subpixel_bits),
+             .to_q4_bits = 4 - state.profile.subpixel_bits,
              .shift = shift,
              .depth_half = (unit(state.depth_far) - unit(state.depth_near)) * 0.5,
              .depth_middle = (unit(state.depth_near) + unit(state.depth_far)) * 0.5},

@@ -101,8 +101,8 @@ struct WindowScale {
   float guard_x, guard_y;  // see WindowTransform
   float half_width, half_height;
   float centre_x, centre_y;
-  float steps;  // of the subpixel grid in a pixel
-  int to_q4;
+  float steps;                      // of the subpixel grid in a pixel
+  int to_q4_bits;                   // a step of the grid is 2^this sixteenths
   SampleShift shift;                // after snapping
   double depth_half, depth_middle;  // (far - near) / 2, (near + far) / 2
 };
@@ -131,13 +131,14 @@ class WindowTransform {
 inline WindowVertex WindowTransform::operator()(const glm::vec4& clip) const {
   WindowVertex v;
   v.inv_w = 1.0F / clip.w;
+  const int to_q4 = 1 << scale_.to_q4_bits;
   // Where clipping has cancelled large coordinates, its rounding can leave a corner beyond the guard band.
   const float x = std::clamp(clip.x * v.inv_w, -scale_.guard_x, scale_.guard_x);
   const float y = std::clamp(clip.y * v.inv_w, -scale_.guard_y, scale_.guard_y);
-  v.x_q4 = static_cast<std::int32_t>((x * scale_.half_width + scale_.centre_x) * scale_.steps) * scale_.to_q4 +
-           scale_.shift.x_q4;
-  v.y_q4 = static_cast<std::int32_t>((y * scale_.half_height + scale_.centre_y) * scale_.steps) * scale_.to_q4 +
-           scale_.shift.y_q4;
+  v.x_q4 =
+      static_cast<std::int32_t>((x * scale_.half_width + scale_.centre_x) * scale_.steps) * to_q4 + scale_.shift.x_q4;
+  v.y_q4 =
+      static_cast<std::int32_t>((y * scale_.half_height + scale_.centre_y) * scale_.steps) * to_q4 + scale_.shift.y_q4;
   v.z24 = depth_.corner_of(
       static_cast<double>(clip.z) / static_cast<double>(clip.w) * scale_.depth_half + scale_.depth_middle, v.inv_w);
   return v;
