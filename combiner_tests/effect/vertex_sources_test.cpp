@@ -124,6 +124,22 @@ TEST(VertexSources, FogByDistanceAlongTheAxis) {
   EXPECT_FLOAT_EQ(exp[0], std::exp(-1.25F));
   const std::vector<float> exp2 = fog_factors({.mode = FogMode::exp2, .density = 0.25F}, inputs);
   EXPECT_FLOAT_EQ(exp2[0], std::exp(-1.5625F));
+  // The chip's functions read the distance itself.
+  const std::vector<float> distance = fog_factors(parse_fog("registers-exp2-abs:1.5,-0.25").value(), inputs);
+  EXPECT_FLOAT_EQ(distance[0], 5.0F);
+}
+
+TEST(VertexSources, FogByTheChipsFunctions) {
+  const EffectFog fog = parse_fog("registers-linear-abs:2,-0.5").value();
+  EXPECT_EQ(fog.mode, FogMode::registers);
+  EXPECT_EQ(fog.function, FogFunction::linear_abs);
+  EXPECT_EQ(fog.bias, 2.0F);
+  EXPECT_EQ(fog.slope, -0.5F);
+  for (const char* const wrong : {"registers-exp3:1,1", "registers-exp:1", "registers-:1,1", "registers-exp:1,2,3"}) {
+    const auto refused = parse_fog(wrong);
+    ASSERT_FALSE(refused.ok()) << wrong;
+    EXPECT_NE(refused.error().message.find("registers-FUNCTION:BIAS,SLOPE"), std::string::npos);
+  }
 }
 
 // A row has the axis of tangent, bitangent and normal, and the eye's in q: the products of a tangent-space vector with

@@ -438,6 +438,11 @@ TEST(TextureShaderDraws, AReplacedDepthIsTestedAndWritten) {
     const oracle::Picture picture = quad.planes.picture();
     EXPECT_EQ(picture.color[0], (oracle::Bytes{255, 255, 255, 255})) << with_outputs;
     EXPECT_EQ(picture.depth[0], largest / 4) << with_outputs;
+    quad.planes.target.format = DepthStencilFormat::f24s8;
+    const Status refused = rasterize(quad.state, kIdentity, arrays, {&unit, 1}, quad.planes.target);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().message,
+              "texture-shader stages cannot replace depths of the floating-point and W buffers");
   }
 }
 

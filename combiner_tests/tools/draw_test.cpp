@@ -135,15 +135,39 @@ TEST(Draw, FlagsOfAPassChangeThePicture) {
     return json_of(ninebit(draw(kEffects + "programs/fog.rc1", folder / "p.png", all)))["hash"]["color"];
   };
   const Json plain = hash({});
-  for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{{"--fog", "exp:0.5"},
-                                                                                     {"--blend", "dst_color,zero"},
-                                                                                     {"--alpha-test", "less,128"},
-                                                                                     {"--depth", "never"},
-                                                                                     {"--color-format", "b8"},
-                                                                                     {"--cull", "front"},
-                                                                                     {"--color-mask", "r"}}) {
+  for (const std::vector<std::string>& flags :
+       std::vector<std::vector<std::string>>{{"--fog", "exp:0.5"},
+                                             {"--fog", "registers-exp2:1.6,-0.1"},
+                                             {"--blend", "dst_color,zero"},
+                                             {"--alpha-test", "less,128"},
+                                             {"--depth", "never"},
+                                             {"--color-format", "b8"},
+                                             {"--cull", "front"},
+                                             {"--color-mask", "r"}}) {
     EXPECT_NE(hash(flags), plain) << flags[0];
   }
+}
+
+// A torus hides itself: every format decides which side is in front, a W buffer by w.
+TEST(Draw, EveryDepthFormatDrawsATorus) {
+  const TempFolder folder;
+  const auto drawn = [&](const std::string& format) {
+    return json_of(ninebit({"draw", kEffects + "programs/fog.rc1", "-o", folder / "p.png", "--json", "--size", "64x64",
+                            "--mesh", "torus:16", "--tex0", "checker:64", "--primary", "lambert", "--depth-stencil",
+                            format}))["hash"]["color"];
+  };
+  const Json fixed = drawn("d24s8");
+  ASSERT_FALSE(fixed.is_null());
+  for (const std::string format : {"f24s8", "w24s8", "wf24s8", "w16"}) EXPECT_EQ(drawn(format), fixed) << format;
+  EXPECT_EQ(ninebit({"draw", "x.rc1", "--depth-stencil", "d32"}).code, 2);
+  // A rectangle has one w, which only a depth test reads.
+  const std::vector<std::string> rectangle{
+      "draw",      kEffects + "programs/fog.rc1", "-o", folder / "p.png", "--depth-stencil", "w24s8", "--tex0",
+      "checker:64"};
+  EXPECT_EQ(ninebit(rectangle).code, 0);
+  std::vector<std::string> tested = rectangle;
+  tested.insert(tested.end(), {"--depth", "less"});
+  expect_error(ninebit(tested), 3, {"the W buffer w24s8 needs a perspective view"});
 }
 
 // The program is const0 of the first combiner times const1, plus const0 of the second.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 #include "ninebit/numerics/hardware_profile.h"
@@ -14,45 +13,49 @@ namespace ninebit {
 class DepthNumbers {
  public:
   constexpr DepthNumbers(DepthStencilFormat format, Narrowing narrowing)
-      : layout_(layout_of(format)),
-        cuts_(narrowing == Narrowing::toward_zero),
-        largest_code_(max_depth(format)),
-        largest_(largest_number(layout_)) {}
+      : largest_code_(max_depth(format)),
+        is_whole_(layout_of(format).exponent_bits == 0),
+        half_(narrowing == Narrowing::toward_zero ? 0.0 : 0.5) {
+    const DepthStencilLayout& layout = layout_of(format);
+    const int exponents = 1 << layout.exponent_bits, bias = exponents / 2 - 1;
+    const int mantissa = layout.depth_bits - layout.exponent_bits;
+    dropped_ = kMantissa - mantissa;
+    half_bit_ = narrowing == Narrowing::toward_zero ? 0 : std::uint64_t{1} << (dropped_ - 1);
+    first_code_ = static_cast<std::uint64_t>(kBias - bias) << mantissa;
+    largest_ = static_cast<double>(largest_code_);
+    if (is_whole_) return;
+    // 2^(largest exponent) × (2 - the last bit of the mantissa); 2^-bias.
+    const std::int64_t one = std::int64_t{1} << mantissa;
+    largest_ = static_cast<double>(2 * one - 1) / static_cast<double>(one);
+    for (int i = 0; i < exponents / 2; ++i) largest_ *= 2.0;
+    for (int i = 0; i < bias; ++i) least_ /= 2.0;
+  }
 
   // The number of the largest code.
   [[nodiscard]] constexpr double largest() const { return largest_; }
 
   // Too small a number and NaN become 0, too large a one all ones; others are cut, or rounded to nearest, halves up.
   [[nodiscard]] std::uint32_t code(double number) const {
-    if (layout_.exponent_bits == 0) {
-      const double sum = number + (cuts_ ? 0.0 : 0.5);
+    if (is_whole_) {
+      const double sum = number + half_;
       if (!(sum > 0.0)) return 0;
-      return sum >= static_cast<double>(largest_code_) ? largest_code_ : static_cast<std::uint32_t>(sum);
+      return sum >= largest_ ? largest_code_ : static_cast<std::uint32_t>(sum);
     }
-    const int bias = (1 << layout_.exponent_bits) / 2 - 1, mantissa = layout_.depth_bits - layout_.exponent_bits;
-    if (!(number >= std::ldexp(1.0, -bias))) return 0;
+    if (!(number >= least_)) return 0;
     // A double's own bits, with its exponent moved.
-    constexpr int kMantissa = 52, kBias = 1023;
-    const int dropped = kMantissa - mantissa;
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(number) + (cuts_ ? 0 : std::uint64_t{1} << (dropped - 1));
-    const std::uint64_t code = (bits >> dropped) - (static_cast<std::uint64_t>(kBias - bias) << mantissa);
+    const std::uint64_t code = ((std::bit_cast<std::uint64_t>(number) + half_bit_) >> dropped_) - first_code_;
     return code < largest_code_ ? static_cast<std::uint32_t>(code) : largest_code_;
   }
 
  private:
-  // 2^(largest exponent) × (2 - the last bit of the mantissa), or all ones.
-  static constexpr double largest_number(const DepthStencilLayout& layout) {
-    if (layout.exponent_bits == 0) return static_cast<double>((std::int64_t{1} << layout.depth_bits) - 1);
-    const std::int64_t one = std::int64_t{1} << (layout.depth_bits - layout.exponent_bits);
-    double number = static_cast<double>(2 * one - 1) / static_cast<double>(one);
-    for (int i = 0; i < (1 << layout.exponent_bits) / 2; ++i) number *= 2.0;
-    return number;
-  }
-
-  DepthStencilLayout layout_;
-  bool cuts_;
+  static constexpr int kMantissa = 52, kBias = 1023;  // of doubles
   std::uint32_t largest_code_;
-  double largest_;
+  bool is_whole_;
+  double half_;
+  int dropped_ = 0;               // bits of a double's mantissa
+  std::uint64_t half_bit_ = 0;    // of those, what rounds
+  std::uint64_t first_code_ = 0;  // a double's upper bits where the code is 0
+  double largest_ = 0.0, least_ = 1.0;
 };
 
 }  // namespace ninebit
