@@ -244,7 +244,7 @@ class Machine {
   void need_guards(const Expression& e);
   void use(const Value& value);
 
-  // Calls: code_calls.cpp, code_known_calls.cpp
+  // Calls: code_calls.cpp, code_known_calls.cpp, code_nvparse.cpp
   Value call(const Expression& e);
   Value call_function(const Function& function, const Expression& e, const Value& self);
   Value call_unknown(const Expression& e, std::string_view name);
