@@ -220,7 +220,6 @@ Result<std::size_t> evaluate_table(const EvalFlags& flags, const TextProgram& pr
 
 // What is wrong with the flags of pictures; empty: nothing.
 std::string complain_about_pictures(const EvalFlags& flags, const RegisterSettings& set) {
-  if (!flags.inputs.empty()) return "--inputs is a table, and --tex0 to --tex3 are pictures; expected one of both";
   if (flags.output.empty()) return "-o FILE.png is required with pictures";
   if (std::filesystem::path(flags.output).extension() != ".png") {
     return fmt::format("-o {}: expected the name of a .png file, as the inputs are pictures", printable(flags.output));
@@ -275,7 +274,14 @@ int run(const EvalFlags& flags) {
       std::any_of(flags.textures.begin(), flags.textures.end(), [](const std::string& file) { return !file.empty(); });
   if (!on_pictures && flags.inputs.empty())
     return wrong_usage("eval", "--inputs FILE.csv or --tex0 PICTURE is required");
-  if (!on_pictures && !flags.set.empty()) return wrong_usage("eval", "--set is for pictures; a table has columns");
+  for (std::size_t unit = 0; unit < 4 && !flags.inputs.empty(); ++unit) {
+    if (flags.textures[unit].empty()) continue;
+    return wrong_usage("eval", fmt::format("--tex{} {}: --inputs is a table; expected a table or pictures", unit,
+                                           printable(flags.textures[unit])));
+  }
+  if (!on_pictures && !flags.set.empty()) {
+    return wrong_usage("eval", fmt::format("--set {}: this is for pictures; a table has columns", flags.set[0]));
+  }
   if (on_pictures && flags.registers) return wrong_usage("eval", "--registers is for tables");
   if (on_pictures && flags.engine_given) return wrong_usage("eval", "--engine is for tables");
   if (flags.program.file == "-" && flags.inputs == "-") {

@@ -20,21 +20,21 @@ enum class ElementType : std::uint8_t { code, byte };
 
 // A register's component in all fragments.
 struct InputArray {
-  const void* first = nullptr;  // the first fragment's element; nullptr: see FragmentArrays::otherwise
-  std::ptrdiff_t stride = 0;    // bytes from a fragment's element to the next one's; 0: one for all
-  ElementType type = ElementType::code;
+  const void* first = nullptr;           // the first fragment's element; nullptr: see FragmentArrays::otherwise
+  std::ptrdiff_t stride = 0;             // bytes from a fragment's element to the next one's; 0: one for all
+  ElementType type = ElementType::code;  // of each element
 };
 
 // Where a component of all results goes.
 struct OutputArray {
-  void* first = nullptr;      // nullptr: it is not wanted
-  std::ptrdiff_t stride = 0;  // bytes, as above; not 0
-  ElementType type = ElementType::code;
+  void* first = nullptr;                 // nullptr: it is not wanted
+  std::ptrdiff_t stride = 0;             // bytes, as above; not 0
+  ElementType type = ElementType::code;  // of each element
 };
 
 // The inputs and outputs of `count` fragments.
 struct FragmentArrays {
-  std::size_t count = 0;
+  std::size_t count = 0;                                          // fragments in every array
   std::array<std::array<InputArray, 4>, kRegisterCount> input{};  // by Register and component
   RegisterFile otherwise{};                                       // the codes of components without an array
   std::array<OutputArray, 4> color{};                             // the final combiner's
@@ -49,9 +49,9 @@ struct FragmentArrays {
 
 // An input that no register can hold.
 struct CodeOutOfRange {
-  Register reg = Register::zero;
-  int component = kRed;  // kRed to kAlpha
-  int code = 0;
+  Register reg = Register::zero;  // that was to hold it
+  int component = kRed;           // kRed to kAlpha
+  int code = 0;                   // what stands there
 };
 
 // The first register's and component's code outside of [lowest, one] of the program, whether the program reads it or
