@@ -96,7 +96,7 @@ TEST_F(EvalPictures, WhatIsRefused) {
   refuses({"--tex2", in, "-o", out}, "--tex2: profile geforce2 has 2 texture units");
   refuses({"--tex0", in, "--set", "t0.r=3", "-o", out}, "--set tex0.r: --tex0 gives its values");
   refuses({"--tex0", in, "--set", "col0.r=300", "-o", out}, "col0.r takes a whole number from -255 to 255, not '300'");
-  refuses({"--inputs", table, "--set", "col0.r=3"}, "--set col0.r=3: this is for pictures");
+  refuses({"--inputs", table, "--set", "col0.r=3"}, "--set col0.r=3: expected it beside pictures");
   refuses({"--tex0", in, "--registers", "-o", out}, "--registers is for tables");
   refuses({"--tex0", in, "--engine", "simd", "-o", out}, "--engine is for tables");
   refuses({"--tex0", in, "--tex1", other, "-o", out}, "other.png: is 3 x 5 in size, and " + in + " is 5 x 3", 3);

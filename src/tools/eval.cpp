@@ -280,7 +280,7 @@ int run(const EvalFlags& flags) {
                                            printable(flags.textures[unit])));
   }
   if (!on_pictures && !flags.set.empty()) {
-    return wrong_usage("eval", fmt::format("--set {}: this is for pictures; a table has columns", flags.set[0]));
+    return wrong_usage("eval", fmt::format("--set {}: expected it beside pictures; a table has columns", flags.set[0]));
   }
   if (on_pictures && flags.registers) return wrong_usage("eval", "--registers is for tables");
   if (on_pictures && flags.engine_given) return wrong_usage("eval", "--engine is for tables");

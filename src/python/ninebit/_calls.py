@@ -1,6 +1,7 @@
 """Calls of the program's verbs: keyword arguments become flags, answers become values."""
 import functools
 import json
+import keyword
 import numbers
 import os
 import re
@@ -24,7 +25,7 @@ _CANNOT_WRITE, _OUT_OF_MEMORY, _INTERRUPTED = 4, 5, 128
 @functools.lru_cache(maxsize=None)
 def _flags_of(verb):
     """The flags of a verb by the names of their keywords: (flag, takes a value, may be repeated, help)."""
-    return {name.replace("-", "_") + ("_" if name == "from" else ""): (f"--{name}", *about)
+    return {name.replace("-", "_") + ("_" if keyword.iskeyword(name) else ""): (f"--{name}", *about)
             for name, *about in _verbs.flags(list(verb)) if name not in _ONLY_IN_THE_PROGRAM}
 
 
@@ -133,7 +134,7 @@ class _Call:
     def shown(self, text):
         """A message of the program in the words of Python."""
         text = re.sub(r" \(see: ninebit [^)]*--help\)", "", text)
-        text = re.sub(r"--([a-z][a-z0-9-]*)", lambda flag: "from_" if flag[1] == "from" else flag[1].replace("-", "_"), text)
+        text = re.sub(r"--([a-z][a-z0-9-]*)", lambda flag: flag[1].replace("-", "_") + ("_" if keyword.iskeyword(flag[1]) else ""), text)
         for file, name in self.names.items():
             text = text.replace(file, name)
         return text
