@@ -151,21 +151,24 @@ std::vector<int> store_in_surface(const MeasuredRow& row, const HardwareProfile&
 }
 
 std::vector<int> draw_stippled(const MeasuredRow& row, const HardwareProfile& profile) {
-  constexpr int kHeight = 480;  // of the picture
-  constexpr int kSide = 32;     // of the pattern
-  Surface surface = Surface::make(kSide, kSide).value();
+  constexpr int kHeight = 480;      // of the picture
+  constexpr int kPatternSide = 32;  // of the pattern
+  Surface surface = Surface::make(kPatternSide, kPatternSide).value();
   RenderTarget target = surface.target();
   PipelineState state = plain_state(profile);
   state.polygon_stipple = pattern_of(*value_of(kPatterns, row.text("pattern")));
   draw_over(state, {255, 255, 255, 255}, target);
   const int y = kHeight - 1 - row.whole("y");
-  return {color_at(target, row.whole("x") % kSide, (y % kSide + kSide) % kSide)[0] == 255 ? 1 : 0};
+  return {color_at(target, row.whole("x") % kPatternSide, (y % kPatternSide + kPatternSide) % kPatternSide)[0] == 255
+              ? 1
+              : 0};
 }
 
 std::vector<int> draw_sprite(const MeasuredRow& row, const HardwareProfile& profile) {
-  constexpr int kSide = 80;  // of a window around the point, in pixels
+  constexpr int kWindowSide = 80;  // of a window around the point, in pixels
   const auto test = static_cast<std::size_t>(row.whole("test"));
-  const int left = static_cast<int>(kSpriteX) - kSide / 2, top = static_cast<int>(kSpriteY[test]) - kSide / 2;
+  const int left = static_cast<int>(kSpriteX) - kWindowSide / 2,
+            top = static_cast<int>(kSpriteY[test]) - kWindowSide / 2;
   // The texel of the row stands at the place that the measured rule gives; all others differ from it.
   const ColorBytes texel{row.byte("r"), row.byte("g"), row.byte("b"), row.byte("a")};
   const int s = sprite_texel(row.whole("x"), kSpriteX), t = sprite_texel(row.whole("y"), kSpriteY[test]);
@@ -180,7 +183,7 @@ std::vector<int> draw_sprite(const MeasuredRow& row, const HardwareProfile& prof
   const Texture texture = make_texture(TextureTarget::texture_2d, InternalFormat::rgba8,
                                        {{{kSpriteTexels, kSpriteTexels, std::move(texels)}}})
                               .value();
-  Surface surface = Surface::make(kSide, kSide).value();
+  Surface surface = Surface::make(kWindowSide, kWindowSide).value();
   surface.fill({.color = {51, 51, 51, 255}});
   RenderTarget target = surface.target();
   PipelineState state = plain_state(profile);
@@ -189,10 +192,10 @@ std::vector<int> draw_sprite(const MeasuredRow& row, const HardwareProfile& prof
   state.program = texture_alone(profile);
   state.blend = kOver;
   if (test == 1) state.alpha_test = {true, CompareFunction::greater, 0x7F};
-  const int x = row.whole("x") - left, y = kSide - 1 - (row.whole("y") - top);
+  const int x = row.whole("x") - left, y = kWindowSide - 1 - (row.whole("y") - top);
   state.scissor = PixelRect{x, y, 1, 1};
-  const std::array<glm::vec4, 1> centre{
-      glm::vec4(clip_of(kSpriteX - left, kSide), clip_of(kSide - (kSpriteY[test] - top), kSide), 0.0F, 1.0F)};
+  const std::array<glm::vec4, 1> centre{glm::vec4(
+      clip_of(kSpriteX - left, kWindowSide), clip_of(kWindowSide - (kSpriteY[test] - top), kWindowSide), 0.0F, 1.0F)};
   const std::array<glm::vec3, 1> coordinates{};
   VertexArrays arrays{.type = PrimitiveType::points, .homogeneous_positions = centre};
   arrays.texture_coordinates[0] = coordinates;
