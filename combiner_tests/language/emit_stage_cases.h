@@ -15,11 +15,13 @@ inline constexpr int kStageOperations = static_cast<int>(TextureOperation::brdf)
 
 // The textures: bytes from coordinates. Equal where the floats are.
 inline Bytes4 texel_of(const std::array<float, 3>& at, int unit) {
-  std::array<int, 3> n{};
+  constexpr unsigned kOfNan = 0x80000000U;  // as processors convert it
+  std::array<unsigned, 3> n{};
   for (std::size_t k = 0; k < 3; ++k) {
-    n[k] = static_cast<int>(std::floor(std::clamp(at[k], -64.0F, 64.0F) * 512.0F));
+    const float scaled = std::floor(std::clamp(at[k], -64.0F, 64.0F) * 512.0F);
+    n[k] = std::isnan(at[k]) ? kOfNan : static_cast<unsigned>(static_cast<int>(scaled));
   }
-  const int h = n[0] * 73 + n[1] * 151 + n[2] * 283 + unit * 31;
+  const unsigned h = n[0] * 73 + n[1] * 151 + n[2] * 283 + static_cast<unsigned>(unit) * 31;
   return {static_cast<std::uint8_t>(h & 255), static_cast<std::uint8_t>((h * 3 + 1) & 255),
           static_cast<std::uint8_t>((h * 7 + 2) & 255), static_cast<std::uint8_t>((h * 13 + 5) & 255)};
 }

@@ -262,7 +262,9 @@ std::uint32_t number_code(int bits, int exponent_bits, double number, bool is_cu
     code = std::floor(number + half);
   } else {
     const int bias = exponent_bits == 4 ? 7 : 127, mantissa = bits - exponent_bits;
-    if (number >= std::ldexp(1, -bias)) {
+    if (std::isinf(number) && number > 0) {
+      code = largest;
+    } else if (number >= std::ldexp(1, -bias)) {
       const int exponent = static_cast<int>(std::floor(std::log2(number)));
       const double share = std::ldexp(number, -exponent) - 1;  // from 0 to 1
       code = std::ldexp(exponent + bias, mantissa) + std::floor(std::ldexp(share, mantissa) + half);
