@@ -111,14 +111,46 @@ constexpr float unpack_two_digits(const DepthComponents& c) {
   return c[0] * kDownscale + c[1] * (1.0F / kTo2);
 }
 
+constexpr std::array kComponentOfByte = [] {
+  std::array<float, 256> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = read_component(static_cast<std::uint8_t>(i));
+  return values;
+}();
+
+// Both directions in one loop, in which the functions are inlined.
+template <auto kPack, auto kUnpack, ChannelStorage kStorage>
+void round_trips(std::span<const float> depths, std::span<float> back) {
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    DepthComponents components = kPack(depths[i]);
+    for (float& c : components) c = kComponentOfByte[stored_component(c, kStorage)];
+    back[i] = kUnpack(components);
+  }
+}
+
+template <auto kPack, auto kUnpack>
+constexpr DepthPacking packing_of(std::string_view name, std::string_view releases, int channels, bool red_is_highest) {
+  return {.name = name,
+          .releases = releases,
+          .channels = channels,
+          .red_is_highest = red_is_highest,
+          .pack = kPack,
+          .unpack = kUnpack,
+          .round_trips = [](std::span<const float> depths, ChannelStorage storage, std::span<float> back) {
+            if (storage == ChannelStorage::round)
+              round_trips<kPack, kUnpack, ChannelStorage::round>(depths, back);
+            else
+              round_trips<kPack, kUnpack, ChannelStorage::truncate>(depths, back);
+          }};
+}
+
 constexpr std::array kPackings{
-    DepthPacking{"rgba8-fract", "up to r66", 4, false, &pack_fract, &unpack_fractions},
-    DepthPacking{"rgba8-mod", "r67 to r75", 4, false, &pack_mod, &unpack_fractions},
-    DepthPacking{"rgba8-256over255", "r77 to r166", 4, false, &pack_upscaled, &unpack_downscaled},
-    DepthPacking{"rg8-256over255", "before r167", 2, true, &pack_upscaled_pair, &unpack_downscaled_pair},
-    DepthPacking{"rgba8-modf", "r167 on", 4, true, &pack_digits, &unpack_digits},
-    DepthPacking{"rgb8-modf", "r167 on", 3, true, &pack_three_digits, &unpack_three_digits},
-    DepthPacking{"rg8-modf", "r167 on", 2, true, &pack_two_digits, &unpack_two_digits},
+    packing_of<&pack_fract, &unpack_fractions>("rgba8-fract", "up to r66", 4, false),
+    packing_of<&pack_mod, &unpack_fractions>("rgba8-mod", "r67 to r75", 4, false),
+    packing_of<&pack_upscaled, &unpack_downscaled>("rgba8-256over255", "r77 to r166", 4, false),
+    packing_of<&pack_upscaled_pair, &unpack_downscaled_pair>("rg8-256over255", "before r167", 2, true),
+    packing_of<&pack_digits, &unpack_digits>("rgba8-modf", "r167 on", 4, true),
+    packing_of<&pack_three_digits, &unpack_three_digits>("rgb8-modf", "r167 on", 3, true),
+    packing_of<&pack_two_digits, &unpack_two_digits>("rg8-modf", "r167 on", 2, true),
 };
 
 }  // namespace

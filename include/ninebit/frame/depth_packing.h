@@ -31,6 +31,9 @@ struct DepthPacking {
   bool red_is_highest;                             // the first component is the most significant; otherwise the last
   DepthComponents (*pack)(float depth);            // depth is in [0, 1]
   float (*unpack)(const DepthComponents& stored);  // components as a texture returns them, each n / 255
+  // read_depth() of store_depth() of each depth, into as many values of `back`, which lie elsewhere: faster than one by
+  // one.
+  void (*round_trips)(std::span<const float> depths, ChannelStorage storage, std::span<float> back);
 };
 
 // All packings, the oldest first: the four of --depth-encoding, and the shorter variants of the last two.

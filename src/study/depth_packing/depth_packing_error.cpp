@@ -99,12 +99,15 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
     RangeErrors here;
     const std::uint64_t first = s * kChunk, last = std::min(first + kChunk, depths);
     float before = first == 0 ? 0.0F : back_of(depth_at(set, float_step, first - 1));
-    for (std::uint64_t i = first; i < last; ++i) {
-      const float depth = depth_at(set, float_step, i), back = back_of(depth);
+    std::vector<float> from(last - first), to(last - first);
+    for (std::uint64_t i = first; i < last; ++i) from[i - first] = depth_at(set, float_step, i);
+    packing.round_trips(from, storage, to);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const float depth = from[i], back = to[i];
       const double error = static_cast<double>(back) - static_cast<double>(depth), size = std::fabs(error);
       here.exact += back == depth ? 1U : 0U;
       here.inversions += back < before ? 1U : 0U;
-      seen.add(back);
+      if (back != before || i == 0) seen.add(back);
       before = back;
       if (depth >= 1.0F) continue;
       here.sum += error;
