@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -87,9 +88,17 @@ void* map_memory(std::size_t bytes) {
   throw std::bad_alloc();
 }
 
+// The kernel gives the stack its pages when they are first used, and ends a program where it has none left.
+[[gnu::noinline]] void touch_stack() {
+  constexpr std::size_t kPage = 4096;
+  std::array<volatile char, 128 * kPage> pages;
+  for (std::size_t i = 0; i < pages.size(); i += kPage) pages[pages.size() - 1 - i] = 0;
+}
+
 }  // namespace
 
 void keep_memory_for_errors() {
+  touch_stack();
   if (void* const older = kept.exchange(map_memory(kKept))) ::munmap(older, kKept);
   std::set_new_handler(free_kept_and_throw);
 }

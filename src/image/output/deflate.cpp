@@ -27,8 +27,12 @@ int run(z_stream& stream, int flush, std::vector<std::uint8_t>& out) {
 
 }  // namespace
 
-Deflater::Deflater() : stream_(std::make_unique<z_stream>()) {
-  if (deflateInit(stream_.get(), kLevel) != Z_OK) throw std::bad_alloc();
+Deflater::Deflater(DeflateFrame frame) : stream_(std::make_unique<z_stream>()) {
+  constexpr int kWindowBits = 15, kMemoryLevel = 8;  // deflateInit's
+  const int bits = frame == DeflateFrame::zlib ? kWindowBits : -kWindowBits;
+  if (deflateInit2(stream_.get(), kLevel, Z_DEFLATED, bits, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::bad_alloc();
+  }
 }
 
 Deflater::~Deflater() {
@@ -43,6 +47,11 @@ void Deflater::add(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t
     while (stream_->avail_in > 0) run(*stream_, Z_NO_FLUSH, out);
     bytes = bytes.subspan(size);
   }
+}
+
+void Deflater::flush(std::vector<std::uint8_t>& out) {
+  do run(*stream_, Z_SYNC_FLUSH, out);
+  while (stream_->avail_out == 0);
 }
 
 void Deflater::end(std::vector<std::uint8_t>& out) {

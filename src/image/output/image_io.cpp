@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,18 +13,20 @@
 #include "src/image/output/deflate.h"
 #include "src/image/output/faults.h"
 #include "src/system/files.h"
+#include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 
 namespace {
 
 using image_detail::complain_about_size;
+using image_detail::DeflateFrame;
 using image_detail::Deflater;
 using image_detail::invalid_input;
 using posix::CheckedFile;
 
-// Pieces of about this size are filtered and compressed at a time: they stay in the second-level cache.
-constexpr std::size_t kPieceBytes = std::size_t{1} << 18;
+// Pieces of about this size are filtered and compressed alone, as many at a time: they stay in the second-level cache.
+constexpr std::size_t kPieceBytes = std::size_t{1} << 18, kPiecesAtOnce = 16;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -57,8 +60,45 @@ void put_row(std::span<const Sample> row, std::uint8_t* to) {
   }
 }
 
-// Gives the bytes of a file to write(bytes, size) until that returns false. The filter Up, differences from the row
-// above, takes next to no time and makes most pictures smaller.
+// Some rows, filtered and compressed: the content of a chunk, and the checksum of what it decompresses to.
+struct Piece {
+  Bytes chunk{0, 0, 0, 0, 'I', 'D', 'A', 'T'};
+  uLong sum = 0;
+  std::size_t bytes = 0;
+};
+
+// The filter Up, differences from the row above, takes next to no time and makes most pictures smaller.
+template <class Sample>
+Piece compress_rows(const Image<Sample>& image, std::size_t first, std::size_t last) {
+  constexpr std::array<std::uint8_t, 2> kZlibHeader{0x78, 0x5E};
+  const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+  const std::size_t row_bytes = 1 + samples * sizeof(Sample);
+  const auto row_of = [&](std::size_t row) { return std::span(image.pixels).subspan(row * samples, samples); };
+  Bytes filtered((last - first) * row_bytes), above(row_bytes - 1), line(above.size());
+  if (first > 0) put_row(row_of(first - 1), above.data());
+  for (std::size_t row = first; row < last; ++row) {
+    std::uint8_t* const to = filtered.data() + (row - first) * row_bytes;
+    put_row(row_of(row), line.data());
+    to[0] = 2;  // Up
+    for (std::size_t i = 0; i < line.size(); ++i) to[1 + i] = static_cast<std::uint8_t>(line[i] - above[i]);
+    line.swap(above);
+  }
+  Piece piece;
+  if (first == 0) piece.chunk.insert(piece.chunk.end(), kZlibHeader.begin(), kZlibHeader.end());
+  Deflater deflater(DeflateFrame::none);
+  deflater.add(filtered, piece.chunk);
+  if (last == static_cast<std::size_t>(image.height)) {
+    deflater.end(piece.chunk);
+  } else {
+    deflater.flush(piece.chunk);
+  }
+  piece.sum = adler32_z(adler32_z(0, nullptr, 0), filtered.data(), filtered.size());
+  piece.bytes = filtered.size();
+  return piece;
+}
+
+// Gives the bytes of a file to write(bytes, size) until that returns false. They do not depend on the number of
+// threads.
 template <class Sample, class Write>
 void encode(const Image<Sample>& image, const Write& write) {
   constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
@@ -68,24 +108,24 @@ void encode(const Image<Sample>& image, const Write& write) {
   put_big_endian(static_cast<std::uint32_t>(image.height), &header[12]);
   header[17] = image.channels == 1 ? 0 : image.channels == 3 ? 2 : 6;  // grey, RGB, RGBA
   if (!write_chunk(header, write)) return;
-  const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
-  const std::size_t row_bytes = 1 + samples * sizeof(Sample), height = static_cast<std::size_t>(image.height);
+  const std::size_t row_bytes = image.pixels.size() / static_cast<std::size_t>(image.height) * sizeof(Sample);
+  const auto height = static_cast<std::size_t>(image.height);
   const std::size_t piece_rows = std::clamp<std::size_t>(kPieceBytes / row_bytes, 1, height);
-  Deflater deflater;
-  Bytes piece(piece_rows * row_bytes), above(row_bytes - 1), line(above.size()), chunk;
-  for (std::size_t row = 0; row < height; row += piece_rows) {
-    const std::size_t rows = std::min(piece_rows, height - row);
-    for (std::size_t r = 0; r < rows; ++r) {
-      std::uint8_t* const to = piece.data() + r * row_bytes;
-      put_row(std::span(image.pixels).subspan((row + r) * samples, samples), line.data());
-      to[0] = 2;  // Up
-      for (std::size_t i = 0; i < line.size(); ++i) to[1 + i] = static_cast<std::uint8_t>(line[i] - above[i]);
-      line.swap(above);
+  uLong sum = adler32_z(0, nullptr, 0);
+  for (std::size_t first = 0; first < height; first += piece_rows * kPiecesAtOnce) {
+    std::vector<Piece> pieces(std::min(kPiecesAtOnce, (height - first + piece_rows - 1) / piece_rows));
+    parallel_for(pieces.size(), [&](std::size_t i) {
+      const std::size_t row = first + i * piece_rows;
+      pieces[i] = compress_rows(image, row, std::min(row + piece_rows, height));
+    });
+    for (Piece& piece : pieces) {
+      sum = adler32_combine(sum, piece.sum, static_cast<z_off_t>(piece.bytes));
+      if (&piece == &pieces.back() && height - first <= piece_rows * kPiecesAtOnce) {
+        piece.chunk.resize(piece.chunk.size() + sizeof(std::uint32_t));
+        put_big_endian(static_cast<std::uint32_t>(sum), &piece.chunk.back() - 3);
+      }
+      if (!write_chunk(piece.chunk, write)) return;
     }
-    chunk.assign({0, 0, 0, 0, 'I', 'D', 'A', 'T'});
-    deflater.add(std::span(piece).first(rows * row_bytes), chunk);
-    if (row + rows == height) deflater.end(chunk);
-    if (chunk.size() > kChunkStart && !write_chunk(chunk, write)) return;
   }
   Bytes end{0, 0, 0, 0, 'I', 'E', 'N', 'D'};
   write_chunk(end, write);

@@ -78,6 +78,7 @@ using Path = std::filesystem::path;
 struct RenderedFile {
   std::string name;
   std::function<Status(const Path&)> write;
+  bool by_name_alone = false;  // not one of those that a rendering writes without being asked
 };
 
 // A file on its way to the disk.
@@ -103,34 +104,41 @@ std::size_t pixels_of(const Rendering& rendering) {
 std::vector<RenderedFile> files_of(const Rendering& rendering, int supersample) {
   std::vector<RenderedFile> files;
   const auto png = [&](std::string name, auto picture) {
-    files.push_back({std::move(name), [&rendering, picture, supersample](const Path& file) {
+    files.push_back({.name = std::move(name), .write = [&rendering, picture, supersample](const Path& file) {
                        return write_png(file, as_shown(picture(rendering), rendering, supersample));
                      }});
   };
   png("color.png", &color_picture);
   png("shadow.png", &stencil_picture);
   if (!rendering.index_map.empty()) {
-    files.push_back(
-        {"index_cube.png", [&rendering](const Path& file) { return write_png(file, index_cross_picture(rendering)); }});
-    files.push_back({"index_cube.exr", [&rendering](const Path& file) { return write_index_cube(rendering, file); }});
+    files.push_back({.name = "index_cube.png", .write = [&rendering](const Path& file) {
+                       return write_png(file, index_cross_picture(rendering));
+                     }});
+    files.push_back({.name = "index_cube.exr",
+                     .write = [&rendering](const Path& file) { return write_index_cube(rendering, file); },
+                     .by_name_alone = rendering.layers.empty()});
   }
   for (const NamedPicture& picture : rendering.pictures) {
-    files.push_back({picture.file, [&picture, &rendering, supersample](const Path& file) {
+    files.push_back({.name = picture.file, .write = [&picture, &rendering, supersample](const Path& file) {
                        return write_png(file, as_shown(picture.image, rendering, supersample));
                      }});
   }
   if (rendering.layers.empty()) return files;
-  files.push_back({"layers.exr", [&rendering](const Path& file) { return write_layers(rendering.layers, file); }});
+  files.push_back(
+      {.name = "layers.exr", .write = [&rendering](const Path& file) { return write_layers(rendering.layers, file); }});
   if (rendering.maps.empty()) return files;
-  files.push_back({"maps.exr", [&rendering](const Path& file) { return write_layers(rendering.maps, file); }});
+  files.push_back(
+      {.name = "maps.exr", .write = [&rendering](const Path& file) { return write_layers(rendering.maps, file); }});
   return files;
 }
 
 }  // namespace
 
-std::vector<std::string> file_names(const Rendering& rendering) {
+std::vector<std::string> file_names(const Rendering& rendering, NamedFiles which) {
   std::vector<std::string> names;
-  for (RenderedFile& file : files_of(rendering, 1)) names.push_back(std::move(file.name));
+  for (RenderedFile& file : files_of(rendering, 1)) {
+    if (which == NamedFiles::all || !file.by_name_alone) names.push_back(std::move(file.name));
+  }
   return names;
 }
 
@@ -138,7 +146,8 @@ Status write_rendering(const Rendering& rendering, StagedFiles& files, const Ren
   std::vector<StagedRendering> staged;
   for (RenderedFile& file : files_of(rendering, chosen.supersample)) {
     const auto& only = chosen.only;
-    if (!only.empty() && std::find(only.begin(), only.end(), file.name) == only.end()) continue;
+    const bool is_named = std::find(only.begin(), only.end(), file.name) != only.end();
+    if (only.empty() ? file.by_name_alone : !is_named) continue;
     const Path temporary = files.stage(file.name);
     staged.push_back({std::move(file), temporary, files.files().back()});
   }

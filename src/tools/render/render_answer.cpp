@@ -164,8 +164,8 @@ bool is_plain(const std::string& name) {
 }  // namespace
 
 Result<std::vector<std::string>> chosen_files(const Rendering& rendering, const std::string& only) {
-  std::vector<std::string> names = file_names(rendering);
-  if (only.empty()) return names;
+  if (only.empty()) return file_names(rendering, NamedFiles::unasked);
+  const std::vector<std::string> names = file_names(rendering, NamedFiles::all);
   std::vector<std::string> chosen;
   for (std::size_t start = 0; start <= only.size();) {
     const std::size_t end = std::min(only.find(',', start), only.size());
