@@ -27,19 +27,24 @@ std::array<std::uint8_t, 3> hue_of(std::uint32_t number) {
 
 }  // namespace
 
-Image8 color_picture(const Rendering& rendering) {
-  const int width = rendering.frame.width(), height = rendering.frame.height();
-  Image8 image{width, height, 3, {}};
+Image8 surface_picture(const Surface& surface, int channels) {
+  const int width = surface.width(), height = surface.height();
+  Image8 image{width, height, channels, {}};
   const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
-  image.pixels.resize(rows * columns * 3);
+  const auto count = static_cast<std::size_t>(channels);
+  image.pixels.resize(rows * columns * count);
   for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint8_t* const from = &rendering.frame.color(static_cast<int>(c))[row * columns];
-      std::uint8_t* const to = &image.pixels[(rows - 1 - row) * columns * 3 + c];
-      for (std::size_t x = 0; x < columns; ++x) to[x * 3] = from[x];
+    for (std::size_t c = 0; c < count; ++c) {
+      const std::uint8_t* const from = &surface.color(static_cast<int>(c))[row * columns];
+      std::uint8_t* const to = &image.pixels[(rows - 1 - row) * columns * count + c];
+      for (std::size_t x = 0; x < columns; ++x) to[x * count] = from[x];
     }
   }
   return image;
+}
+
+Image8 color_picture(const Rendering& rendering) {
+  return surface_picture(rendering.frame, 3);
 }
 
 Image8 stencil_picture(const Rendering& rendering) {

@@ -14,4 +14,14 @@ const ProbedFragment* deciding_fragment(const ProbedPass& pass) {
   return decided;
 }
 
+void IndexMapFace::read_numbers(const IndexCodes& codes, std::size_t begin, std::span<std::uint32_t> out) const {
+  ColorBytes last{};  // most texels have the code of the one before, and a number takes three divisions
+  std::uint32_t number = codes.number(last);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const ColorBytes code = texel(begin + i);
+    if (code != last) number = codes.number(last = code);
+    out[i] = number;
+  }
+}
+
 }  // namespace ninebit

@@ -7,7 +7,10 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The frame's colours, upright.
+// A surface's colours, upright: red, green, blue and, of four channels, alpha.
+[[nodiscard]] Image8 surface_picture(const Surface& surface, int channels);
+
+// The frame's red, green and blue, upright.
 [[nodiscard]] Image8 color_picture(const Rendering& rendering);
 
 // The stencil buffer: white where it is not 0, in shadow.

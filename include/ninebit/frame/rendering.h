@@ -103,6 +103,8 @@ struct IndexMapFace {
     }
     return bytes;
   }
+  // The code numbers of the texels from the `begin`-th on, as many as `out` has.
+  void read_numbers(const IndexCodes& codes, std::size_t begin, std::span<std::uint32_t> out) const;
   // The number of texels: size × size.
   [[nodiscard]] std::size_t texels() const { return static_cast<std::size_t>(size) * static_cast<std::size_t>(size); }
 };

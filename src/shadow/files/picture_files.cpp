@@ -14,13 +14,7 @@ namespace {
 // A channel of the index cube: the code numbers.
 ExrIntegerRow number_rows(const IndexCodes& codes, const IndexMapFace& face) {
   return [&codes, &face](int row, std::span<std::uint32_t> out) {
-    ColorBytes last{};  // most texels have the code of the one before
-    std::uint32_t number = codes.number(last);
-    for (std::size_t x = 0; x < out.size(); ++x) {
-      const ColorBytes code = face.texel(static_cast<std::size_t>(row) * out.size() + x);
-      if (code != last) number = codes.number(last = code);
-      out[x] = number;
-    }
+    face.read_numbers(codes, static_cast<std::size_t>(row) * out.size(), out);
   };
 }
 

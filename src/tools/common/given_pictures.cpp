@@ -1,6 +1,6 @@
 #include "src/tools/common/given_pictures.h"
 
-#include <algorithm>
+#include <array>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -8,7 +8,7 @@
 
 #include "ninebit/frame/pictures.h"
 #include "src/frame/drawn_passes.h"
-#include "src/frame/packed_map.h"
+#include "src/system/parallel/parallel_loop.h"
 #include "src/tools/input/host.h"
 
 namespace ninebit::tools {
@@ -50,28 +50,25 @@ bool is_face(const Layer& layer) {
 template <class Samples>
 void give_plane(std::string name, const Samples& plane, int width, int height) {
   if (plane.empty()) return;
-  std::vector<typename Samples::value_type> upright(plane.size());
-  for (std::size_t i = 0; i < plane.size(); ++i) upright[upright_index(i, width, height)] = plane[i];
-  give_samples(std::move(name), std::move(upright), width, height, 1);
-}
-
-Image8 color_of(const Surface& surface) {
-  const int width = surface.width(), height = surface.height();
-  Image8 image{width, height, 4, std::vector<std::uint8_t>(surface.depth().size() * 4)};
-  for (std::size_t i = 0; i < surface.depth().size(); ++i) {
-    const std::size_t to = upright_index(i, width, height) * 4;
-    for (std::size_t c = 0; c < 4; ++c) image.pixels[to + c] = surface.color(static_cast<int>(c))[i];
+  std::vector<typename Samples::value_type> upright;
+  upright.reserve(plane.size());
+  for (int row = height - 1; row >= 0; --row) {
+    const auto* const from = plane.data() + std::ptrdiff_t{row} * width;
+    upright.insert(upright.end(), from, from + width);
   }
-  return image;
+  give_samples(std::move(name), std::move(upright), width, height, 1);
 }
 
 // A cube map's face: its first row is t = 0, which is on top.
 void give_index_map(const Rendering& rendering) {
+  std::array<std::vector<std::uint32_t>, 6> numbers;
+  parallel_for(rendering.index_map.size(), [&](std::size_t f) {
+    numbers[f].resize(rendering.index_map[f].texels());
+    rendering.index_map[f].read_numbers(rendering.codes, 0, numbers[f]);
+  });
   for (std::size_t f = 0; f < rendering.index_map.size(); ++f) {
-    const IndexMapFace& face = rendering.index_map[f];
-    std::vector<std::uint32_t> numbers(face.texels());
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = rendering.codes.number(face.texel(i));
-    give_samples(std::string("index_map.") + kCubeFaceNames[f], std::move(numbers), face.size, face.size, 1);
+    const int size = rendering.index_map[f].size;
+    give_samples(std::string("index_map.") + kCubeFaceNames[f], std::move(numbers[f]), size, size, 1);
   }
 }
 
@@ -84,7 +81,8 @@ void give_picture(std::string name, Image8 image) {
 
 void give_surface(const Surface& surface, int n) {
   if (host() == nullptr) return;
-  give_picture("color", n > 1 ? averaged(color_of(surface), n) : color_of(surface));
+  Image8 color = surface_picture(surface, 4);
+  give_picture("color", n > 1 ? averaged(color, n) : std::move(color));
   give_plane("depth", surface.depth(), surface.width(), surface.height());
   give_plane("stencil", surface.stencil(), surface.width(), surface.height());
 }
