@@ -19,7 +19,7 @@ Json bench(std::vector<std::string> arguments) {
 }
 
 TEST(Bench, EveryPartHasHelpWithAnExample) {
-  for (const char* part : {"combiner", "raster", "frame", "effect"}) {
+  for (const char* part : {"combiner", "raster", "frame", "draw", "effect"}) {
     const Outcome outcome = ninebit({"bench", part, "--help"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.out.find(std::string("ninebit bench ") + part), std::string::npos) << outcome.out;
@@ -200,6 +200,34 @@ TEST(Bench, EffectsBesideLlvmpipe) {
   }
 }
 
+// The rival runs the program as GLSL of whole numbers: it draws the same bytes.
+TEST(Bench, ProgramsBesideLlvmpipe) {
+  const Json alone = bench({"draw"});
+  EXPECT_EQ(alone["command"], "bench draw");
+  ASSERT_EQ(alone["rows"].size(), 3U);
+  for (const Json& row : alone["rows"]) EXPECT_EQ(keys_of(row), (Keys{"program", "ms", "mpixels_per_s"}));
+  const Outcome outcome = ninebit({"bench", "draw", "--quick", "--json", "--rival", "llvmpipe", "--threads", "2"});
+  if (outcome.code == 2) GTEST_SKIP() << outcome.err;
+  for (const Json& row : json_of(outcome)["rows"]) EXPECT_EQ(row["rival"]["largest_difference"], 0) << row["program"];
+}
+
+TEST(Bench, RunsOnAGivenTarget) {
+  const std::vector<std::vector<std::string>> parts{
+      {"raster"}, {"draw"}, {"effect"}, {"frame", kRoom, "--size", "48x36", "--map-size", "32"}};
+  for (const std::vector<std::string>& part : parts) {
+    std::vector<std::string> arguments = part;
+    arguments.insert(arguments.begin(), "bench");
+    arguments.insert(arguments.end(), {"--target", "MMX"});
+    const Outcome wrong = ninebit(arguments);
+    expect_error(wrong, 2, {"--target", "MMX"});
+    const std::size_t begin = wrong.err.find('{') + 1;
+    arguments = part;
+    arguments.insert(arguments.end(),
+                     {"--target", wrong.err.substr(begin, wrong.err.find_first_of(",}", begin) - begin)});
+    bench(arguments);
+  }
+}
+
 TEST(Bench, TablesForPeople) {
   const Outcome combiner = ninebit({"bench", "combiner", "--quick", "--threads", "1"});
   EXPECT_EQ(combiner.code, 0);
@@ -225,8 +253,8 @@ TEST(Bench, WrongUsage) {
     std::vector<std::string> words;
   };
   const std::vector<Case> cases{
-      {{}, 2, {"a command is required", "combiner, raster, frame, effect", "ninebit bench --help"}},
-      {{"gpu"}, 2, {"unknown command 'gpu'", "combiner, raster, frame, effect"}},
+      {{}, 2, {"a command is required", "combiner, raster, frame, draw, effect", "ninebit bench --help"}},
+      {{"gpu"}, 2, {"unknown command 'gpu'", "combiner, raster, frame, draw, effect"}},
       {{"raster", "extra"}, 2, {"not expected", "extra", "ninebit bench raster --help"}},
       {{"combiner", "--seconds", "0"}, 2, {"--seconds", "ninebit bench combiner --help"}},
       {{"combiner", "--print", "light"}, 2, {"--print", "light", "index,heavy,eight,default"}},

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "ninebit/language/glsl.h"
 #include "ninebit/language/rc10.h"
+#include "src/bench/programs.h"
 #include "src/effect/effect_inputs.h"
 
 namespace ninebit::bench {
@@ -42,6 +44,15 @@ constexpr const char* kWaterFragment =
 constexpr const char* kReflectFragment =
     "void main() { vec3 n = texture(tex0, 3.0 * uv).rgb, eye = vec3(1.0 - 2.0 * uv.x, 2.0 * uv.y - 1.0, 3.0);\n"
     "  color = vec4(texture(cube1, 2.0 * n * dot(n, eye) - eye * dot(n, n)).rgb, 1.0); }\n";
+
+// The colours are those of program_workloads() in bytes; a unit without a texture and a fog without one are as in it.
+constexpr const char* kProgramMain =
+    "void main() {\n"
+    "  ivec4 t0 = ivec4(texture(tex0, uv) * 255.0 + 0.5), t1 = ivec4(texture(tex1, uv) * 255.0 + 0.5);\n"
+    "  ivec4 c = ninebit_combine(ivec4(153, 102, 204, 51), ivec4(51, 204, 102, 255), ivec4(0), t0, t1, ivec4(0, 0, 0, "
+    "255),\n"
+    "                            ivec4(0, 0, 0, 255), t0.a);\n"
+    "  color = vec4(c) / 255.0; }\n";
 
 // Coordinates uv times `scale`, plus `shift`.
 CoordinateSource scaled(float scale, float shift) {
@@ -126,7 +137,7 @@ std::vector<std::uint8_t> effect_texels(std::size_t number) {
 
 }  // namespace
 
-std::vector<EffectWorkload> effect_workloads(int width, int height) {
+std::vector<EffectWorkload> effect_workloads(int width, int height, const HardwareProfile& profile) {
   const Sampler nearest{.min_filter = MinFilter::nearest, .mag_filter = MagFilter::nearest};
   const Sampler linear{.min_filter = MinFilter::linear, .mag_filter = MagFilter::linear};
   const Sampler trilinear{.min_filter = MinFilter::linear_mipmap_linear, .mag_filter = MagFilter::linear};
@@ -140,8 +151,37 @@ std::vector<EffectWorkload> effect_workloads(int width, int height) {
   add_texture(all[2], trilinear, scaled(6.0F, 0.0F));
   all[2].effect.passes[0].primary.constant = {0.95F, 0.85F, 0.7F, 1.0F};
   for (EffectWorkload& one : all) {
+    const bool has_stages = one.effect.passes[0].state.texture_shader.enabled;
+    one.profile = has_stages && !profile.texture_shaders ? profiles::nv2a : profile;
     one.effect.width = width;
     one.effect.height = height;
+  }
+  return all;
+}
+
+Result<std::vector<EffectWorkload>> program_workloads(int width, int height, const HardwareProfile& profile) {
+  const auto programs = measured_programs(profile);
+  if (!programs) return programs.error();
+  std::vector<EffectWorkload> all;
+  for (const MeasuredProgram& measured : *programs) {
+    if (measured.name == "default") continue;
+    const auto text = print_rc10(measured.state, measured.profile);
+    if (!text) return text.error();
+    const auto program = compile(measured.state, measured.profile);
+    if (!program) return program.error();
+    const auto glsl = emit_glsl(*program, GlslVersion::glsl_330);
+    if (!glsl) return glsl.error();
+    const std::string function = glsl->substr(glsl->find('\n') + 1);  // without its #version
+    EffectWorkload one = workload(std::string(measured.name).c_str(), text->c_str(), (function + kProgramMain).c_str());
+    const Sampler nearest{.min_filter = MinFilter::nearest, .mag_filter = MagFilter::nearest};
+    add_texture(one, nearest, {});
+    add_texture(one, nearest, {});
+    one.effect.passes[0].primary.constant = {0.6F, 0.4F, 0.8F, 0.2F};
+    one.effect.passes[0].secondary.constant = {0.2F, 0.8F, 0.4F, 1.0F};
+    one.effect.width = width;
+    one.effect.height = height;
+    one.profile = measured.profile;
+    all.push_back(std::move(one));
   }
   return all;
 }

@@ -33,14 +33,20 @@ std::vector<int> one_and_all_threads(const CommonFlags& flags) {
   return all == 1 ? std::vector{1} : std::vector{1, all};
 }
 
+void add_target_flag(CLI::App& verb, BenchFlags& flags) {
+  verb.add_option("--target", flags.target, "SIMD target to draw on (default: the best of this processor)")
+      ->check(CLI::IsMember(bench::simd_target_names()));
+}
+
 void add_bench(CLI::App& app, int& exit_code) {
-  CLI::App* verb =
-      app.add_subcommand("bench", "Measure the speed of the combiners, the rasterizer, a whole frame or effects");
+  CLI::App* verb = app.add_subcommand(
+      "bench", "Measure the speed of the combiners, the rasterizer, a whole frame, programs or effects");
   verb->require_subcommand(1);
   verb->footer("Example: ninebit bench combiner\nRun `ninebit bench BENCHMARK --help` for the flags of a benchmark.");
   add_bench_combiner(*verb, exit_code);
   add_bench_raster(*verb, exit_code);
   add_bench_frame(*verb, exit_code);
+  add_bench_draw(*verb, exit_code);
   add_bench_effect(*verb, exit_code);
 }
 

@@ -1,4 +1,5 @@
-// `ninebit bench effect`: pixels per second of effects of the gallery, beside the same in GLSL on llvmpipe.
+// `ninebit bench draw` and `ninebit bench effect`: pixels per second of programs of combiners and of effects of the
+// gallery on a rectangle, beside the same in GLSL on llvmpipe.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr std::size_t kFewestPictures = 3;
 
 struct EffectFlags {
   BenchFlags bench;
-  std::string rival, target;
+  std::string rival;
 };
 
 // One effect: milliseconds of its pictures, and of the rival's, drawn in turn.
@@ -42,10 +43,7 @@ int largest_difference(const Surface& ours, const std::vector<std::uint8_t>& the
 
 Result<EffectRow> measure_effect(const bench::EffectWorkload& workload, const EffectFlags& flags,
                                  bench::LlvmpipeEffect* rival, ProgressLine& line) {
-  const HardwareProfile& said = profile_of(flags.bench.common);
-  const bool has_stages = workload.effect.passes[0].state.texture_shader.enabled;
-  const HardwareProfile& profile = has_stages && !said.texture_shaders ? profiles::nv2a : said;
-  auto renderer = EffectRenderer::make(workload.effect, profile, bench::workload_readers());
+  auto renderer = EffectRenderer::make(workload.effect, workload.profile, bench::workload_readers());
   if (!renderer) return renderer.error();
   if (rival != nullptr) {
     if (Status ready = rival->prepare(workload); !ready) return ready.error();
@@ -74,11 +72,20 @@ double mpixels(const bench::Spread& spread, double pixels) {
   return pixels / spread.median / 1e3;
 }
 
-std::string effects_text(const std::vector<EffectRow>& rows, int threads, int side, const std::string& renderer) {
+// What a verb measures: "effect" or "program".
+struct Measured {
+  std::string verb, what;
+  std::vector<bench::EffectWorkload> workloads{};
+  int side = 0;
+};
+
+std::string effects_text(const Measured& measured, const std::vector<EffectRow>& rows, int threads,
+                         const std::string& renderer) {
+  const int side = measured.side;
   const double pixels = static_cast<double>(side) * side;
   std::string text = fmt::format("{0} x {0} pixels, {1} thread{2}{3}\n", side, threads, threads == 1 ? "" : "s",
                                  renderer.empty() ? "" : "; rival: " + renderer);
-  text += fmt::format("{:<17} {:>9} {:>9} {:>12} {:>7} {:>10}\n", "effect", "ms", "Mpixel/s", "rival's", "ratio",
+  text += fmt::format("{:<17} {:>9} {:>9} {:>12} {:>7} {:>10}\n", measured.what, "ms", "Mpixel/s", "rival's", "ratio",
                       "difference");
   for (const EffectRow& row : rows) {
     text += fmt::format("{:<17} {:>9.3f} {:>9.1f}", row.name, row.ours.median, mpixels(row.ours, pixels));
@@ -95,11 +102,13 @@ Json spread_json(const bench::Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
-Json effects_json(const EffectFlags& flags, const std::vector<EffectRow>& rows, int side, const std::string& renderer) {
+Json effects_json(const EffectFlags& flags, const Measured& measured, const std::vector<EffectRow>& rows,
+                  const std::string& renderer) {
+  const int side = measured.side;
   const double pixels = static_cast<double>(side) * side;
   Json list = Json::array();
   for (const EffectRow& row : rows) {
-    Json one{{"effect", row.name}, {"ms", spread_json(row.ours)}, {"mpixels_per_s", mpixels(row.ours, pixels)}};
+    Json one{{measured.what, row.name}, {"ms", spread_json(row.ours)}, {"mpixels_per_s", mpixels(row.ours, pixels)}};
     if (row.rival) {
       one["rival"] = {{"ms", spread_json(*row.rival)},
                       {"mpixels_per_s", mpixels(*row.rival, pixels)},
@@ -108,20 +117,16 @@ Json effects_json(const EffectFlags& flags, const std::vector<EffectRow>& rows, 
     }
     list.push_back(std::move(one));
   }
-  Json out{{"command", "bench effect"},
-           {"version", NINEBIT_VERSION},
-           {"profile", flags.bench.common.profile},
-           {"size", {side, side}},
-           {"threads", thread_count(flags.bench.common)},
-           {"rows", std::move(list)}};
+  Json out{{"command", "bench " + measured.verb},         {"version", NINEBIT_VERSION},
+           {"profile", flags.bench.common.profile},       {"size", {side, side}},
+           {"threads", thread_count(flags.bench.common)}, {"rows", std::move(list)}};
   if (!renderer.empty()) out["rival"] = {{"name", flags.rival}, {"renderer", renderer}};
   return out;
 }
 
-int bench_effect(const EffectFlags& flags) {
+int bench_rectangles(const EffectFlags& flags, const Measured& measured) {
   const CommonFlags& common = flags.bench.common;
   const ThreadLimit limit(common.threads);
-  const int side = flags.bench.quick ? 64 : 1024;
   std::unique_ptr<bench::LlvmpipeEffect> rival;
   if (!flags.rival.empty()) {
     auto made = bench::LlvmpipeEffect::make(thread_count(common));
@@ -131,19 +136,45 @@ int bench_effect(const EffectFlags& flags) {
     }
     rival = std::move(*made);
   }
-  std::optional<bench::OnSimdTarget> on;
-  if (!flags.target.empty()) on.emplace(flags.target);
+  const OnGivenTarget on(flags.bench);
   std::optional<ProgressLine> line(std::in_place, common.quiet);
   std::vector<EffectRow> rows;
-  for (const bench::EffectWorkload& workload : bench::effect_workloads(side, side)) {
+  for (const bench::EffectWorkload& workload : measured.workloads) {
     auto row = measure_effect(workload, flags, rival.get(), *line);
     if (!row) return line.reset(), report(row.error());
     rows.push_back(std::move(*row));
   }
   line.reset();
   const std::string renderer = rival ? rival->renderer() : "";
-  if (common.json) return answer(effects_json(flags, rows, side, renderer));
-  return answer(effects_text(rows, thread_count(common), side, renderer));
+  if (common.json) return answer(effects_json(flags, measured, rows, renderer));
+  return answer(effects_text(measured, rows, thread_count(common), renderer));
+}
+
+int side_of(const EffectFlags& flags) {
+  return flags.bench.quick ? 64 : 1024;
+}
+
+int bench_effect(const EffectFlags& flags) {
+  const int side = side_of(flags);
+  return bench_rectangles(
+      flags, {"effect", "effect", bench::effect_workloads(side, side, profile_of(flags.bench.common)), side});
+}
+
+int bench_draw(const EffectFlags& flags) {
+  const int side = side_of(flags);
+  auto workloads = bench::program_workloads(side, side, profile_of(flags.bench.common));
+  if (!workloads) return report(workloads.error());
+  return bench_rectangles(flags, {"draw", "program", std::move(*workloads), side});
+}
+
+void add_rectangles(CLI::App& verb, int (*measure)(const EffectFlags&), int& exit_code) {
+  auto flags = std::make_shared<EffectFlags>();
+  add_bench_flags(verb, flags->bench);
+  verb.add_option("--rival", flags->rival,
+                  "Also draw them in GLSL with Mesa's llvmpipe, with the same number of threads")
+      ->check(CLI::IsMember({"llvmpipe"}));
+  add_target_flag(verb, flags->bench);
+  verb.callback([=, &exit_code] { exit_code = measure(*flags); });
 }
 
 }  // namespace
@@ -155,14 +186,16 @@ void add_bench_effect(CLI::App& bench, int& exit_code) {
       "Examples:\n"
       "  ninebit bench effect --rival llvmpipe\n"
       "  ninebit bench effect --target AVX2");
-  auto flags = std::make_shared<EffectFlags>();
-  add_bench_flags(*verb, flags->bench);
-  verb->add_option("--rival", flags->rival,
-                   "Also draw them in GLSL with Mesa's llvmpipe, with the same number of threads")
-      ->check(CLI::IsMember({"llvmpipe"}));
-  verb->add_option("--target", flags->target, "SIMD target to draw on (default: the best of this processor)")
-      ->check(CLI::IsMember(bench::simd_target_names()));
-  verb->callback([flags, &exit_code] { exit_code = bench_effect(*flags); });
+  add_rectangles(*verb, &bench_effect, exit_code);
+}
+
+void add_bench_draw(CLI::App& bench, int& exit_code) {
+  CLI::App* verb =
+      bench.add_subcommand("draw", "Measure programs of combiners on a textured rectangle, in pixels per second");
+  verb->footer(
+      "Example: ninebit bench draw --rival llvmpipe\n"
+      "The rival runs the program as `ninebit convert --to glsl` prints it.");
+  add_rectangles(*verb, &bench_draw, exit_code);
 }
 
 }  // namespace ninebit::tools

@@ -172,6 +172,7 @@ Json json_of(const FrameFlags& flags, const FrameBench& frame, const FrameTimes&
 int bench_frame(const FrameFlags& flags) {
   const CommonFlags& common = flags.bench.common;
   const ThreadLimit limit(common.threads);
+  const OnGivenTarget on(flags.bench);
   FrameBench frame{.settings = settings_of(flags.scene, common), .threads = thread_count(common)};
   std::optional<ProgressLine> line(std::in_place, common.quiet);
   line->step("loading", 0.0);
@@ -215,6 +216,7 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
   CLI::Option* rival = verb->add_option("--rival", flags->rival,
                                         "Also draw the frame with Mesa's llvmpipe, with the same number of threads")
                            ->check(CLI::IsMember({"llvmpipe"}));
+  add_target_flag(*verb, flags->bench);
   add_scene_flags(*verb, flags->scene);
   // The rival's shaders do not implement these.
   for (const char* flag : {"--light-facing", "--index-format", "--index-order", "--index-scales", "--style"}) {

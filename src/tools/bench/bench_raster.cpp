@@ -147,6 +147,7 @@ Json json_of(const RasterRow& r) {
 
 int bench_raster(const RasterFlags& raster) {
   const BenchFlags& flags = raster.bench;
+  const OnGivenTarget on(flags);
   const Size size = flags.quick ? Size{128, 96} : Size{1024, 768};
   const std::vector<Workload> workloads{{"legs-1", 1.0F}, {"legs-4", 4.0F}, {"legs-16", 16.0F}, {"large", 0.0F}};
   std::unique_ptr<bench::LlvmpipeMesh> rival;
@@ -239,6 +240,7 @@ std::string table(const std::vector<GrowthRow>& rows) {
 int bench_growth(const BenchFlags& flags) {
   const std::vector<double> counts = flags.quick ? std::vector{1e3, 1e4} : std::vector{1e3, 1e4, 1e5, 1e6, 1e7};
   const ThreadLimit limit(thread_count(flags.common));
+  const OnGivenTarget on(flags);
   const std::uint64_t idle = bench::resident_bytes();
   std::optional<ProgressLine> line(std::in_place, flags.common.quiet);
   std::vector<GrowthRow> rows;
@@ -285,6 +287,7 @@ void add_bench_raster(CLI::App& bench, int& exit_code) {
   verb->add_option("--rival", flags->rival, "Draw the same meshes with this renderer too, on all threads: llvmpipe")
       ->check(CLI::IsMember({"llvmpipe"}))
       ->excludes(growth);
+  add_target_flag(*verb, flags->bench);
   verb->callback([=, &exit_code] { exit_code = flags->growth ? bench_growth(flags->bench) : bench_raster(*flags); });
 }
 
