@@ -25,9 +25,15 @@ TEST(EffectJson, ReadsAllOfAPass) {
     "title": "t", "profile": "nv2a", "size": [64, 32], "color_format": "r5g6b5", "depth_stencil": "d16",
     "scene": {"mesh": "cube", "camera": [0, 1, 5], "fov": 30, "light": [1, 2, 3], "light_type": "spot", "floor": -1},
     "textures": {"a": {"source": "normals:h.png", "steepness": 2, "filter": "linear", "wrap": "clamp"},
+                 "c": {"source": "k.png", "filter": "nearest", "wrap": "clamp-to-border", "border_color": [1, 0, 0.5, 1],
+                       "border_texels": true, "cylinder_wrap": "t", "color_key": "kill:00fF00FF"},
                  "b": {"source": "target:m"}},
-    "targets": {"m": {"size": 16, "cube": true, "format": "rgb8", "color_format": "x1a7r8g8b8_o"}},
-    "passes": [{"target": "m", "primary": "index:la,3"},
+    "targets": {"m": {"size": 16, "cube": true, "format": "rgb8", "color_format": "x1a7r8g8b8_o"},
+                "s": {"size": 8, "samples": "square_offset_4"}},
+    "passes": [{"target": "m", "primary": "index:la,3", "polygon_mode": "point", "point_size": 3.5,
+                "units": [{"texture": "a", "coordinates": "point-sprite"}]},
+               {"polygon_mode": "line", "line_width": 2.5, "line_smooth": true},
+               {"polygon_smooth": true, "polygon_stipple": "1000,0110"},
                {"name": "last", "program": "p.rc1", "constants": {"const1": [0, 0.5, 1, 0.25]},
                 "units": [null, {"texture": "b", "coordinates": "from-light",
                                  "matrix": [[1,2,3,4],[5,6,7,8],[9,10,11,12],[13,14,15,16]]}],
@@ -51,14 +57,35 @@ TEST(EffectJson, ReadsAllOfAPass) {
   EXPECT_FALSE(e.scene.setup.light_kinds.point);
   EXPECT_EQ(e.textures[0].origin, TextureOrigin::normals);
   EXPECT_EQ(e.textures[0].sampler.wrap_s, Wrap::clamp);
-  EXPECT_EQ(e.textures[1].sampler.min_filter, MinFilter::nearest) << "the default of targets";
+  const Sampler& keyed = e.textures[1].sampler;
+  EXPECT_EQ(keyed.wrap_t, Wrap::clamp_to_border);
+  EXPECT_EQ(keyed.border_color, (std::array<float, 4>{1.0F, 0.0F, 0.5F, 1.0F}));
+  EXPECT_TRUE(keyed.border_texels);
+  EXPECT_EQ(keyed.cylinder_wrap, (std::array<bool, 2>{false, true}));
+  EXPECT_EQ(keyed.color_key.operation, ColorKeyOperation::kill);
+  EXPECT_EQ(keyed.color_key.key, 0x00FF00FFU);
+  EXPECT_EQ(e.textures[2].sampler.min_filter, MinFilter::nearest) << "the default of targets";
   EXPECT_TRUE(e.targets[0].cube);
-  ASSERT_EQ(e.passes.size(), 2U);
+  EXPECT_EQ(e.targets[1].samples, SampleMode::square_offset_4);
+  ASSERT_EQ(e.passes.size(), 4U);
+  EXPECT_EQ(e.passes[0].state.back_mode, PolygonMode::point);
+  EXPECT_EQ(e.passes[0].state.point_size, 3.5F);
+  EXPECT_EQ(e.passes[0].units[0].coordinates.source, VertexSource::point_sprite);
+  EXPECT_EQ(e.passes[1].state.front_mode, PolygonMode::line);
+  EXPECT_EQ(e.passes[1].state.line_width, 2.5F);
+  EXPECT_TRUE(e.passes[1].state.line_smooth && !e.passes[1].state.polygon_smooth);
+  EXPECT_TRUE(e.passes[2].state.polygon_smooth);
+  ASSERT_TRUE(e.passes[2].state.polygon_stipple.has_value());
+  for (std::size_t y = 0; y < 32; ++y) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ((*e.passes[2].state.polygon_stipple)[4 * y + i], y % 2 == 0 ? 0x66 : 0x88) << "the last row is row 0";
+    }
+  }
   EXPECT_EQ(e.passes[0].name, "pass 1");
   EXPECT_EQ(e.passes[0].primary.index_format, IndexFormat::luminance_alpha);
   EXPECT_EQ(e.passes[0].primary.index_step, 3);
   EXPECT_TRUE(e.passes[0].state.depth_test.enabled) << "a mesh's default";
-  const EffectPass& p = e.passes[1];
+  const EffectPass& p = e.passes[3];
   EXPECT_FALSE(p.constants.global[0].has_value());
   EXPECT_EQ(p.constants.global[1], (ColorF{0.0F, 0.5F, 1.0F, 0.25F}));
   EXPECT_EQ(p.units[1].coordinates.matrix[0], glm::vec4(1, 5, 9, 13)) << "rows become glm's columns";
@@ -102,6 +129,40 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
       {"\n\"passes\": [{\"color_mask\": \"rr\"}]", 2, "not a colour mask"},
       {"\n\"passes\": [{\"depth\": {\"function\": \"smaller\"}}]", 2, "expected never, less"},
       {"\n\"passes\": [{\"name\": \"a\"}, {\"name\": \"a\"}]", 2, "defined twice"},
+      {"\n\"passes\": [{\"polygon_mode\": \"lines\"}]", 2, "not a polygon mode; expected fill, line or point"},
+      {"\n\"passes\": [{\"point_size\": 65}]", 2, "64"},
+      {"\n\"passes\": [{\"polygon_stipple\": \"10,0\"}]", 2, "not a stipple pattern"},
+      {"\n\"passes\": [{\"polygon_stipple\": \"101\"}]", 2, "not a stipple pattern"},
+      {"\n\"passes\": [{\"polygon_stipple\": \"\"}]", 2, "not a stipple pattern"},
+      {"\n\"passes\": [{\"polygon_stipple\": \"10,01\", \"polygon_mode\": \"line\"}]", 2,
+       "polygon stipple has no effect here; expected polygon mode fill"},
+      {"\n\"passes\": [{\"polygon_smooth\": true, \"polygon_mode\": \"point\"}]", 2,
+       "polygon smoothing has no effect here; expected polygon mode fill"},
+      {"\n\"passes\": [{\"line_smooth\": true}]", 2, "line smoothing has no effect here; expected polygon mode line"},
+      {"\n\"passes\": [{\"line_width\": 2}]", 2, "a line width has no effect here; expected polygon mode line"},
+      {"\n\"passes\": [{\"point_size\": 2}]", 2, "a point size has no effect here; expected polygon mode point"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\"}},\n"
+       "\"passes\": [{\"units\": [{\"texture\": \"t\", \"coordinates\": \"point-sprite\"}]}]",
+       3, "unit 0: point-sprite coordinates need polygon mode point"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\"}},\n"
+       "\"passes\": [{\"polygon_mode\": \"point\", \"units\": [{\"texture\": \"t\", \"coordinates\": "
+       "\"point-sprite\", \"matrix\": [[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]}]",
+       3, "unit 0: point-sprite coordinates have no matrix"},
+      {"\n\"passes\": [{\"primary\": \"point-sprite\"}]", 2, "is not a source of colours"},
+      {"\n\"targets\": {\"m\": {\"size\": 4, \"samples\": \"4\"}}, \"passes\": [{}]", 2,
+       "not a sample mode; expected center_1, center_corner_2 or square_offset_4"},
+      {"\n\"targets\": {\"m\": {\"size\": 4, \"cube\": true, \"samples\": \"square_offset_4\"}}, \"passes\": [{}]", 2,
+       "is a cube map; expected one sample a pixel"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"wrap\": \"border\"}}, \"passes\": [{}]", 2,
+       "mirrored-repeat or clamp-to-border"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"cylinder_wrap\": \"u\"}}, \"passes\": [{}]", 2,
+       "expected s, t or st"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"border_color\": [2, 0, 0, 0]}}, \"passes\": [{}]", 2,
+       "from 0"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"color_key\": \"kill:FF00FF\"}}, \"passes\": [{}]", 2,
+       "not a colour key; expected alpha, rgba or kill"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"color_key\": \"drop:00FF00FF\"}}, \"passes\": [{}]", 2,
+       "not a colour key"},
       {"\n\"targets\": {\"picture\": {\"size\": 4}}, \"passes\": [{}]", 2, "name of the picture"},
       {"\n\"targets\": {\"m\": {\"size\": [4, 8], \"cube\": true}}, \"passes\": [{}]", 2, "not square"},
       {"\n\"textures\": {\"t\": {\"source\": \"checker:3\"}}, \"passes\": [{}]", 2, "power of two"},

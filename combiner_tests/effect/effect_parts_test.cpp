@@ -33,20 +33,20 @@ TEST(EffectParts, AClearOfSomePlanesKeepsTheOthers) {
   RenderTarget target = surface.target();
   EffectClear clear{.color = false, .depth = true, .stencil = true};
   clear.values = {.color = {1, 2, 3, 4}, .depth = 0.0, .stencil = 9};
-  const auto later = clear_before_pass(clear, target, false);
+  const auto later = clear_before_pass(clear, profiles::geforce2, target, false);
   ASSERT_TRUE(later);
   EXPECT_FALSE(later->has_value());
   EXPECT_EQ(surface.color(kRed)[5], 10);
   EXPECT_EQ(surface.depth()[5], 0U);
   EXPECT_EQ(surface.stencil()[5], 9);
 
-  const auto first = clear_before_pass(clear, target, true);
+  const auto first = clear_before_pass(clear, profiles::geforce2, target, true);
   ASSERT_TRUE(first);
   ASSERT_TRUE(first->has_value());
   EXPECT_EQ((*first)->color, (std::array<std::uint8_t, 4>{})) << "a target's first content";
   EXPECT_EQ((*first)->depth, 0.0);
   clear.color = true;
-  const auto all = clear_before_pass(clear, target, false);
+  const auto all = clear_before_pass(clear, profiles::geforce2, target, false);
   ASSERT_TRUE(all);
   ASSERT_TRUE(all->has_value());
   EXPECT_EQ((*all)->color, clear.values.color);

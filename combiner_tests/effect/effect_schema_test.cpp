@@ -34,6 +34,10 @@ TEST(EffectSchema, RefusesMistakes) {
         R"("passes": [{"units": [null, null, null, null, null]}]})", R"("targets": {"m": {}}, "passes": [{}]})",
         R"("textures": {"t": {"source": 1}}, "passes": [{}]})", R"("passes": [{"cull": "up"}]})",
         R"("passes": [{"constants": {"combiners": [{"const2": [0, 0, 0, 0]}]}}]})",
+        R"("passes": [{"point_size": 65}]})", R"("passes": [{"line_width": 0}]})", R"("passes": [{"line_smooth": 1}]})",
+        R"("passes": [{"polygon_stipple": "12"}]})",
+        R"("targets": {"t": {"size": 4, "samples": "4"}}, "passes": [{}]})",
+        R"("textures": {"t": {"source": "gradient", "border_color": [1]}}, "passes": [{}]})",
         R"("passes": [{"clear": {"stencil": 256}}]})", R"("scene": {"light": [1, 2]}, "passes": [{}]})"}) {
     EXPECT_NE(complaint(Json::parse(head + wrong)), "") << wrong;
   }
@@ -64,6 +68,9 @@ TEST(EffectSchema, HasTheWordsOfTheReader) {
   for (const std::string& word : words_of(kBlendEquations)) {
     EXPECT_EQ(accepts(R"({"blend": {"equation": ")" + word + R"("}})"), "");
   }
+  for (const std::string& word : words_of(kPolygonModes)) {
+    EXPECT_EQ(accepts(R"({"polygon_mode": ")" + word + R"("})"), "");
+  }
   for (const std::string& word : words_of(kCullFaces)) EXPECT_EQ(accepts(R"({"cull": ")" + word + R"("})"), "");
   for (const std::string& word : words_of(kColorFormatWords)) {
     const std::string key = R"("color_format": ")" + word + '"';
@@ -71,6 +78,23 @@ TEST(EffectSchema, HasTheWordsOfTheReader) {
     EXPECT_EQ(complaint(Json::parse(R"({"ninebit": "effect", "version": 1, )" + key + ", " + targets +
                                     R"(, "passes": [{}]})")),
               "");
+  }
+  const auto accepts_in = [](const std::string& group, const std::string& part) {
+    return complaint(Json::parse(R"({"ninebit": "effect", "version": 1, ")" + group + R"(": {"t": )" + part +
+                                 R"(}, "passes": [{}]})"));
+  };
+  for (const std::string& word : words_of(kSampleModes)) {
+    EXPECT_EQ(accepts_in("targets", R"({"size": 4, "samples": ")" + word + R"("})"), "");
+  }
+  const auto accepts_texture = [&](const std::string& key, const std::string& word) {
+    return accepts_in("textures", R"({"source": "gradient", ")" + key + R"(": ")" + word + R"("})");
+  };
+  for (const std::string& word : words_of(kFilters)) EXPECT_EQ(accepts_texture("filter", word), "");
+  for (const std::string& word : words_of(kWraps)) EXPECT_EQ(accepts_texture("wrap", word), "");
+  for (const std::string& word : words_of(kCylinderWraps)) EXPECT_EQ(accepts_texture("cylinder_wrap", word), "");
+  for (const std::string& word : words_of(kColorKeyOperations)) {
+    EXPECT_EQ(accepts_texture("color_key", word + ":0123abCD"), "");
+    EXPECT_NE(accepts_texture("color_key", word + ":0123abC"), "");
   }
   for (const std::string& word : words_of(kShadeModels)) EXPECT_EQ(accepts(R"({"shade": ")" + word + R"("})"), "");
 }

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/tools/support.h"
@@ -143,9 +146,49 @@ TEST(Draw, FlagsOfAPassChangeThePicture) {
                                              {"--depth", "never"},
                                              {"--color-format", "b8"},
                                              {"--cull", "front"},
+                                             {"--polygon-mode", "line"},
+                                             {"--polygon-mode", "line", "--line-width", "3", "--line-smooth"},
+                                             {"--polygon-mode", "point", "--point-size", "4"},
+                                             {"--polygon-smooth"},
+                                             {"--polygon-stipple", "10,01"},
                                              {"--color-mask", "r"}}) {
     EXPECT_NE(hash(flags), plain) << flags[0];
   }
+}
+
+// The checkerboard's darker squares are 0x40, of texels that a filter does not mix.
+TEST(Draw, FlagsOfASamplerChangeThePicture) {
+  const TempFolder folder;
+  const auto hash = [&](std::vector<std::string> flags, const std::string& mesh = "sphere:16") {
+    flags.insert(flags.end(),
+                 {"--json", "--size", "64x64", "--mesh", mesh, "--tex0", "checker:64", "--filter0", "nearest"});
+    return json_of(ninebit(draw(kEffects + "programs/texture0.rc1", folder / "p.png", flags)))["hash"]["color"];
+  };
+  std::set<std::string> seen{hash({})};
+  for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
+           {"--wrap0", "clamp-to-border", "--border-texels0"},
+           {"--wrap0", "clamp-to-border", "--coord0", "position"},
+           {"--wrap0", "clamp-to-border", "--coord0", "position", "--border-color0", "1,0.5,0,1"},
+           {"--color-key0", "kill:FFFFFFFF"},
+           {"--color-key0", "rgba:FFFFFFFF"}}) {
+    EXPECT_TRUE(seen.insert(hash(flags)).second) << flags[0] << ' ' << flags[1];
+  }
+  // One square's difference of 1 becomes 0.
+  EXPECT_NE(hash({"--cylinder-wrap0", "s"}, "plane:1"), hash({}, "plane:1"));
+  const auto fails = [&](std::vector<std::string> flags) {
+    flags.insert(flags.end(), {"--tex0", "checker:64"});
+    return ninebit(draw(kEffects + "programs/texture0.rc1", folder / "p.png", flags));
+  };
+  expect_error(fails({"--color-key0", "kill:FFFFFFFF"}), 3, {"a colour key needs the nearest texel"});
+  expect_error(fails({"--border-texels0"}), 3, {"border texels need a 2D image of 16 texels a side"});
+  expect_error(fails({"--color-key0", "kill"}), 2, {"--color-key0", "eight hexadecimal digits"});
+  expect_error(fails({"--cylinder-wrap0", "q"}), 2, {"--cylinder-wrap0", "expected s, t or st"});
+  expect_error(fails({"--border-color0", "1,1,1"}), 2, {"--border-color0", "R,G,B,A"});
+  expect_error(fails({"--border-color1", "1,1,1,1"}), 2, {"--border-color1 requires --tex1"});
+  expect_error(fails({"--polygon-stipple", "2"}), 2, {"--polygon-stipple", "not a stipple pattern"});
+  expect_error(fails({"--line-width", "2"}), 2, {"a line width has no effect here"});
+  expect_error(fails({"--polygon-mode", "point", "--coord0", "point-sprite", "--filter0", "nearest"}), 3,
+               {"geforce2", "point sprites"});
 }
 
 // A torus hides itself: every format decides which side is in front, a W buffer by w.
@@ -216,7 +259,7 @@ TEST(Draw, BadInputIsOneError) {
   const std::string picture = folder / "p.png";
   expect_error(ninebit(draw(kSepia, folder / "p.jpg")), 2, {"--output", ".png"});
   expect_error(ninebit(draw(kSepia, picture, {"--tex0", "checker:3"})), 2, {"--tex0", "power of two"});
-  expect_error(ninebit(draw(kSepia, picture, {"--filter0", "linear"})), 2, {"--filter0", "require --tex0"});
+  expect_error(ninebit(draw(kSepia, picture, {"--filter0", "linear"})), 2, {"--filter0 requires --tex0"});
   expect_error(ninebit(draw(kSepia, picture, {"--coord0", "color", "--tex0", "gradient"})), 2, {"--coord0"});
   expect_error(ninebit(draw(kSepia, picture, {"--tex0", "target:x"})), 2, {"only effect files"});
   expect_error(ninebit(draw(kEffects + "toon.json", picture, {"--cull", "back"})), 2, {"--cull", "effect file"});

@@ -20,9 +20,17 @@ const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl
 
 // The values that a flag may have.
 const std::map<std::string, std::set<std::string>> kRight{
-    {"--threads", {"0"}},     {"--floor", {"-1", "0"}},       {"--bias", {"0"}},
-    {"--biases", {"0"}},      {"--budget", {"0", "1e-320"}},  {"--most", {"0"}},
-    {"--patch-angle", {"0"}}, {"--timeout", {"0", "1e-320"}}, {"--seed", {"0"}},
+    {"--threads", {"0"}},
+    {"--floor", {"-1", "0"}},
+    {"--bias", {"0"}},
+    {"--biases", {"0"}},
+    {"--budget", {"0", "1e-320"}},
+    {"--most", {"0"}},
+    {"--patch-angle", {"0"}},
+    {"--timeout", {"0", "1e-320"}},
+    {"--seed", {"0"}},
+    {"--point-size", {"0", "1e-320"}},
+    {"--polygon-stipple", {"0"}},
 };
 
 struct Verb {
@@ -95,6 +103,8 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
     given["--size"] = "8x6";
     given["-o"] = folder + "/out/picture.png";
     if (flag.name == "--floor") given["--mesh"] = "cube";
+    if (flag.name == "--point-size") given["--polygon-mode"] = "point";
+    if (flag.name == "--line-width") given["--polygon-mode"] = "line";
   }
   if (name == "stable") files = {kCompare};
   if (name == "equivalent") files = {kCompare, kCompare};

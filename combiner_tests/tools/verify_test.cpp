@@ -83,6 +83,29 @@ TEST_F(Verify, FogOfAnNv2a) {
       << text.out;
 }
 
+// Offsets without a slope are exact. The table has differences of neighbours in whole numbers: a slope is known within
+// one sixteenth where there are two of them, else within one, of which the factor makes 16.
+TEST_F(Verify, PolygonOffsetsOfAnNv2a) {
+  const std::string file = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_polygon_offset_z24.csv";
+  EXPECT_EQ(ninebit({"verify", file, "--profile", "nv2a"}).out,
+            "21 rows: 21 agree, 0 differ; 12 of those that agree are off by up to 5\n");
+  const std::string header = "primitive,V1=passthrough vsh,offset,delta:pixels,absdzdx:n,absdzdy:n\n";
+  const auto said = [&](const std::string& row) {
+    write_bytes(folder_ / "offset.csv", header + row + "\n");
+    return ninebit({"verify", folder_ / "offset.csv", "--profile", "nv2a"});
+  };
+  EXPECT_EQ(said("Q,V0,bias16,16:10;0:90,5:1,5:1").code, 0);
+  EXPECT_EQ(said("Q,V0,bias16,17:10;0:90,5:1,5:1").code, 1);
+  EXPECT_EQ(said("Q,V0,slope16,1608:10,0:5,100:1;101:1").code, 0);
+  EXPECT_EQ(said("Q,V0,slope16,1610:10,0:5,100:1;101:1").code, 1);
+  EXPECT_EQ(said("Q,V0,slope16,1616:10,100:1;16777023:4,0:5").code, 0) << "differences across edges are left out";
+  EXPECT_EQ(said("Q,V0,slope16,1617:10,100:1,0:5").code, 1);
+  expect_error(said("Q,V0,bias16,16,5:1,5:1"), 3, {"offset.csv:2:", "delta:pixels", "16:8121;0:144879"});
+  expect_error(said("Q,V0,bias16,16:1,5:1,-5:1"), 3, {"absdzdy:n", "16:8121;0:144879"});
+  expect_error(said("Q,V0,bias8,16:1,5:1,5:1"), 3, {"offset must be one of bias16, slope16 or bias16+slope16"});
+  expect_error(said("Q,V0,bias16,16:1,9000:1,5:1"), 3, {"at most 8192"});
+}
+
 TEST_F(Verify, TextureShaderStagesOfAnNv2a) {
   const std::map<std::string, std::string> tables{
       {"passthru", "1300 rows: 1300 agree, 0 differ\n"},     {"bumpenvmap", "1500 rows: 1500 agree, 0 differ\n"},

@@ -189,6 +189,12 @@ def ball(x, y):
     return (tone, tone, tone, 1.0 if w > 0.0 else 0.0)
 
 
+def keyed_ball(x, y):
+    """The ball with 32 texels a side, on the colour of a key."""
+    *tone, inside = ball(4 * x + 1.5, 4 * y + 1.5)
+    return tuple(tone) if inside else (1.0, 0.0, 1.0)
+
+
 def light_from(face, x, y):
     """The light that a surface receives whose normal points to a texel of 16 x 16: sky, earth and sun, spread out."""
     s, t, out = FACES[face]
@@ -217,6 +223,7 @@ TEXTURES = {
     "material.png": lambda: png(64, 64, 3, material),
     "ball_height.png": lambda: png(128, 128, 1, ball_height),
     "ball.png": lambda: png(128, 128, 4, ball),
+    "keyed_ball.png": lambda: png(32, 32, 3, keyed_ball),
     **{f"light_{face}.png": (lambda face=face: png(16, 16, 3, lambda x, y: light_from(face, x, y))) for face in FACES},
     **{f"sky_{face}.png": (lambda face=face: png(64, 64, 3, lambda x, y: sky(face, x, y))) for face in FACES},
 }

@@ -21,16 +21,17 @@ Program idle_program(const HardwareProfile& profile) {
 
 // A surface like the target before the draw.
 Result<Surface> depth_copy(const RecordedDraw& draw, const RenderTarget& target) {
-  auto copy = Surface::make(target.width, target.height, {.depth_stencil = target.format});
+  auto copy = Surface::make(target.width, target.height, {.depth_stencil = target.format, .samples = target.samples});
   if (!copy) return copy;
   if (draw.clear) {
     copy->fill(*draw.clear);
     return copy;
   }
   RenderTarget to = copy->target();
-  for (int y = 0; y < target.height; ++y) {
-    std::copy_n(target.depth.row(y), target.width, to.depth.row(y));
-    if (target.stencil) std::copy_n(target.stencil.row(y), target.width, to.stencil.row(y));
+  const int columns = target.width * sample_columns(target.samples), rows = target.height * sample_rows(target.samples);
+  for (int y = 0; y < rows; ++y) {
+    std::copy_n(target.depth.row(y), columns, to.depth.row(y));
+    if (target.stencil) std::copy_n(target.stencil.row(y), columns, to.stencil.row(y));
   }
   return copy;
 }
@@ -53,8 +54,10 @@ Status draw_copy(const RecordedDraw& draw, const RenderTarget& target, Program p
 }  // namespace
 
 Result<CombinerRecord> record_combiners(const RecordedDraw& draw, const RenderTarget& target) {
-  CombinerRecord record{.program = draw.state.program, .width = target.width, .height = target.height};
-  const auto pixels = static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
+  CombinerRecord record{.program = draw.state.program,
+                        .width = target.width * sample_columns(target.samples),
+                        .height = target.height * sample_rows(target.samples)};
+  const auto pixels = static_cast<std::size_t>(record.width) * static_cast<std::size_t>(record.height);
   std::vector<OutputPlane> inputs, outputs;
   for (std::size_t r = 0; r < record.inputs.size(); ++r) {
     for (std::size_t c = 0; c < 4; ++c) {
@@ -63,7 +66,7 @@ Result<CombinerRecord> record_combiners(const RecordedDraw& draw, const RenderTa
                         .reg = kRecordedRegisters[r],
                         .component = static_cast<int>(c),
                         .time = OutputTime::at_depth_pass,
-                        .plane = Plane<s9>{record.inputs[r][c].data(), target.width}});
+                        .plane = Plane<s9>{record.inputs[r][c].data(), record.width}});
     }
   }
   for (std::size_t c = 0; c < 4; ++c) {
@@ -71,7 +74,7 @@ Result<CombinerRecord> record_combiners(const RecordedDraw& draw, const RenderTa
     outputs.push_back({.source = OutputSource::output_code,
                        .component = static_cast<int>(c),
                        .time = OutputTime::at_depth_pass,
-                       .plane = Plane<std::uint8_t>{record.output[c].data(), target.width}});
+                       .plane = Plane<std::uint8_t>{record.output[c].data(), record.width}});
   }
   if (Status drawn = draw_copy(draw, target, idle_program(draw.state.profile), std::move(inputs)); !drawn) {
     return drawn.error();

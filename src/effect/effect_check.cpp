@@ -96,6 +96,7 @@ class Checker {
                " is out of range; expected 1 to " + std::to_string(kMaxSurfaceSize) + " a side");
     }
     if (target.cube && target.width != target.height) complain("is a cube map, but its faces are not square");
+    if (target.cube && target.samples != SampleMode::center_1) complain("is a cube map; expected one sample a pixel");
     const auto& formats = effect_detail::kTargetFormats;
     if (std::none_of(formats.begin(), formats.end(), [&](const auto& f) { return f.second == target.format; })) {
       complain("has a format that cannot be drawn; expected " + effect_detail::list_of(formats));
@@ -113,8 +114,8 @@ class Checker {
     if (!is_target(texture.target))
       return complain("reads an unknown target " + in_quotes(texture.target) + known_targets());
     const EffectTarget* const target = target_of(texture.target);
-    const int width = target == nullptr ? effect_.width : target->width;
-    const int height = target == nullptr ? effect_.height : target->height;
+    const int width = target == nullptr ? effect_.width : target->width * sample_columns(target->samples);
+    const int height = target == nullptr ? effect_.height : target->height * sample_rows(target->samples);
     if (!is_power_of_two(width) || !is_power_of_two(height)) {
       complain("reads target " + in_quotes(texture.target) + " of " + std::to_string(width) + " x " +
                std::to_string(height) + "; expected powers of two");
@@ -147,6 +148,7 @@ class Checker {
     if (mesh && effect_.scene.mesh.empty()) complain("draws a mesh, but the effect has none");
     if (cube && !mesh) complain("draws a rectangle into a cube map; expected a mesh");
     check_colors(pass, mesh, complain);
+    check_polygons(pass.state, complain);
     for (std::size_t i = 0; i < kEffectUnits; ++i) {
       // The program's file may have stages, which read the coordinates of units without a texture.
       const bool may_be_read = pass.state.texture_shader.enabled || !pass.program.empty();
@@ -170,6 +172,21 @@ class Checker {
     }
   }
 
+  // What only one polygon mode reads.
+  template <class Complain>
+  static void check_polygons(const PipelineState& state, const Complain& complain) {
+    const auto only = [&](bool is_set, PolygonMode mode, const char* what) {
+      if (!is_set || state.front_mode == mode || state.back_mode == mode) return;
+      complain(std::string(what) + " has no effect here; expected polygon mode " +
+               std::string(effect_detail::word_of(effect_detail::kPolygonModes, mode)));
+    };
+    only(state.polygon_stipple.has_value(), PolygonMode::fill, "polygon stipple");
+    only(state.polygon_smooth, PolygonMode::fill, "polygon smoothing");
+    only(state.line_smooth, PolygonMode::line, "line smoothing");
+    only(state.line_width != 1.0F, PolygonMode::line, "a line width");
+    only(state.point_size != 1.0F, PolygonMode::point, "a point size");
+  }
+
   template <class Complain>
   void check_unit(const EffectPass& pass, const EffectUnit& unit, bool cube, const Complain& complain) {
     if (!is_coordinate_source(unit.coordinates.source)) {
@@ -177,6 +194,12 @@ class Checker {
     }
     if (cube && unit.coordinates.source == VertexSource::screen) {
       complain("screen coordinates are not available in the faces of a cube map");
+    }
+    if (unit.coordinates.source == VertexSource::point_sprite) {
+      const bool draws_points =
+          pass.state.front_mode == PolygonMode::point || pass.state.back_mode == PolygonMode::point;
+      if (!draws_points) complain("point-sprite coordinates need polygon mode point");
+      if (unit.coordinates.matrix != glm::mat4(1.0F)) complain("point-sprite coordinates have no matrix");
     }
     if (unit.texture.empty()) return;
     const EffectTexture* const texture = texture_of(unit.texture);

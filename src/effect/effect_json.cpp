@@ -66,7 +66,9 @@ void read_scene_setup(EffectReader& read, const Value& value, EffectScene& scene
 
 EffectTexture read_effect_texture(EffectReader& read, const Value& value) {
   EffectTexture texture;
-  if (!read.reader().object(value, {"source", "steepness", "filter", "wrap", "compare", "lod_bias"})) return texture;
+  if (!read.reader().object(value, {"source", "steepness", "filter", "wrap", "border_color", "border_texels",
+                                    "cylinder_wrap", "color_key", "compare", "lod_bias"}))
+    return texture;
   if (json::Reader::find(value, "source") == nullptr) {
     read.reader().fault(value.offset, "the key \"source\" is missing; expected a file or a generated texture");
   }
@@ -82,14 +84,14 @@ EffectTexture read_effect_texture(EffectReader& read, const Value& value) {
     }
     read.real(v, 1e-3, 1e3, texture.steepness);
   });
-  const auto sampler_word = [&](std::string_view key, Status (*parse)(std::string_view, Sampler&)) {
-    read.with(value, key, [&](const Value& v) {
+  for (const effect_detail::SamplerWord& word : effect_detail::kSamplerWords) {
+    read.with(value, word.key, [&](const Value& v) {
       if (v.type != Type::string) return read.reader().wrong_type(v, "a string");
-      if (Status done = parse(v.text, texture.sampler); !done) read.reader().fault(v.offset, done.error().message);
+      if (Status done = word.parse(v.text, texture.sampler); !done) read.reader().fault(v.offset, done.error().message);
     });
-  };
-  sampler_word("filter", &parse_filter);
-  sampler_word("wrap", &parse_wrap);
+  }
+  read.with(value, "border_color", [&](const Value& v) { read.reals(v, 4, 0.0, 1.0, texture.sampler.border_color); });
+  read.with(value, "border_texels", [&](const Value& v) { read.reader().boolean(v, texture.sampler.border_texels); });
   read.with(value, "compare", [&](const Value& v) {
     if (texture.origin != TextureOrigin::target_depth)
       read.reader().fault(v.key_offset, "compare is only for depth:NAME");
@@ -115,7 +117,8 @@ void read_size(EffectReader& read, const Value& value, int& width, int& height) 
 
 EffectTarget read_effect_target(EffectReader& read, const Value& value) {
   EffectTarget target;
-  if (!read.reader().object(value, {"size", "cube", "format", "color_format", "depth_stencil"})) return target;
+  if (!read.reader().object(value, {"size", "cube", "format", "color_format", "depth_stencil", "samples"}))
+    return target;
   if (json::Reader::find(value, "size") == nullptr) read.reader().fault(value.offset, "the key \"size\" is missing");
   read.with(value, "size", [&](const Value& v) { read_size(read, v, target.width, target.height); });
   read.with(value, "cube", [&](const Value& v) { read.reader().boolean(v, target.cube); });
@@ -127,6 +130,8 @@ EffectTarget read_effect_target(EffectReader& read, const Value& value) {
   read.with(value, "depth_stencil", [&](const Value& v) {
     read.word(v, effect_detail::kDepthStencilFormats, "depth-stencil format", target.depth_stencil);
   });
+  read.with(value, "samples",
+            [&](const Value& v) { read.word(v, effect_detail::kSampleModes, "sample mode", target.samples); });
   return target;
 }
 

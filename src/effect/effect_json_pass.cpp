@@ -159,9 +159,24 @@ void read_color_mask(EffectReader& read, const Value& value, std::array<bool, 4>
 void read_polygon_offset(EffectReader& read, const Value& value, PolygonOffset& offset) {
   std::array<float, 2> n{};
   if (read.reals(value, 2, -kHuge, kHuge, n) == 0) return;
-  offset.fill = true;
+  offset.fill = offset.line = offset.point = true;
   offset.factor = n[0];
   offset.units = n[1];
+}
+
+// How polygons are drawn; both faces alike.
+void read_polygons(EffectReader& read, const Value& value, PipelineState& state) {
+  read.with(value, "polygon_mode", [&](const Value& v) {
+    read.word(v, kPolygonModes, "polygon mode", state.front_mode);
+    state.back_mode = state.front_mode;
+  });
+  read.with(value, "point_size", [&](const Value& v) { read.real(v, 0.0, 64.0, state.point_size); });
+  read.with(value, "line_width", [&](const Value& v) { read.real(v, 0.125, 64.0, state.line_width); });
+  read.with(value, "polygon_smooth", [&](const Value& v) { read.reader().boolean(v, state.polygon_smooth); });
+  read.with(value, "line_smooth", [&](const Value& v) { read.reader().boolean(v, state.line_smooth); });
+  read.with(value, "polygon_stipple",
+            [&](const Value& v) { read.parsed(v, &parse_polygon_stipple, state.polygon_stipple.emplace()); });
+  read.with(value, "polygon_offset", [&](const Value& v) { read_polygon_offset(read, v, state.polygon_offset); });
 }
 
 void read_fragment_state(EffectReader& read, const Value& value, PipelineState& state) {
@@ -172,7 +187,6 @@ void read_fragment_state(EffectReader& read, const Value& value, PipelineState& 
   read.with(value, "alpha_test", [&](const Value& v) { read_alpha_test(read, v, state.alpha_test); });
   read.with(value, "stencil", [&](const Value& v) { read_stencil(read, v, state.stencil_test); });
   read.with(value, "blend", [&](const Value& v) { read_blend(read, v, state.blend); });
-  read.with(value, "polygon_offset", [&](const Value& v) { read_polygon_offset(read, v, state.polygon_offset); });
 }
 
 // Checked for the effect's profile, or for the NV2A, which has all operations; rasterize() checks another one.
@@ -187,10 +201,12 @@ void read_stages(EffectReader& read, const Value& value, const Effect& effect, T
 
 EffectPass read_pass(EffectReader& read, const Value& value, const Effect& effect) {
   EffectPass pass;
-  if (!read.reader().object(value,
-                            {"name",           "draw",    "view",       "target",  "program", "constants",     "units",
-                             "texture_shader", "primary", "secondary",  "fog",     "clear",   "shade",         "cull",
-                             "color_mask",     "depth",   "alpha_test", "stencil", "blend",   "polygon_offset"})) {
+  if (!read.reader().object(value, {"name",          "draw",       "view",           "target",      "program",
+                                    "constants",     "units",      "texture_shader", "primary",     "secondary",
+                                    "fog",           "clear",      "shade",          "cull",        "color_mask",
+                                    "depth",         "alpha_test", "stencil",        "blend",       "polygon_mode",
+                                    "point_size",    "line_width", "polygon_smooth", "line_smooth", "polygon_stipple",
+                                    "polygon_offset"})) {
     return pass;
   }
   pass.geometry = !effect.scene.mesh.empty() ? EffectGeometry::mesh : EffectGeometry::rectangle;
@@ -210,6 +226,7 @@ EffectPass read_pass(EffectReader& read, const Value& value, const Effect& effec
   read.with(value, "secondary", [&](const Value& v) { read.parsed(v, &parse_color_source, pass.secondary); });
   read.with(value, "fog", [&](const Value& v) { read_fog(read, v, pass.fog); });
   read.with(value, "clear", [&](const Value& v) { read_clear(read, v, pass.clear); });
+  read_polygons(read, value, pass.state);
   read_fragment_state(read, value, pass.state);
   return pass;
 }

@@ -112,6 +112,10 @@ Status EffectRenderer::Prepared::prepare_pass(const EffectPass& pass, const Effe
     prepared.state.fog.bias = pass.fog.bias;
     prepared.state.fog.slope = pass.fog.slope;
   }
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    if (pass.units[i].coordinates.source != VertexSource::point_sprite) continue;
+    prepared.state.point_sprite.enabled = prepared.state.point_sprite.coord_replace[i] = true;
+  }
   prepared.target = targets.number_of(pass.target);
   if (!pass.program.empty()) {
     auto program = effect_program(effect, pass, profile, readers, warnings);
@@ -276,7 +280,7 @@ Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& tar
                                            bool is_first) {
   const EffectPass& said = effect.passes[number];
   const PreparedPass& pass = passes[number];
-  const auto cleared = clear_before_pass(said.clear, target, is_first);
+  const auto cleared = clear_before_pass(said.clear, profile, target, is_first);
   if (!cleared) return cleared.error();
   VertexArrays arrays{.positions = pass.positions, .indices = index_list(pass.scene->triangles)};
   if (said.primary.source == VertexSource::index) {
@@ -306,6 +310,7 @@ Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& tar
     probe.y = options.pixel->y;
     target.probe = &probe;
   }
+  if (target.samples != SampleMode::center_1) return rasterize(pass.state, projection, arrays, units, target);
   if (Status ready = prepare(pass.state, projection, arrays, target, geometry); !ready) return ready;
   const DrawPass draw{.state = &pass.state, .arrays = arrays, .units = units};
   Status drawn = rasterize({&draw, 1}, geometry, {.clear = *cleared}, target);

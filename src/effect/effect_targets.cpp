@@ -22,7 +22,8 @@ Status EffectTargets::allocate(const Effect& effect) {
     Target target{.name = from.name, .format = from.format};
     for (std::size_t f = 0; f < (from.cube ? 6U : 1U); ++f) {
       auto surface =
-          Surface::make(from.width, from.height, {.depth_stencil = from.depth_stencil, .color = from.color_format});
+          Surface::make(from.width, from.height,
+                        {.depth_stencil = from.depth_stencil, .color = from.color_format, .samples = from.samples});
       if (!surface) return fault_in("target " + effect_detail::in_quotes(from.name), surface.error());
       target.faces.push_back(std::move(*surface));
     }
@@ -64,7 +65,8 @@ Result<Texture> EffectTargets::texture(const EffectTexture& texture) {
   std::vector<TextureImage> images;
   for (Surface& face : target.faces) {
     const RenderTarget planes = face.target();
-    TextureImage image{.width = face.width(), .height = face.height()};
+    TextureImage image{.width = face.width() * sample_columns(face.samples()),
+                       .height = face.height() * sample_rows(face.samples())};
     if (texture.origin == TextureOrigin::target_depth) {
       image.planes = std::array<Plane<const std::uint32_t>, 4>{
           Plane<const std::uint32_t>{planes.depth.data, planes.depth.stride, planes.depth.step}};
@@ -87,16 +89,21 @@ Result<Texture> EffectTargets::texture(const EffectTexture& texture) {
   return view;
 }
 
-Result<std::optional<ClearValues>> clear_before_pass(const EffectClear& c, RenderTarget& target, bool is_first) {
+Result<std::optional<ClearValues>> clear_before_pass(const EffectClear& c, const HardwareProfile& profile,
+                                                     RenderTarget& target, bool is_first) {
   const bool has_stencil = stencil_bits(target.format) > 0;
+  const bool clears_all = is_first || (c.color && c.depth && (c.stencil || !has_stencil));
   ClearValues values;
   if (c.color) values.color = c.values.color;
   if (c.depth) values.depth = c.values.depth;
   if (c.stencil) values.stencil = c.values.stencil;
-  if (is_first || (c.color && c.depth && (c.stencil || !has_stencil))) return std::optional(values);
-  if (c.color || c.depth || c.stencil) {
+  if (clears_all && target.samples == SampleMode::center_1) return std::optional(values);
+  if (clears_all || c.color || c.depth || c.stencil) {
     PipelineState everything;
-    Status cleared = clear(everything, {c.color, c.depth, c.stencil && has_stencil}, c.values, target);
+    everything.profile = profile;
+    Status cleared =
+        clear(everything, {clears_all || c.color, clears_all || c.depth, (clears_all || c.stencil) && has_stencil},
+              values, target);
     if (!cleared) return cleared.error();
   }
   return std::optional<ClearValues>();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ninebit/effect/effect.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 
@@ -47,9 +48,10 @@ class EffectTargets {
   std::vector<Target> targets_{};
 };
 
-// The clear before a pass, as part of its draw; empty if only some planes are cleared, which is done here. `is_first`:
-// the target holds nothing yet. Reports what clear() reports.
-[[nodiscard]] Result<std::optional<ClearValues>> clear_before_pass(const EffectClear& clear, RenderTarget& target,
+// The clear before a pass, as part of its draw; empty if it is done here: that of some planes, or of several samples
+// for each pixel. `is_first`: the target holds nothing yet. Reports what clear() reports.
+[[nodiscard]] Result<std::optional<ClearValues>> clear_before_pass(const EffectClear& clear,
+                                                                   const HardwareProfile& profile, RenderTarget& target,
                                                                    bool is_first);
 
 }  // namespace ninebit

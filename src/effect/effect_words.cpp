@@ -256,6 +256,60 @@ Status parse_filter(std::string_view text, Sampler& sampler) {
   return {};
 }
 
+Status parse_border_color(std::string_view text, Sampler& sampler) {
+  const std::vector<float> n = numbers_in(text);
+  bool in_range = n.size() == 4;
+  for (const float x : n) in_range = in_range && x >= 0.0F && x <= 1.0F;
+  if (!in_range) return wrong(in_quotes(text) + " is not a border colour; expected R,G,B,A with numbers from 0 to 1");
+  std::copy(n.begin(), n.end(), sampler.border_color.begin());
+  return {};
+}
+
+Status parse_cylinder_wrap(std::string_view text, Sampler& sampler) {
+  const auto directions = value_of(kCylinderWraps, text);
+  if (!directions) return wrong(in_quotes(text) + " is not a cylinder wrap; expected " + list_of(kCylinderWraps));
+  sampler.cylinder_wrap = *directions;
+  return {};
+}
+
+Status parse_color_key(std::string_view text, Sampler& sampler) {
+  const Split said = split(text);
+  const auto operation = value_of(kColorKeyOperations, said.word);
+  std::uint32_t key = 0;
+  const char* const end = said.rest.data() + said.rest.size();
+  const auto [stop, error] = std::from_chars(said.rest.data(), end, key, 16);
+  if (!operation || said.rest.size() != 8 || error != std::errc{} || stop != end) {
+    return wrong(in_quotes(text) + " is not a colour key; expected " + list_of(kColorKeyOperations) +
+                 ", a colon and the word AARRGGBB of eight hexadecimal digits");
+  }
+  sampler.color_key = {*operation, key};
+  return {};
+}
+
+Result<StipplePattern> parse_polygon_stipple(std::string_view text) {
+  const std::vector<std::string> rows = parts_of(text);
+  const std::size_t count = rows.size();
+  bool valid = count <= 32 && 32 % count == 0 && 32 % std::max<std::size_t>(rows[0].size(), 1) == 0;
+  for (const std::string& row : rows) {
+    valid = valid && !row.empty() && row.size() == rows[0].size() && row.find_first_not_of("01") == std::string::npos;
+  }
+  if (!valid) {
+    return wrong(in_quotes(text) +
+                 " is not a stipple pattern; expected 1, 2, 4, 8, 16 or 32 rows with commas between them, each of as "
+                 "many digits 0 and 1 as the others, 1 to 32, a power of two");
+  }
+  StipplePattern pattern{};
+  for (std::size_t y = 0; y < 32; ++y) {
+    const std::string& row = rows[count - 1 - y % count];
+    for (std::size_t x = 0; x < 32; ++x) {
+      const unsigned bit = row[x % row.size()] == '1' ? 0x80U >> (x % 8) : 0U;
+      std::uint8_t& byte = pattern[4 * y + x / 8];
+      byte = static_cast<std::uint8_t>(byte | bit);
+    }
+  }
+  return pattern;
+}
+
 Status parse_wrap(std::string_view text, Sampler& sampler) {
   const auto wrap = value_of(kWraps, text);
   if (!wrap) return wrong(in_quotes(text) + " is not a wrap mode; expected " + list_of(kWraps));

@@ -27,6 +27,15 @@ template <class T, std::size_t N>
   return std::nullopt;
 }
 
+// The word of a value that the table has.
+template <class T, std::size_t N>
+[[nodiscard]] std::string_view word_of(const Words<T, N>& words, T value) {
+  for (const auto& [name, own] : words) {
+    if (own == value) return name;
+  }
+  return {};
+}
+
 // "repeat, clamp, clamp-to-edge or mirrored-repeat".
 template <class T, std::size_t N>
 [[nodiscard]] std::string list_of(const Words<T, N>& words) {
@@ -37,7 +46,7 @@ template <class T, std::size_t N>
   return list;
 }
 
-inline constexpr Words<VertexSource, 18> kVertexSources{{{"uv", VertexSource::uv},
+inline constexpr Words<VertexSource, 19> kVertexSources{{{"uv", VertexSource::uv},
                                                          {"screen", VertexSource::screen},
                                                          {"projected", VertexSource::projected},
                                                          {"position", VertexSource::position},
@@ -52,15 +61,39 @@ inline constexpr Words<VertexSource, 18> kVertexSources{{{"uv", VertexSource::uv
                                                          {"tangent-to-world-x", VertexSource::tangent_to_world_x},
                                                          {"tangent-to-world-y", VertexSource::tangent_to_world_y},
                                                          {"tangent-to-world-z", VertexSource::tangent_to_world_z},
+                                                         {"point-sprite", VertexSource::point_sprite},
                                                          {"color", VertexSource::color},
                                                          {"lambert", VertexSource::lambert},
                                                          {"index", VertexSource::index}}};
 
 // `clamp` is GL_CLAMP, which mixes in the border colour.
-inline constexpr Words<Wrap, 4> kWraps{{{"repeat", Wrap::repeat},
+inline constexpr Words<Wrap, 5> kWraps{{{"repeat", Wrap::repeat},
                                         {"clamp", Wrap::clamp},
                                         {"clamp-to-edge", Wrap::clamp_to_edge},
-                                        {"mirrored-repeat", Wrap::mirrored_repeat}}};
+                                        {"mirrored-repeat", Wrap::mirrored_repeat},
+                                        {"clamp-to-border", Wrap::clamp_to_border}}};
+
+// Of s and t.
+inline constexpr Words<std::array<bool, 2>, 3> kCylinderWraps{
+    {{"s", {true, false}}, {"t", {false, true}}, {"st", {true, true}}}};
+
+// Before the colon of a colour key.
+inline constexpr Words<ColorKeyOperation, 3> kColorKeyOperations{
+    {{"alpha", ColorKeyOperation::alpha}, {"rgba", ColorKeyOperation::rgba}, {"kill", ColorKeyOperation::kill}}};
+
+// What a texture's text in JSON, and a flag of `ninebit draw` with the unit's number, sets in its sampler.
+struct SamplerWord {
+  std::string_view key;  // in JSON
+  Status (*parse)(std::string_view text, Sampler& sampler);
+  std::string_view type;  // of the flag's value
+  std::string_view help;  // of the flag
+};
+inline constexpr std::array<SamplerWord, 4> kSamplerWords{
+    {{"filter", &parse_filter, "FILTER", "Filter: nearest, linear, bilinear-mipmap or trilinear"},
+     {"wrap", &parse_wrap, "WRAP", "Wrap mode: repeat, clamp, clamp-to-edge, mirrored-repeat or clamp-to-border"},
+     {"cylinder_wrap", &parse_cylinder_wrap, "s|t|st", "Coordinates that take the shorter way around the texture"},
+     {"color_key", &parse_color_key, "OPERATION:AARRGGBB",
+      "Key of nearest texels, as kill:FF00FF00: their alpha or rgba is 0, or the pixel is not drawn"}}};
 
 // The words before the colon of textures that are made from a file, by origin.
 inline constexpr Words<TextureOrigin, 8> kFileOrigins{{{"normals", TextureOrigin::normals},
@@ -133,6 +166,13 @@ inline constexpr Words<BlendEquation, 7> kBlendEquations{
 
 inline constexpr Words<CullFace, 3> kCullFaces{
     {{"none", CullFace::none}, {"back", CullFace::back}, {"front", CullFace::front}}};
+
+inline constexpr Words<PolygonMode, 3> kPolygonModes{
+    {{"fill", PolygonMode::fill}, {"line", PolygonMode::line}, {"point", PolygonMode::point}}};
+
+inline constexpr Words<SampleMode, 3> kSampleModes{{{"center_1", SampleMode::center_1},
+                                                    {"center_corner_2", SampleMode::center_corner_2},
+                                                    {"square_offset_4", SampleMode::square_offset_4}}};
 
 inline constexpr Words<ShadeModel, 2> kShadeModels{{{"smooth", ShadeModel::smooth}, {"flat", ShadeModel::flat}}};
 

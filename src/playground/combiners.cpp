@@ -27,8 +27,8 @@ std::size_t pixels_of_pass(const Effect& effect, const EffectPass& pass) {
   int width = effect.width, height = effect.height;
   for (const EffectTarget& target : effect.targets) {
     if (target.name != pass.target) continue;
-    width = target.width;
-    height = target.height;
+    width = target.width * sample_columns(target.samples);
+    height = target.height * sample_rows(target.samples);
   }
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }

@@ -244,7 +244,8 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->footer(
       "Without --mesh, a rectangle fills the picture. Sources of coordinates: uv, screen, projected, position,\n"
       "from-light, light-vector, view-vector, half-vector, normal, reflection, tangent-light-vector,\n"
-      "tangent-half-vector, constant:S,T[,R[,Q]]. Sources of colours: the vectors, range-compressed, and color, "
+      "tangent-half-vector, point-sprite, constant:S,T[,R[,Q]]. Sources of colours: the vectors, range-compressed, and "
+      "color, "
       "lambert,\n"
       "index[:FORMAT,STEP], constant:R,G,B[,A].\n"
       "Examples:\n"

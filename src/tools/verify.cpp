@@ -37,6 +37,7 @@ struct Verdict {
   std::vector<Rival> rivals;
   std::size_t rows = 0, agree = 0, skipped = 0;
   std::size_t near = 0;                            // of those that agree, the ones that do for their tolerance alone
+  std::int64_t farthest = 0;                       // of those, the largest difference
   std::vector<Difference> differences;             // the first --most
   std::map<std::string, std::size_t> where;        // number of rows by the first place that differs
   std::vector<std::size_t> explained, agree_then;  // per rival: of the differing rows; of all rows
@@ -65,11 +66,10 @@ void judge(const VerifyRow& row, const HardwareProfile& profile, std::size_t mos
   }
   if (agree) {
     ++verdict.agree;
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-      if (!row.expected[i].is_near(codes[i])) continue;
-      ++verdict.near;
-      break;
-    }
+    std::int64_t farthest = 0;
+    for (std::size_t i = 0; i < codes.size(); ++i) farthest = std::max(farthest, row.expected[i].distance(codes[i]));
+    if (farthest > 0) ++verdict.near;
+    verdict.farthest = std::max(verdict.farthest, farthest);
     return;
   }
   std::size_t first = 0;
@@ -156,7 +156,10 @@ std::string text_of(const Verdict& verdict, const std::string& table) {
     text += fmt::format("… and {} more rows\n", differ - verdict.differences.size());
   }
   text += fmt::format("{} rows: {} agree, {} differ", verdict.rows, verdict.agree, differ);
-  if (verdict.near > 0) text += fmt::format("; {} of those that agree are off by 1", verdict.near);
+  if (verdict.near > 0) {
+    text += fmt::format("; {} of those that agree are off by {}{}", verdict.near, verdict.farthest == 1 ? "" : "up to ",
+                        verdict.farthest);
+  }
   text += verdict.skipped == 0 ? "\n" : fmt::format("; {} with match 0 skipped\n", verdict.skipped);
   if (differ == 0) return text;
   text += fmt::format("\n{:<54}{:>8}\n", "first difference in", "rows");

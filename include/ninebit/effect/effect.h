@@ -50,6 +50,7 @@ enum class VertexSource : std::uint8_t {
                          // turns a normal of tangent space into world space, with the eye, for reflections by stages
   tangent_to_world_y,    // likewise
   tangent_to_world_z,    // likewise
+  point_sprite,          // the place in a point, (0, 0) at its upper left corner: of polygon mode point
   color,                 // the mesh's vertex colour times its material's base colour
   lambert,               // the base colour times the light's colour times max(0, N · L); alpha of `color`
   index                  // the colour of the polygon's index: flat, as in index cube shadow mapping
@@ -57,7 +58,7 @@ enum class VertexSource : std::uint8_t {
 
 // The texture coordinates of a unit: `source`, then `matrix`, as GL's texture matrix multiplies (s, t, r, q).
 struct CoordinateSource {
-  VertexSource source = VertexSource::uv;      // uv to tangent_to_world_z, or constant
+  VertexSource source = VertexSource::uv;      // uv to point_sprite, or constant
   glm::vec4 constant{0.0F, 0.0F, 0.0F, 1.0F};  // of VertexSource::constant: s, t, r, q
   glm::mat4 matrix{1.0F};                      // glm's columns
 };
@@ -131,6 +132,7 @@ struct EffectTarget {
   InternalFormat format = InternalFormat::rgba8;                 // as a texture: one of the 8-bit formats
   ColorFormat color_format = ColorFormat::a8r8g8b8;              // of its colour planes
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth and stencil planes
+  SampleMode samples = SampleMode::center_1;  // of each pixel; as a texture, every sample is a texel (rule 48)
 };
 
 // The texture that a pass reads through one unit, and how.
@@ -178,8 +180,8 @@ struct EffectPass {
   ColorSource secondary{.constant = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)};  // the secondary colour
   EffectFog fog{};                                                       // the fog registers
   EffectClear clear{};                                                   // before the draw
-  // Fragment state; its profile, program, viewport and fog are set when the effect is drawn, and so are texture-shader
-  // stages of the program's file unless it has its own.
+  // Fragment state; its profile, program, viewport, fog and point sprites are set when the effect is drawn, and so are
+  // texture-shader stages of the program's file unless it has its own.
   PipelineState state{};
 };
 
@@ -243,7 +245,16 @@ struct EffectFault {
 [[nodiscard]] Result<EffectTexture> parse_texture_source(std::string_view text);
 // Reads "nearest", "linear", "bilinear-mipmap" (GL_LINEAR_MIPMAP_NEAREST) and "trilinear" into the sampler's filters.
 [[nodiscard]] Status parse_filter(std::string_view text, Sampler& sampler);
-// Reads "repeat", "clamp", "clamp-to-edge" and "mirrored-repeat" into the sampler's wraps.
+// Reads "repeat", "clamp", "clamp-to-edge", "mirrored-repeat" and "clamp-to-border" into the sampler's wraps.
 [[nodiscard]] Status parse_wrap(std::string_view text, Sampler& sampler);
+// Reads "R,G,B,A", numbers from 0 to 1, into the border colour.
+[[nodiscard]] Status parse_border_color(std::string_view text, Sampler& sampler);
+// Reads "s", "t" and "st" into the directions that wrap around a cylinder.
+[[nodiscard]] Status parse_cylinder_wrap(std::string_view text, Sampler& sampler);
+// Reads "OPERATION:AARRGGBB", the operation of a colour key, "alpha", "rgba" or "kill", and its word in hexadecimal.
+[[nodiscard]] Status parse_color_key(std::string_view text, Sampler& sampler);
+// Reads rows of 0 and 1 with commas between them, as they are seen, such as "10,01": 1, 2, 4, 8, 16 or 32 rows of
+// 1, 2, 4, 8, 16 or 32 digits each. The pattern is repeated to 32 x 32 pixels from the lower left corner; 1 is drawn.
+[[nodiscard]] Result<StipplePattern> parse_polygon_stipple(std::string_view text);
 
 }  // namespace ninebit

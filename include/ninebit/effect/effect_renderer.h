@@ -57,8 +57,8 @@ inline constexpr std::array kRecordedRegisters{Register::primary,  Register::sec
 // drawn.
 struct CombinerRecord {
   std::optional<Program> program{};  // of the pass, with its constants; empty: nothing was recorded
-  int width = 0;                     // pixels
-  int height = 0;                    // pixels
+  int width = 0;                     // pixels, or samples of a target with several for each pixel
+  int height = 0;                    // likewise
   // Codes before the first general combiner, by register and component.
   std::array<std::array<std::vector<s9>, 4>, kRecordedRegisters.size()> inputs{};
   std::array<std::vector<std::uint8_t>, 4> output{};  // the final combiner's colour, before blending

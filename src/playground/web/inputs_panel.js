@@ -84,7 +84,7 @@ export class InputsPanel {
     if (texture) {
       rows.push(
         this.sampler('Filter', 'filter', ['nearest', 'linear', 'bilinear-mipmap', 'trilinear'], texture),
-        this.sampler('Wrap', 'wrap', ['repeat', 'clamp', 'clamp-to-edge', 'mirrored-repeat'], texture),
+        this.sampler('Wrap', 'wrap', ['repeat', 'clamp', 'clamp-to-edge', 'mirrored-repeat', 'clamp-to-border'], texture),
         choice('Coordinates', coordinates, unit.coordinates ?? 'uv', (value) => this.edit((pass) => { pass.units[number].coordinates = value; })));
     }
     return element('fieldset', { 'data-unit': number }, element('legend', {}, `Texture ${number}`), picture ? thumbnail(picture) : null, ...rows);

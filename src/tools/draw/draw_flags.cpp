@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -16,6 +17,8 @@
 namespace ninebit::tools {
 
 namespace {
+
+using effect_detail::kSamplerWords;
 
 CLI::Validator text_check(std::string (*check)(const std::string&)) {
   return CLI::Validator([check](std::string& text) { return check(text); }, "");
@@ -86,16 +89,23 @@ void set_picture(const DrawFlags& flags, Effect& effect) {
 
 Status add_unit(const DrawFlags& flags, std::size_t unit, Effect& effect, EffectPass& pass) {
   if (flags.textures[unit].empty()) {
-    if (flags.filters[unit].empty() && flags.wraps[unit].empty() && flags.coordinates[unit].empty()) return {};
-    return Diagnostic{.message = fmt::format("--filter{0}, --wrap{0} and --coord{0} require --tex{0}", unit)};
+    for (const CLI::Option* const option : flags.unit_options[unit]) {
+      if (option->count() == 0) continue;
+      return Diagnostic{.message = fmt::format("{} requires --tex{}", option->get_name(), unit)};
+    }
+    return {};
   }
   EffectTexture texture = parse_texture_source(flags.textures[unit]).value();
   if (!texture.target.empty()) {
     return Diagnostic{.message = fmt::format("--tex{} {}: only effect files have targets", unit, flags.textures[unit])};
   }
   texture.name = fmt::format("tex{}", unit);
-  if (!flags.filters[unit].empty()) (void)parse_filter(flags.filters[unit], texture.sampler);
-  if (!flags.wraps[unit].empty()) (void)parse_wrap(flags.wraps[unit], texture.sampler);
+  for (std::size_t i = 0; i < kSamplerWords.size(); ++i) {
+    const std::string& text = flags.samplers[unit][i];
+    if (!text.empty()) (void)kSamplerWords[i].parse(text, texture.sampler);
+  }
+  if (!flags.border_colors[unit].empty()) (void)parse_border_color(flags.border_colors[unit], texture.sampler);
+  texture.sampler.border_texels = flags.border_texels[unit];
   pass.units[unit].texture = texture.name;
   if (!flags.coordinates[unit].empty()) {
     pass.units[unit].coordinates = parse_coordinate_source(flags.coordinates[unit]).value();
@@ -119,6 +129,37 @@ void set_constants(const DrawFlags& flags, EffectConstants& constants) {
   }
 }
 
+void add_polygon_flags(CLI::App& verb, DrawFlags& flags) {
+  std::vector<std::string> modes;
+  for (const auto& [mode, value] : effect_detail::kPolygonModes) modes.emplace_back(mode);
+  verb.add_option("--polygon-mode", flags.polygon_mode, "Draw polygons filled, as outlines or corners (default: fill)")
+      ->check(CLI::IsMember(modes));
+  verb.add_option("--point-size", flags.point_size, "Size of points (default: 1)")
+      ->type_name("PIXELS")
+      ->check(real_in_range(0.0, 64.0));
+  verb.add_option("--line-width", flags.line_width, "Width of lines (default: 1)")
+      ->type_name("PIXELS")
+      ->check(real_in_range(0.125, 64.0));
+  verb.add_flag("--polygon-smooth", flags.polygon_smooth,
+                "Multiply alpha by the part of the pixel that a polygon covers");
+  verb.add_flag("--line-smooth", flags.line_smooth, "Multiply alpha by the part of the pixel that a line covers");
+  verb.add_option("--polygon-stipple", flags.polygon_stipple,
+                  "Pixels of polygons to draw: rows of a pattern that is repeated, as 10,01")
+      ->type_name("ROWS")
+      ->check(parses(&parse_polygon_stipple));
+}
+
+void set_polygons(const DrawFlags& flags, PipelineState& state) {
+  if (const auto mode = effect_detail::value_of(effect_detail::kPolygonModes, flags.polygon_mode)) {
+    state.front_mode = state.back_mode = *mode;
+  }
+  if (flags.point_size) state.point_size = static_cast<float>(*flags.point_size);
+  if (flags.line_width) state.line_width = static_cast<float>(*flags.line_width);
+  state.polygon_smooth = flags.polygon_smooth;
+  state.line_smooth = flags.line_smooth;
+  if (!flags.polygon_stipple.empty()) state.polygon_stipple = parse_polygon_stipple(flags.polygon_stipple).value();
+}
+
 void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
   const std::size_t before = verb.get_options().size();
   for (std::size_t i = 0; i < kEffectUnits; ++i) {
@@ -129,15 +170,25 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
                         "falloff, or normals:FILE")
         ->type_name("FILE|BUILTIN")
         ->check(parses(&parse_texture_source));
-    verb.add_option("--filter" + unit, flags.filters[i], "Filter: nearest, linear, bilinear-mipmap or trilinear")
-        ->type_name("FILTER")
-        ->check(sets_sampler(&parse_filter));
-    verb.add_option("--wrap" + unit, flags.wraps[i], "Wrap mode: repeat, clamp, clamp-to-edge or mirrored-repeat")
-        ->type_name("WRAP")
-        ->check(sets_sampler(&parse_wrap));
-    verb.add_option("--coord" + unit, flags.coordinates[i], "Texture coordinates (default: uv)")
-        ->type_name("SOURCE")
-        ->check(parses(&parse_coordinate_source));
+    std::vector<CLI::Option*>& needs_texture = flags.unit_options[i];
+    for (std::size_t k = 0; k < kSamplerWords.size(); ++k) {
+      const effect_detail::SamplerWord& word = kSamplerWords[k];
+      std::string name(word.key);
+      std::replace(name.begin(), name.end(), '_', '-');
+      needs_texture.push_back(verb.add_option("--" + name + unit, flags.samplers[i][k], std::string(word.help))
+                                  ->type_name(std::string(word.type))
+                                  ->check(sets_sampler(word.parse)));
+    }
+    needs_texture.push_back(verb.add_option("--border-color" + unit, flags.border_colors[i],
+                                            "Border colour of wrap modes clamp and clamp-to-border")
+                                ->type_name("R,G,B,A")
+                                ->check(sets_sampler(&parse_border_color)));
+    needs_texture.push_back(
+        verb.add_flag("--border-texels" + unit, flags.border_texels[i],
+                      "The picture holds the texture's border: it has twice its sides, 16 at least"));
+    needs_texture.push_back(verb.add_option("--coord" + unit, flags.coordinates[i], "Texture coordinates (default: uv)")
+                                ->type_name("SOURCE")
+                                ->check(parses(&parse_coordinate_source)));
   }
   verb.add_option("--primary", flags.primary, "Primary colour (default: white)")
       ->type_name("SOURCE")
@@ -171,6 +222,7 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--color-mask", flags.color_mask, "Components to write (default: rgba)")
       ->type_name("LETTERS")
       ->check(parses(&parse_color_mask));
+  add_polygon_flags(verb, flags);
   const std::vector<CLI::Option*> all = verb.get_options();
   flags.pass_options.assign(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
 }
@@ -255,6 +307,7 @@ Result<Effect> effect_of(const DrawFlags& flags) {
   if (!flags.depth.empty()) pass.state.depth_test = parse_depth(flags.depth).value();
   if (!flags.cull.empty()) pass.state.cull_face = *effect_detail::value_of(effect_detail::kCullFaces, flags.cull);
   if (!flags.color_mask.empty()) pass.state.color_mask = parse_color_mask(flags.color_mask).value();
+  set_polygons(flags, pass.state);
   effect.passes.push_back(std::move(pass));
   if (const auto faults = check_effect(effect); !faults.empty()) return Diagnostic{.message = faults[0].message};
   return effect;

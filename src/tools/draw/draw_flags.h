@@ -11,6 +11,7 @@
 #include "ninebit/effect/effect.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/pipeline_state.h"
+#include "src/effect/effect_words.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/program.h"
 
@@ -28,16 +29,22 @@ struct DrawFlags {
   std::string mesh, up;
   bool allow_outside = false;
   std::vector<std::string> defines;  // as ProgramFlags::defines
-  std::array<std::string, kEffectUnits> textures, filters, wraps, coordinates;
+  std::array<std::string, kEffectUnits> textures, border_colors, coordinates;
+  std::array<std::array<std::string, effect_detail::kSamplerWords.size()>, kEffectUnits> samplers;
+  std::array<bool, kEffectUnits> border_texels{};
   std::string primary, secondary, fog, fog_color;
   std::array<std::vector<std::string>, 2> constants;  // "[COMBINER:]R,G,B,A"
   std::string blend, alpha_test, depth, cull, color_mask;
+  std::string polygon_mode, polygon_stipple;
+  std::optional<double> point_size, line_width;
+  bool polygon_smooth = false, line_smooth = false;
   std::string camera, look_at, light, light_type, light_target, floor;
   std::optional<double> fov, spot_angle;
   ProfileChoice difference;  // or kArithmetic
   std::string only;          // the files to write; empty: all
   bool layers = false;
-  std::vector<CLI::Option*> pass_options{};  // those that an effect file replaces
+  std::vector<CLI::Option*> pass_options{};                            // those that an effect file replaces
+  std::array<std::vector<CLI::Option*>, kEffectUnits> unit_options{};  // those that need a unit's texture
 };
 
 void add_draw_flags(CLI::App& verb, DrawFlags& flags);

@@ -1,9 +1,12 @@
 #include "src/tools/verify/measured_pixels.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 
 #include "ninebit/combiner/program.h"
@@ -67,6 +70,78 @@ std::string wrong_depth_format(const MeasuredRow& row, const HardwareProfile& pr
     if (!(row.real(name) > 0.0)) return "w0, w1 and w2 must be above 0";
   }
   return "";
+}
+
+// The factor and the units of an offset.
+constexpr Words<std::array<float, 2>, 3> kOffsets{
+    {{"bias16", {0.0F, 16.0F}}, {"slope16", {16.0F, 0.0F}}, {"bias16+slope16", {16.0F, 16.0F}}}};
+
+// The differences of neighbours in one direction: their mean, and by how much it may be wrong. The picture shows whole
+// numbers; where two of them are each other's neighbours, the mean is that of the gradient itself. The ground's 0 and
+// differences across an edge are left out.
+struct Gradient {
+  double mean = 0.0, error = 0.0;
+};
+Gradient gradient_of(const std::string& text) {
+  constexpr std::int64_t kAcrossEdges = 1 << 16;
+  double sum = 0.0, pixels = 0.0;
+  std::int64_t least = kAcrossEdges, greatest = 0;
+  const auto counts = pixel_counts(text);  // has been checked
+  for (const PixelCount& count : *counts) {
+    if (count.value == 0 || count.value >= kAcrossEdges) continue;
+    sum += static_cast<double>(count.value) * static_cast<double>(count.pixels);
+    pixels += static_cast<double>(count.pixels);
+    least = std::min(least, count.value);
+    greatest = std::max(greatest, count.value);
+  }
+  if (pixels == 0.0) return {};
+  return {sum / pixels, greatest == least + 1 ? 1.0 / 16.0 : 1.0};
+}
+
+// The larger one: all planes of the table lie along x or y.
+Gradient gradient_of(const MeasuredRow& row) {
+  const Gradient x = gradient_of(row.text("absdzdx:n")), y = gradient_of(row.text("absdzdy:n"));
+  return x.mean > y.mean ? x : y;
+}
+
+// By how much the offset moves most pixels of a plane with the row's gradient.
+std::vector<int> draw_offset(const MeasuredRow& row, const HardwareProfile& profile) {
+  constexpr int kWidth = 1024;
+  constexpr double kFirst = 1'000'000.0;
+  const double last = kFirst + kWidth * gradient_of(row).mean;
+  const auto z = [](double code) {
+    return static_cast<float>(2.0 * code / max_depth(DepthStencilFormat::d24s8) - 1.0);
+  };
+  const std::array<glm::vec4, 4> corners{glm::vec4(-1, -1, z(kFirst), 1), glm::vec4(1, -1, z(last), 1),
+                                         glm::vec4(1, 1, z(last), 1), glm::vec4(-1, 1, z(kFirst), 1)};
+  std::array<PlaneSamples<std::uint32_t>, 2> depth;
+  for (const bool is_moved : {false, true}) {
+    Surface surface = Surface::make(kWidth, 1).value();
+    RenderTarget target = surface.target();
+    PipelineState state = plain_state(profile);
+    state.depth_test = {.enabled = true, .function = CompareFunction::always, .write = true};
+    const auto [factor, units] = *value_of(kOffsets, row.text("offset"));
+    state.polygon_offset = {.fill = is_moved, .factor = factor, .units = units};
+    const VertexArrays arrays{.type = PrimitiveType::quads, .homogeneous_positions = corners};
+    // The states of measured tables are always valid.
+    (void)rasterize(state, glm::mat4(1.0F), arrays, {}, target);
+    depth[is_moved ? 1 : 0] = surface.depth();
+  }
+  std::map<int, int> pixels;
+  for (std::size_t i = 0; i < depth[0].size(); ++i) ++pixels[static_cast<int>(depth[1][i] - depth[0][i])];
+  const auto fewer = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return {std::max_element(pixels.begin(), pixels.end(), fewer)->first};
+}
+
+// The offset's fraction moves some pixels by one more, and near 2^24 the chip cuts it.
+int offset_tolerance(const MeasuredRow& row) {
+  const double factor = (*value_of(kOffsets, row.text("offset")))[0];
+  return static_cast<int>(std::ceil(factor * gradient_of(row).error));
+}
+
+std::string wrong_offset(const MeasuredRow& row, const HardwareProfile&) {
+  if (gradient_of(row).mean > 8192.0) return "absdzdx:n and absdzdy:n must be at most 8192";
+  return wrong_word(row, "offset", kOffsets);
 }
 
 constexpr Words<FogFunction, 6> kFogModes{{{"lin", FogFunction::linear},
@@ -207,6 +282,15 @@ std::vector<MeasuredFormat> make_pixel_formats() {
   MeasuredFormat fog{"fog factors", columns({{"mode", word}, {"bias,linear,x", real}, {"factor", measured}}), draw_fog,
                      wrong_fog};
   fog.tolerance = fog_tolerance;
+  const Column counts{{}, Kind::counts};
+  MeasuredFormat offset{"polygon offsets",
+                        columns({{"primitive", word},
+                                 {"V1=passthrough vsh", note},
+                                 {"offset", word},
+                                 {"delta:pixels", {{}, Kind::most}},
+                                 {"absdzdx:n,absdzdy:n", counts}}),
+                        draw_offset, wrong_offset};
+  offset.tolerance = offset_tolerance;
   return {
       {"depth formats",
        columns({{"kind", word},
@@ -216,6 +300,7 @@ std::vector<MeasuredFormat> make_pixel_formats() {
                 {"x,y", pixel},
                 {"code", measured}}),
        draw_depth_format, wrong_depth_format},
+      offset,
       fog,
       {"a counter-clockwise triangle",
        columns({{"x,y", pixel}, {"r,g,b", measured}}),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace ninebit::tools {
 namespace {
@@ -52,6 +53,9 @@ std::string read_cell(const Column& column, std::string_view field, MeasuredRow:
     return "";
   }
   if (column.kind == Kind::runs) return pixel_runs(field) ? "" : "runs of pixels, such as 3-5 7-7, or empty";
+  if (column.kind == Kind::counts || column.kind == Kind::most) {
+    return pixel_counts(field) ? "" : "whole numbers with counts of pixels, such as 16:8121;0:144879";
+  }
   if (is_extent) return reads(field, cell.whole) ? "" : "a whole number, or empty";
   if (reads(field, cell.whole) && cell.whole >= column.low && cell.whole <= column.high) return "";
   return fmt::format("a whole number from {} to {}", column.low, column.high);
@@ -152,9 +156,23 @@ std::optional<std::vector<PixelRun>> pixel_runs(std::string_view text) {
   return runs;
 }
 
+std::optional<std::vector<PixelCount>> pixel_counts(std::string_view text) {
+  std::vector<PixelCount> counts;
+  for (const std::string_view piece : pieces(text, ';')) {
+    PixelCount count;
+    const std::size_t colon = piece.find(':');
+    if (colon == std::string_view::npos) return std::nullopt;
+    if (!reads(piece.substr(0, colon), count.value) || !reads(piece.substr(colon + 1), count.pixels))
+      return std::nullopt;
+    if (count.value < 0 || count.value > std::numeric_limits<int>::max() || count.pixels < 1) return std::nullopt;
+    counts.push_back(count);
+  }
+  return counts;
+}
+
 bool is_of_the_picture(const MeasuredColumn& column) {
   return column.kind == Kind::measured || column.kind == Kind::word_hex || column.kind == Kind::extent ||
-         column.kind == Kind::runs;
+         column.kind == Kind::runs || column.kind == Kind::most;
 }
 
 std::vector<int> allowed_values(const MeasuredColumn& column, const std::string& text) {
@@ -163,6 +181,14 @@ std::vector<int> allowed_values(const MeasuredColumn& column, const std::string&
   if (column.kind == Kind::word_hex) {
     int word = 0;
     return reads(std::string_view(text), word, 16) ? std::vector{word} : std::vector<int>();
+  }
+  if (column.kind == Kind::most) {
+    PixelCount most{};
+    const auto counts = pixel_counts(text);
+    for (const PixelCount& count : *counts) {
+      if (count.value != 0 && count.pixels > most.pixels) most = count;
+    }
+    return {static_cast<int>(most.value)};
   }
   std::vector<int> allowed;
   for (const std::string_view piece : pieces(text, '|')) {

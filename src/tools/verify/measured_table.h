@@ -25,6 +25,8 @@ struct MeasuredColumn {
     word_hex,  // of the picture: up to four hexadecimal digits
     extent,    // of the picture: a whole number, or empty, where nothing is drawn
     runs,      // of the picture: runs of pixels, such as 3-5 7-7; how many pixels differ is compared with 0
+    counts,    // whole numbers with how many pixels have each, such as 16:8121;0:144879
+    most,      // of the picture: the same; the number of the most pixels, but 0 where another one is there
     match      // 0: the row lies outside of the rule that was found, and is skipped
   };
   std::string_view name;
@@ -91,6 +93,14 @@ struct PixelRun {
 
 // The runs of a cell; empty: it has something else.
 [[nodiscard]] std::optional<std::vector<PixelRun>> pixel_runs(std::string_view text);
+
+// A number, and how many pixels have it.
+struct PixelCount {
+  std::int64_t value = 0, pixels = 0;
+};
+
+// The counts of a cell; empty: it has something else.
+[[nodiscard]] std::optional<std::vector<PixelCount>> pixel_counts(std::string_view text);
 
 // Whether a column is of the picture, and the values that its cell allows; none: it is not compared.
 [[nodiscard]] bool is_of_the_picture(const MeasuredColumn& column);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 
 #include "ninebit/combiner/validate.h"
 #include "src/combiner/given_registers.h"
@@ -20,13 +22,11 @@ bool has_numbers_alone(std::string_view line) {
 
 }  // namespace
 
-bool Expectation::allows(int code) const {
-  return allowed.empty() || std::any_of(allowed.begin(), allowed.end(),
-                                        [&](int value) { return std::abs(std::int64_t{value} - code) <= tolerance; });
-}
-
-bool Expectation::is_near(int code) const {
-  return allows(code) && !allowed.empty() && std::find(allowed.begin(), allowed.end(), code) == allowed.end();
+std::int64_t Expectation::distance(int code) const {
+  if (allowed.empty()) return 0;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const int value : allowed) least = std::min(least, std::abs(std::int64_t{value} - code));
+  return least;
 }
 
 Result<VerifyTable> VerifyTable::open(const std::string& file, const ProgramFlags& program, bool allow_outside,

@@ -26,9 +26,9 @@ struct Expectation {
   int component = 0;
   std::vector<int> allowed;  // any of these is accepted
   int tolerance = 0;         // MeasuredFormat::tolerance
-  [[nodiscard]] bool allows(int code) const;
-  // Whether the code is accepted for the tolerance alone.
-  [[nodiscard]] bool is_near(int code) const;
+  [[nodiscard]] bool allows(int code) const { return distance(code) <= tolerance; }
+  // How far a code is from the nearest of these; 0: it is one, or there are none.
+  [[nodiscard]] std::int64_t distance(int code) const;
 };
 
 struct VerifyRow {
