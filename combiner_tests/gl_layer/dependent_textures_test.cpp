@@ -38,8 +38,10 @@ UnitTexture random_texture(Random& random, StageTarget target, StageInput read_a
     made.internal = GL_DSDT8_NV, made.format = GL_DSDT_NV, made.type = GL_BYTE;
     made.kind.format = TextureFormat::dsdt;
   } else if (read_as == StageInput::luminance) {
-    made.internal = GL_DSDT8_MAG8_NV, made.format = GL_DSDT_MAG_NV, made.type = GL_BYTE;
-    made.kind.format = TextureFormat::dsdt_mag;
+    const bool has_intensity = random.one_in(2);
+    made.internal = has_intensity ? GL_DSDT8_MAG8_INTENSITY8_NV : GL_DSDT8_MAG8_NV;
+    made.format = has_intensity ? GL_DSDT_MAG_VIB_NV : GL_DSDT_MAG_NV, made.type = GL_BYTE;
+    made.kind.format = has_intensity ? TextureFormat::dsdt_mag_intensity : TextureFormat::dsdt_mag;
   } else if (read_as == StageInput::normal && random.one_in(2)) {
     made.kind.format = TextureFormat::hilo;
     made.format = GL_HILO_NV;
@@ -58,11 +60,16 @@ UnitTexture random_texture(Random& random, StageTarget target, StageInput read_a
     if (made.kind.format == TextureFormat::dsdt) {
       texel = {0, random_signed_byte(random), random_signed_byte(random), 0};
       made.bytes.insert(made.bytes.end(), {texel[kBlue], texel[kGreen]});
-    } else if (made.kind.format == TextureFormat::dsdt_mag) {
+    } else if (made.kind.format == TextureFormat::dsdt_mag || made.kind.format == TextureFormat::dsdt_mag_intensity) {
       const int magnitude = random.below(128);  // of 127
       texel = {static_cast<std::uint8_t>((2 * magnitude * 255 + 127) / 254), random_signed_byte(random),
                random_signed_byte(random), 0};
       made.bytes.insert(made.bytes.end(), {texel[kBlue], texel[kGreen], static_cast<std::uint8_t>(magnitude)});
+      if (made.kind.format == TextureFormat::dsdt_mag_intensity) {
+        const int intensity = random.below(128);
+        texel[kAlpha] = static_cast<std::uint8_t>((2 * intensity * 255 + 127) / 254);
+        made.bytes.push_back(static_cast<std::uint8_t>(intensity));
+      }
     } else if (made.kind.format == TextureFormat::hilo) {
       const int limit = made.kind.is_signed[0] ? 32767 : 65535;
       const int high = random.between(made.kind.is_signed[0] ? -32767 : 0, limit) & 0xFFFF;

@@ -156,6 +156,36 @@ TEST(StageWords, LogsHaveMatricesAndEyesToo) {
             std::string::npos);
 }
 
+// Draws whose stages differ in anything that has an effect have set-ups of their own.
+TEST(StageWords, SetUpsOfLogsDifferInStages) {
+  const auto setups = [](const std::string& between) {
+    const std::string draw = "0x97,0x17fc,5\n0x97,0x17fc,0\n";
+    std::string log = "class,method,data\n0x97,0x1e60,0x101\n0x97,0x1e70,0xc1\n";
+    for (int k = 0; k < 4; ++k) log += float_row(hex(static_cast<std::uint32_t>(0x1b68 + 4 * k)), 1.0F);
+    log += draw;
+    log += between;
+    log += draw;
+    const auto parsed = parse_register_log({log, "f"});
+    if (!parsed) return std::vector<std::uint64_t>{};
+    std::vector<std::uint64_t> draws;
+    for (const LogSetup& setup : parsed->setups) draws.push_back(setup.draws);
+    if (draws.size() == 2) {
+      EXPECT_NE(text_program_of(*parsed, 1, "f", profiles::nv2a)->texture_shader,
+                text_program_of(*parsed, 2, "f", profiles::nv2a)->texture_shader);
+    }
+    return draws;
+  };
+  using Draws = std::vector<std::uint64_t>;
+  EXPECT_EQ(setups(float_row("0x1b6c", 3.0F)), (Draws{1, 1})) << "a bump matrix";
+  EXPECT_EQ(setups("0x97,0x1e70,0x10e1\n"), (Draws{1, 1})) << "an operation";
+  EXPECT_EQ(setups("0x97,0x290,0x10100001\n"), (Draws{1, 1})) << "the conversion from YUV";
+  EXPECT_EQ(setups(""), (Draws{2}));
+  EXPECT_EQ(setups(float_row("0x1b6c", 3.0F) + float_row("0x1b6c", 1.0F)), (Draws{2})) << "written and taken back";
+  EXPECT_EQ(setups(float_row("0x1b78", 3.0F)), (Draws{2})) << "a scale that nothing reads";
+  EXPECT_EQ(setups("0x97,0x1e74,0x1\n"), (Draws{2})) << "a dot mapping that nothing reads";
+  EXPECT_EQ(setups("0x97,0x290,0x00100001\n"), (Draws{2})) << "bits of CONTROL0 for stencil and depth";
+}
+
 // Every program in one form is the same in the others that can have it.
 TEST(StageForms, ProgramsGoFromFormToForm) {
   for (const char* const text :

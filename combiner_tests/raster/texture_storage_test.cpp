@@ -245,7 +245,43 @@ TEST(TextureStorage, MipMapsOfSignedBytes) {
   EXPECT_EQ(mean(by_sign, 0), -1);
   EXPECT_EQ(mean(by_sign, 1), 0);
   EXPECT_EQ(mean(by_sign, 2), -128) << "128 without a sign";
-  EXPECT_FALSE(with_mipmaps(make(InternalFormat::hilo16, std::vector<std::uint8_t>(8))).ok());
+}
+
+// Means of whole words, not of their bytes: of 0x00FF and 0x0100, and of 0xFFFE and 0x0004, which may be -2 and 4.
+TEST(TextureStorage, MipMapsOfWords) {
+  TextureSamples samples{.width = 2, .height = 1};
+  // Red and alpha have the first words, blue and green the second.
+  samples.samples = std::vector<std::uint8_t>{0xFF, 0x00, 0xFF, 0x00, 0xFE, 0x04, 0x00, 0x01};
+  const Texture texture = make_texture(TextureTarget::texture_2d, InternalFormat::hilo16, {{samples}}).value();
+  for (const bool is_signed : {false, true}) {
+    const Texture whole = with_mipmaps(texture, {false, is_signed, false, is_signed}).value();
+    const auto& planes = std::get<std::array<Plane<const std::uint8_t>, 4>>(whole.faces[0].at(1).planes);
+    const auto byte = [&](std::size_t k) { return int{planes[k].at(0, 0)}; };
+    EXPECT_EQ(256 * byte(3) + byte(0), 0x0100) << "halves go up";
+    EXPECT_EQ(256 * byte(1) + byte(2), is_signed ? 1 : 0x8001);
+  }
+}
+
+// Each texel of a 3D texture's next level is the mean of eight, of four where one layer is left, or of two.
+TEST(TextureStorage, MipMapsOf3dTextures) {
+  TextureSamples samples{.width = 4, .height = 2, .depth = 4};
+  std::vector<std::uint8_t> bytes(32);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(8 * i);
+  samples.samples = bytes;
+  const Texture whole =
+      with_mipmaps(make_texture(TextureTarget::texture_3d, InternalFormat::luminance8, {{samples}}).value()).value();
+  ASSERT_EQ(whole.faces[0].size(), 3U);
+  EXPECT_TRUE(is_complete(whole, true));
+  const TextureImage& first = whole.faces[0][1];
+  EXPECT_EQ((std::array{first.width, first.height, first.depth}), (std::array{2, 1, 2}));
+  const auto value = [&](std::size_t level, int x, int z) {
+    return int{std::get<std::array<Plane<const std::uint8_t>, 4>>(whole.faces[0][level].planes)[0].at(x, z)};
+  };
+  // Texel (x, y, z) is 8 (x + 4 y + 8 z): means of x = 2 x' + 1/2, y = 1/2, z = 2 z' + 1/2.
+  for (int z = 0; z < 2; ++z) {
+    for (int x = 0; x < 2; ++x) EXPECT_EQ(value(1, x, z), 16 * x + 4 + 16 + 128 * z + 32);
+  }
+  EXPECT_EQ(value(2, 0, 0), (52 + 68 + 180 + 196) / 4);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ bool repeats(TextureOrigin origin) {
          (origin >= TextureOrigin::normals && origin < TextureOrigin::rectangle);
 }
 
-// with_mipmaps() makes none of the other formats and kinds.
+// HILO normals and heights, and volumes, are read as they are unless an effect asks for mip-maps.
 bool has_levels(TextureOrigin origin) {
   return repeats(origin) && origin != TextureOrigin::hilo_normals && origin != TextureOrigin::hilo_heights &&
          origin != TextureOrigin::volume;

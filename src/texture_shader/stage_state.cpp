@@ -43,4 +43,11 @@ TextureShaderState only_used(const TextureShaderState& state) {
   return used;
 }
 
+bool only_reads_textures(const TextureShaderState& stages) {
+  if (stages.enabled && only_used(stages).converts_yuv) return false;
+  return !stages.enabled || std::all_of(stages.stage.begin(), stages.stage.end(), [](const TextureStage& stage) {
+    return stage.operation <= TextureOperation::texture_cube_map;
+  });
+}
+
 }  // namespace ninebit

@@ -57,9 +57,6 @@ struct TextProgram {
 [[nodiscard]] Parsed<TextProgram> text_program_of(const RegisterLog& log, std::size_t setup, std::string_view file,
                                                   const HardwareProfile& profile);
 
-// Whether stages do only what units do without them: they are not enabled, or all read their own textures.
-[[nodiscard]] bool only_reads_textures(const TextureShaderState& stages);
-
 // What is wrong with both halves: the diagnostics of the texture-shader stages, which have no place but that in their
 // message, and then those of the combiners.
 [[nodiscard]] std::vector<StateDiagnostic> validate(const TextProgram& program, const HardwareProfile& profile);

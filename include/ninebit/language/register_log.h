@@ -47,7 +47,7 @@ struct LogSetup {
   // The same of the stages' registers: BUMP_ENV_MAT[1][0], BUMP_ENV_SCALE[1], BUMP_ENV_OFFSET[1], EYE_VECTOR[0],
   // CONTROL0.
   std::vector<RegisterWord> stage_registers{};
-  bool other_words_change = false;                // either differ between draws
+  bool other_words_change = false;                // either differ between draws, without an effect on the program
   std::uint64_t draws = 0;                        // that use it
   std::uint64_t first_line = 0;                   // of the first of them; 0: none
   std::uint32_t first_frame = 0, last_frame = 0;  // of its draws; 0: none

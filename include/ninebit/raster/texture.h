@@ -145,10 +145,11 @@ struct TextureSamples {
                                            std::vector<std::vector<TextureSamples>> faces);
 
 // A copy of the texture's level 0, and mip-maps down to 1 × 1. Each texel is the mean of two by two texels of
-// the previous level, or of two if that level is one texel wide or high. Integers are rounded to nearest, halves up, as
-// (a + b + c + d + 2) / 4; floats are computed as ((a + b) + (c + d)) × 0.25, and half floats are rounded again.
-// Components that `is_signed`, as Sampler has them, and ds and dt are two's complement. Reports what check_texture
-// reports, a texture without level 0, and rectangles, 3D and HILO textures.
+// the previous level (by two layers, in a 3D texture), or of fewer if that level is one texel wide, high or deep.
+// Integers are rounded to nearest, halves up, as (a + b + c + d + 2) / 4; floats are computed as
+// ((a + b) + (c + d)) × 0.25, and half floats are rounded again. Components that `is_signed`, as Sampler has them, and
+// ds and dt are two's complement. HILO textures have means of words of 16 bits, by the signs of alpha (HI) and green
+// (LO). Reports what check_texture reports, a texture without level 0, and rectangles.
 [[nodiscard]] Result<Texture> with_mipmaps(const Texture& texture, const std::array<bool, 4>& is_signed = {});
 
 }  // namespace ninebit

@@ -74,4 +74,7 @@ struct TextureShaderState {
 // Operations that are not enumerators stay as they are.
 [[nodiscard]] TextureShaderState only_used(const TextureShaderState& state);
 
+// Whether stages do only what units do without them: they are not enabled, or all read their own textures.
+[[nodiscard]] bool only_reads_textures(const TextureShaderState& stages);
+
 }  // namespace ninebit

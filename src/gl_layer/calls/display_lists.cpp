@@ -199,6 +199,13 @@ void prepare_list_for_draw(Context& context) {
   }
 }
 
+void mark_stale() {
+  Context* const context = current();
+  if (context == nullptr) return;
+  context->inputs_stale = true;
+  if (context->open_list != nullptr) context->open_list->stale = true;
+}
+
 void end_in_list(Context& context) {
   OpenList& open = *context.open_list;
   open.half_begin = open.half_begin || !open.in_begin;

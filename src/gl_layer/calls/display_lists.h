@@ -20,6 +20,9 @@ void record_begin_error(Context& context);
 // Before a draw call that goes into a list: what a shader depends on may be different from here on.
 void prepare_list_for_draw(Context& context);
 
+// After a command that changes what a shader depends on: the next draw call looks again.
+void mark_stale();
+
 // After a glEnd that goes into a list.
 void end_in_list(Context& context);
 

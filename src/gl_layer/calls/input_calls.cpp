@@ -1,21 +1,12 @@
 // Commands that change what a shader of the layer depends on: bound and enabled textures, fog, lighting, shaders. They
-// go to the driver as they are, but for the formats of NV_texture_shader.
+// go to the driver as they are; texture_images.cpp has those with pixels.
 #include "src/gl_layer/calls/display_lists.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
-#include "src/gl_layer/shader/texture_formats.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 
 namespace {
-
-// The next draw call has to look again.
-void mark_stale() {
-  Context* const context = current();
-  if (context == nullptr) return;
-  context->inputs_stale = true;
-  if (context->open_list != nullptr) context->open_list->stale = true;
-}
 
 void use_program(GLuint program) {
   Context* const context = current();
@@ -55,32 +46,6 @@ NINEBIT_INPUT_CALL(TexParameterf, (GLenum target, GLenum pname, GLfloat param), 
 NINEBIT_INPUT_CALL(TexParameteri, (GLenum target, GLenum pname, GLint param), (target, pname, param))
 NINEBIT_INPUT_CALL(TexParameterfv, (GLenum target, GLenum pname, const GLfloat* params), (target, pname, params))
 NINEBIT_INPUT_CALL(TexParameteriv, (GLenum target, GLenum pname, const GLint* params), (target, pname, params))
-NINEBIT_INPUT_CALL(TexImage1D,
-                   (GLenum target, GLint level, GLint internal, GLsizei width, GLint border, GLenum format, GLenum type,
-                    const GLvoid* pixels),
-                   (target, level, stored_format(internal), width, border, stored_pixel_format(format), type, pixels))
-NINEBIT_INPUT_CALL(TexImage2D,
-                   (GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border,
-                    GLenum format, GLenum type, const GLvoid* pixels),
-                   (target, level, stored_format(internal), width, height, border, stored_pixel_format(format), type,
-                    pixels))
-NINEBIT_INPUT_CALL(TexImage3D,
-                   (GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLsizei depth,
-                    GLint border, GLenum format, GLenum type, const GLvoid* pixels),
-                   (target, level, stored_format(internal), width, height, depth, border, stored_pixel_format(format),
-                    type, pixels))
-NINEBIT_INPUT_CALL(TexSubImage1D,
-                   (GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
-                    const GLvoid* pixels),
-                   (target, level, x, width, stored_pixel_format(format), type, pixels))
-NINEBIT_INPUT_CALL(TexSubImage2D,
-                   (GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
-                    GLenum type, const GLvoid* pixels),
-                   (target, level, x, y, width, height, stored_pixel_format(format), type, pixels))
-NINEBIT_INPUT_CALL(TexSubImage3D,
-                   (GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height, GLsizei depth,
-                    GLenum format, GLenum type, const GLvoid* pixels),
-                   (target, level, x, y, z, width, height, depth, stored_pixel_format(format), type, pixels))
 NINEBIT_INPUT_CALL(CompressedTexImage1D,
                    (GLenum target, GLint level, GLenum internal, GLsizei width, GLint border, GLsizei size,
                     const GLvoid* data),
@@ -100,6 +65,7 @@ NINEBIT_INPUT_CALL(TexStorage2D, (GLenum target, GLsizei levels, GLenum internal
 NINEBIT_INPUT_CALL(TexStorage3D,
                    (GLenum target, GLsizei levels, GLenum internal, GLsizei width, GLsizei height, GLsizei depth),
                    (target, levels, internal, width, height, depth))
+NINEBIT_INPUT_CALL(GenerateMipmap, (GLenum target), (target))
 NINEBIT_INPUT_CALL(CopyTexImage1D,
                    (GLenum target, GLint level, GLenum internal, GLint x, GLint y, GLsizei width, GLint border),
                    (target, level, internal, x, y, width, border))

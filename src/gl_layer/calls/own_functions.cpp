@@ -58,7 +58,7 @@ struct Entry {
   A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) X(glDrawRangeElements) \
   X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) X(glEnd) X(glEndList) \
   X(glEvalMesh1) X(glEvalMesh2) A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFogf) \
-  X(glFogfv) X(glFogi) X(glFogiv) X(glGetBooleanv) A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) \
+  X(glFogfv) X(glFogi) X(glFogiv) X(glGenerateMipmap) A(glGenerateMipmapEXT, glGenerateMipmap) X(glGetBooleanv) A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) \
   X(glGetCombinerInputParameterfvNV) A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) \
   X(glGetCombinerInputParameterivNV) A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) \
   X(glGetCombinerOutputParameterfvNV) A(glGetCombinerOutputParameteriv, glGetCombinerOutputParameterivNV) \
@@ -70,7 +70,7 @@ struct Entry {
   X(glIsEnabled) X(glLightModelf) X(glLightModelfv) X(glLightModeli) X(glLightModeliv) X(glMultiDrawArrays) \
   A(glMultiDrawArraysEXT, glMultiDrawArrays) X(glMultiDrawArraysIndirect) X(glMultiDrawElements) \
   X(glMultiDrawElementsBaseVertex) A(glMultiDrawElementsEXT, glMultiDrawElements) X(glMultiDrawElementsIndirect) \
-  X(glNewList) X(glPopAttrib) X(glPushAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) \
+  X(glNewList) X(glPixelTransferf) X(glPixelTransferi) X(glPopAttrib) X(glPushAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) \
   X(glRects) X(glRectsv) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) \
   X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) \
   X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) \

@@ -43,6 +43,10 @@ GLint number_of_driver_extensions() {
   return driver_integer(GL_NUM_EXTENSIONS);
 }
 
+bool is_pixel_transfer(GLenum pname) {
+  return pname >= GL_HI_SCALE_NV && pname <= GL_VIBRANCE_BIAS_NV;
+}
+
 // The number of values that a query of the layer's state returns; 0: the state is the driver's.
 int number_of_values(const Context& context, GLenum pname) {
   switch (pname) {
@@ -62,12 +66,17 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_TEXTURE_SHADER_NV:
       return context.combiners.profile().texture_shaders ? 1 : 0;
     default:
-      return 0;
+      return is_pixel_transfer(pname) && context.combiners.profile().texture_shaders ? 1 : 0;
   }
 }
 
 // The state as floats, as integers by `integers`.
 void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers) {
+  if (is_pixel_transfer(pname)) {
+    *floats = context.pixel_transfer[pname - GL_HI_SCALE_NV];
+    *integers = static_cast<GLint>(std::lround(*floats));
+    return;
+  }
   if (pname == GL_TEXTURE_SHADER_NV) {
     *integers = context.combiners.texture_shader().enabled ? 1 : 0;
   } else if (pname == GL_CURRENT_PROGRAM) {

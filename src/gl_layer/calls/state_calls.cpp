@@ -39,9 +39,7 @@ void set_enabled(GLenum cap, bool enabled) {
   if (!is_the_layers(*context, cap)) {
     by_driver(cap);
     if (!changes_inputs(cap)) return;
-    context->inputs_stale = true;
-    if (context->open_list != nullptr) context->open_list->stale = true;
-    return;
+    return mark_stale();
   }
   context->touched = true;
   if (context->open_list != nullptr) {
@@ -55,7 +53,7 @@ void set_enabled(GLenum cap, bool enabled) {
 }
 
 // The attribute groups in which the layer has state.
-constexpr GLbitfield kGroups = GL_ENABLE_BIT | GL_TEXTURE_BIT;
+constexpr GLbitfield kGroups = GL_ENABLE_BIT | GL_TEXTURE_BIT | GL_PIXEL_MODE_BIT;
 
 int stack_depth() {
   return driver_integer(GL_ATTRIB_STACK_DEPTH);
@@ -66,12 +64,15 @@ void push(Context& context, GLbitfield mask) {
   found_driver.PushAttrib(mask);
   const int depth = stack_depth();
   if (depth == before || (mask & kGroups) == 0) return;
-  SavedState saved{.mask = mask, .depth = depth, .no_environment = context.no_environment};
+  SavedState saved{
+      .mask = mask, .depth = depth, .no_environment = context.no_environment, .pixel_transfer = context.pixel_transfer};
   if (context.touched) saved.combiners = std::make_unique<front::Context>(context.combiners);
   context.attribute_stack.push_back(std::move(saved));
 }
 
 void restore(Context& context, const SavedState& saved) {
+  if ((saved.mask & GL_PIXEL_MODE_BIT) != 0) context.pixel_transfer = saved.pixel_transfer;
+  if ((saved.mask & (GL_ENABLE_BIT | GL_TEXTURE_BIT)) == 0) return;
   // Saved before the program used combiners: the defaults.
   const front::Context combiners =
       saved.combiners != nullptr ? *saved.combiners : front::Context(context.combiners.profile());

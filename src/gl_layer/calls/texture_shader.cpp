@@ -106,8 +106,7 @@ void set_no_environment(bool is_none) {
 bool takes_environment(GLenum target, GLenum pname, GLfloat first) {
   Context* const context = current();
   if (context == nullptr || !context->combiners.profile().texture_shaders) return false;
-  context->inputs_stale = true;
-  if (context->open_list != nullptr) context->open_list->stale = true;
+  mark_stale();
   if (target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE) return false;
   const bool is_none = first == 0.0F;
   if (is_none && driver_integer(GL_ACTIVE_TEXTURE) >= GL_TEXTURE0 + static_cast<GLint>(kLayerUnits)) return false;

@@ -53,12 +53,18 @@ struct OpenList {
   StepList list{};                              // the steps before the driver's open list
 };
 
+// The pixel transfer of NV_texture_shader: scales of HI, LO, DS, DT, magnitude and vibrance, then their biases, as
+// OpenGL numbers the names from GL_HI_SCALE_NV.
+using StagePixelTransfer = std::array<float, 12>;
+inline constexpr StagePixelTransfer kDefaultPixelTransfer{1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0};
+
 // The layer's own state that glPushAttrib saves.
 struct SavedState {
   unsigned mask = 0;
   int depth = 0;                                   // of the driver's stack after the push
   std::unique_ptr<gl::Context> combiners{};        // for the texture group, and for the enables
   std::array<bool, kLayerUnits> no_environment{};  // for the texture group
+  StagePixelTransfer pixel_transfer{};             // for the pixel mode group
 };
 
 class Context {
@@ -73,6 +79,8 @@ class Context {
 
   // GL_TEXTURE_ENV_MODE is GL_NONE (NV_texture_shader), by unit; the driver has the mode before it.
   std::array<bool, kLayerUnits> no_environment{};
+
+  StagePixelTransfer pixel_transfer = kDefaultPixelTransfer;
 
   // Whether shaders write their inputs to the colour buffers after the first: NINEBIT_GL_WRITE_INPUTS is set.
   const bool writes_inputs;

@@ -41,10 +41,10 @@ UnitInput unit_input(StageTarget of) {
   return unit;
 }
 
-// A texture as the rules of consistency see it. Of completeness only the base level is looked at.
-std::optional<StageTexture> stage_texture(const UnitInput& unit) {
+// A texture as the rules of consistency see it.
+std::optional<StageTexture> stage_texture(const UnitInput& unit, const DriverFeatures& features) {
   const GLenum target = gl_target(unit.target);
-  if (target == GL_NONE || base_level_value(target, GL_TEXTURE_WIDTH) == 0) return std::nullopt;
+  if (target == GL_NONE || !is_complete(target, features)) return std::nullopt;
   StageTexture texture{.target = unit.target};
   switch (unit.kind) {
     case TexelKind::color:
@@ -74,6 +74,9 @@ std::optional<StageTexture> stage_texture(const UnitInput& unit) {
     case TexelKind::dsdt_mag:
       texture.format = TextureFormat::dsdt_mag;
       break;
+    case TexelKind::dsdt_mag_intensity:
+      texture.format = TextureFormat::dsdt_mag_intensity;
+      break;
   }
   return texture;
 }
@@ -97,7 +100,7 @@ TextureShaderProgram stages_of(const Context& context, std::array<UnitInput, kLa
   TextureShaderState state = context.combiners.texture_shader();
   visit_units(context, [&](std::size_t i) {
     units[i] = unit_input(info_of(state.stage[i].operation).target);
-    textures[i] = stage_texture(units[i]);
+    textures[i] = stage_texture(units[i], context.features);
   });
   for (TextureStage& stage : state.stage) {
     stage.matrix = TextureStage{}.matrix;

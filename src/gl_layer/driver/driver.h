@@ -17,7 +17,7 @@ namespace ninebit::gl_layer {
   X(DeleteLists) X(DeleteTextures) X(Disable) X(DrawArrays) X(DrawElements) X(DrawPixels) X(Enable) X(End) X(EndList) X(GenTextures) \
   X(EvalMesh1) X(EvalMesh2) X(Fogf) X(Fogfv) X(Fogi) X(Fogiv) X(GetBooleanv) X(GetDoublev) X(GetError) X(GetFloatv) \
   X(GetIntegerv) X(GetString) X(GetTexEnvfv) X(GetTexEnviv) X(GetTexImage) X(GetTexLevelParameteriv) X(GetTexParameteriv) \
-  X(IsEnabled) X(IsList) X(LightModelf) X(LightModelfv) X(LightModeli) X(LightModeliv) X(NewList) X(PixelStorei) \
+  X(IsEnabled) X(IsList) X(LightModelf) X(LightModelfv) X(LightModeli) X(LightModeliv) X(NewList) X(PixelStorei) X(PixelTransferf) X(PixelTransferi) \
   X(PopAttrib) X(PopClientAttrib) X(PushAttrib) X(PushClientAttrib) X(ReadBuffer) X(ReadPixels) X(Rectd) X(Rectdv) X(Rectf) X(Rectfv) X(Recti) \
   X(Rectiv) X(Rects) X(Rectsv) X(TexEnvf) X(TexEnvfv) X(TexEnvi) X(TexEnviv) X(TexImage1D) X(TexImage2D) \
   X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv) X(TexSubImage1D) X(TexSubImage2D)
@@ -30,7 +30,7 @@ namespace ninebit::gl_layer {
   X(DrawElementsBaseVertex) X(DrawArraysIndirect) \
   X(DrawElementsIndirect) X(DrawElementsInstanced) X(DrawElementsInstancedBaseVertex) X(MultiDrawArraysIndirect) \
   X(MultiDrawElementsBaseVertex) X(MultiDrawElementsIndirect) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(FramebufferRenderbuffer) \
-  X(FramebufferTexture2D) X(GenFramebuffers) X(GenRenderbuffers) X(GetBooleani_v) X(GetHandleARB) \
+  X(FramebufferTexture2D) X(GenerateMipmap) X(GenFramebuffers) X(GenRenderbuffers) X(GetBooleani_v) X(GetHandleARB) \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
   X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
   X(TexStorage3D) X(TexSubImage3D) X(Uniform1i) X(Uniform2fv) X(Uniform3fv) \

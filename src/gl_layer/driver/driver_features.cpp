@@ -104,6 +104,7 @@ DriverFeatures find_features() {
   features.texture_shader_formats = has_word(extensions, "GL_EXT_texture_snorm") &&
                                     has_word(extensions, "GL_ARB_texture_rg") &&
                                     has_word(extensions, "GL_ARB_texture_float");
+  features.texture_storage = has_word(extensions, "GL_ARB_texture_storage");
   return features;
 }
 

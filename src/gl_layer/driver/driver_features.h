@@ -8,6 +8,7 @@ struct DriverFeatures {
   bool enough = false;  // what the layer needs; without it the layer leaves the context alone
   bool fragment_program = false, vertex_program = false, rectangle = false;
   bool texture_shader_formats = false;  // that store those of NV_texture_shader
+  bool texture_storage = false;         // glTexStorage, and its query
 };
 
 // Asks the driver of the context that has just become current. What is missing is written to the log.

@@ -84,7 +84,9 @@ std::string depth_line(const UnitInput& unit, const std::string& name) {
 // The lines that set texelI.
 std::string texel_lines(const UnitInput& unit, std::size_t i) {
   const std::string name = "texel" + std::to_string(i);
-  return "  vec4 " + name + " = " + sample(unit, i) + ";\n" + depth_line(unit, name);
+  const std::string line = "  vec4 " + name + " = " + sample(unit, i) + ";\n" + depth_line(unit, name);
+  return unit.kind == TexelKind::dsdt_mag_intensity ? line + "  " + name + " = vec4(0.0, 0.0, 0.0, " + name + ".a);\n"
+                                                    : line;
 }
 
 // The bytes of a texel in the places where stages read them (texture.h).
@@ -105,6 +107,10 @@ std::string bytes_of(TexelKind kind) {
     case TexelKind::dsdt_mag:
       return "ivec4(int(floor(clamp(v.b, 0.0, 1.0) * 255.0 + 0.5)), "
              "ivec2(floor(clamp(v.gr, -1.0, 1.0) * 127.0 + 0.5)) & 255, 0)";
+    case TexelKind::dsdt_mag_intensity:
+      return "ivec4(int(floor(clamp(v.b, 0.0, 1.0) * 255.0 + 0.5)), "
+             "ivec2(floor(clamp(v.gr, -1.0, 1.0) * 127.0 + 0.5)) & 255, int(floor(clamp(v.a, 0.0, 1.0) * 255.0 + "
+             "0.5)))";
     default:
       return "ivec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5))";
   }

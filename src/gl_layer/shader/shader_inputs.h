@@ -26,8 +26,9 @@ enum class TexelKind : std::uint8_t {
   signed_rgb_unsigned_alpha,  // also where there is no alpha, which is 1
   hilo,                       // 16 bits in red and green
   signed_hilo,
-  dsdt,     // in red and green
-  dsdt_mag  // in red, green, blue
+  dsdt,               // in red and green
+  dsdt_mag,           // in red, green, blue
+  dsdt_mag_intensity  // in red, green, blue, alpha
 };
 
 // OpenGL's base formats, by which a texture environment reads a texel.

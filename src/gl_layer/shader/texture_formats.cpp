@@ -14,6 +14,8 @@ constexpr Format kFormats[]{{GL_HILO_NV, GL_RG16},
                             {GL_DSDT8_NV, GL_RG8_SNORM},
                             {GL_DSDT_MAG_NV, GL_RGB32F},  // no format of bytes has two signed and one unsigned
                             {GL_DSDT8_MAG8_NV, GL_RGB32F},
+                            {GL_DSDT_MAG_INTENSITY_NV, GL_RGBA16F},
+                            {GL_DSDT8_MAG8_INTENSITY8_NV, GL_RGBA16F},
                             {GL_SIGNED_RGBA_NV, GL_RGBA8_SNORM},
                             {GL_SIGNED_RGBA8_NV, GL_RGBA8_SNORM},
                             {GL_SIGNED_RGB_NV, GL_RGB8_SNORM},
@@ -46,6 +48,64 @@ GLint base_level_value(GLenum target, GLenum pname) {
   return value;
 }
 
+namespace {
+
+GLint level_value(GLenum image, GLint level, GLenum pname) {
+  GLint value = 0;
+  found_driver.GetTexLevelParameteriv(image, level, pname, &value);
+  return value;
+}
+
+GLint texture_value(GLenum target, GLenum pname) {
+  GLint value = 0;
+  found_driver.GetTexParameteriv(target, pname, &value);
+  return value;
+}
+
+// A level's width, height, depth, border and internal format.
+using LevelShape = std::array<GLint, 5>;
+
+LevelShape shape_of(GLenum image, GLint level) {
+  constexpr GLenum kNames[]{GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH, GL_TEXTURE_BORDER,
+                            GL_TEXTURE_INTERNAL_FORMAT};
+  LevelShape shape{};
+  for (std::size_t i = 0; i < shape.size(); ++i) shape[i] = level_value(image, level, kNames[i]);
+  return shape;
+}
+
+}  // namespace
+
+bool is_complete(GLenum target, const DriverFeatures& features) {
+  const bool is_cube = target == GL_TEXTURE_CUBE_MAP;
+  const GLenum image = is_cube ? GLenum{GL_TEXTURE_CUBE_MAP_POSITIVE_X} : target;
+  const GLint base = texture_value(target, GL_TEXTURE_BASE_LEVEL), last = texture_value(target, GL_TEXTURE_MAX_LEVEL);
+  if (base < 0 || base > 16) return false;
+  const LevelShape first = shape_of(image, base);
+  if (first[0] == 0 || (is_cube && first[0] != first[1])) return false;
+  if (features.texture_storage && texture_value(target, GL_TEXTURE_IMMUTABLE_FORMAT) != 0) return true;
+  const GLint filter = texture_value(target, GL_TEXTURE_MIN_FILTER);
+  const bool mipmaps = filter != GL_NEAREST && filter != GL_LINEAR;
+  if (mipmaps && base > last) return false;
+  for (GLenum face = 0; face < (is_cube ? 6U : 1U); ++face) {
+    LevelShape expected = first;
+    for (GLint level = base;; ++level) {
+      if (shape_of(image + face, level) != expected) return false;
+      const GLint border = 2 * first[3];
+      bool is_last = !mipmaps || level == last;
+      if (!is_last) {
+        is_last = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (expected[i] - border <= 1) continue;  // a side that the target does not have is 1
+          is_last = false;
+          expected[i] = (expected[i] - border) / 2 + border;
+        }
+      }
+      if (is_last) break;
+    }
+  }
+  return true;
+}
+
 GLint stored_format(GLint internal) {
   for (const Format& format : kFormats) {
     if (static_cast<GLenum>(internal) == format.name) return static_cast<GLint>(format.stored);
@@ -60,6 +120,8 @@ GLenum stored_pixel_format(GLenum format) {
       return GL_RG;
     case GL_DSDT_MAG_NV:
       return GL_RGB;
+    case GL_DSDT_MAG_VIB_NV:
+      return GL_RGBA;
     default:
       return format;
   }
@@ -75,6 +137,8 @@ TexelKind kind_of_stored_format(GLenum internal) {
       return TexelKind::dsdt;
     case GL_RGB32F:
       return TexelKind::dsdt_mag;
+    case GL_RGBA16F:
+      return TexelKind::dsdt_mag_intensity;
     case GL_RGBA16_SNORM:
     case GL_RGB8_SNORM:        // whose alpha is 1
     case GL_LUMINANCE8_SNORM:  // likewise

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/driver_features.h"
 #include "src/gl_layer/shader/shader_inputs.h"
 
 namespace ninebit::gl_layer {
@@ -12,8 +13,12 @@ namespace ninebit::gl_layer {
 // A parameter of the base level of the texture that the active unit has bound.
 [[nodiscard]] GLint base_level_value(GLenum target, GLenum pname);
 
+// Whether the texture that the active unit has bound is complete (OpenGL 2.1, 3.8.10): its base level is there, a cube
+// map's faces are alike, and with a filter of mip-maps all further levels are there, of their proper size and format.
+[[nodiscard]] bool is_complete(GLenum target, const DriverFeatures& features);
+
 // The internal format that stores one of NV_texture_shader; others are returned as they are. The driver's formats end
-// at -1: -128 of a signed byte reads as -127, -32768 as -32767. DSDT8_MAG8_INTENSITY8 stays, and the driver refuses it.
+// at -1: -128 of a signed byte reads as -127, -32768 as -32767.
 [[nodiscard]] GLint stored_format(GLint internal);
 
 // The format of pixels in memory that corresponds to one of NV_texture_shader; others are returned as they are.

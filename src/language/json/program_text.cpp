@@ -389,13 +389,6 @@ Parsed<TextProgram> parse_program(const SourceText& source, ProgramForm form, co
   return form_row(form).parse(read, profile, options);
 }
 
-bool only_reads_textures(const TextureShaderState& stages) {
-  if (stages.enabled && only_used(stages).converts_yuv) return false;
-  return !stages.enabled || std::all_of(stages.stage.begin(), stages.stage.end(), [](const TextureStage& stage) {
-    return stage.operation <= TextureOperation::texture_cube_map;
-  });
-}
-
 Parsed<TextProgram> text_program_of(const RegisterLog& log, std::size_t setup, std::string_view file,
                                     const HardwareProfile& profile) {
   TextProgram read;

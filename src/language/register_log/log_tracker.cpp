@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/language/xbox/stage_words.h"
+
 namespace ninebit::reglog {
 namespace {
 
@@ -50,9 +52,11 @@ void LogTracker::write(const Method& method, std::optional<std::uint32_t> data, 
       return;
     case MethodKind::other_word:
       if (data) others_[static_cast<std::size_t>(method.index)] = {*data, line, false};
+      changed_ = true;
       return;
     case MethodKind::stage_register:
       if (data) stage_registers_[static_cast<std::size_t>(method.index)] = {*data, line, false};
+      changed_ = true;
       return;
     case MethodKind::vertex_format:
       formats_[static_cast<std::size_t>(method.index)] = data;
@@ -241,6 +245,7 @@ std::size_t LogTracker::current_setup() {
     const std::uint32_t value = normalized(slot);
     for (int i = 0; i < 32; i += 8) key += static_cast<char>(bits(value, i, 8));
   }
+  key += stage_key();
   const auto [found, is_new] = by_words_.try_emplace(std::move(key), log_.setups.size());
   last_setup_ = found->second;
   if (!is_new) return last_setup_;
@@ -273,6 +278,22 @@ std::vector<RegisterWord> LogTracker::other_words() const {
     if (others_[i].line != 0) found.push_back({std::string(kOtherWordNames[i]), others_[i].value, {}});
   }
   return found;
+}
+
+std::string LogTracker::stage_key() const {
+  std::vector<RegisterWord> all = other_words(), found = stage_registers();
+  all.insert(all.end(), found.begin(), found.end());
+  const xbox::StageWords stages = xbox::decode_stage_words(all);
+  if (stages.why.empty()) {
+    const TextureShaderState used = only_used(stages.state);
+    if (only_reads_textures(used)) return "";
+    if (const auto encoded = xbox::encode_stage_words(used)) all = *encoded;
+    const std::vector<RegisterWord> numbers = xbox::encode_stage_numbers(used);
+    all.insert(all.end(), numbers.begin(), numbers.end());
+  }
+  std::string key;
+  for (const RegisterWord& word : all) key += word.name + '=' + std::to_string(word.value) + ';';
+  return key;
 }
 
 // CONTROL0 also switches stencil and depth: only its conversion of colours counts.

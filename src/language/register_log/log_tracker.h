@@ -56,6 +56,8 @@ class LogTracker {
   [[nodiscard]] LogSetup new_setup(const std::vector<words::Slot>& used) const;
   [[nodiscard]] std::vector<RegisterWord> other_words() const;
   [[nodiscard]] std::vector<RegisterWord> stage_registers() const;
+  // The effect of the stages' words as a key; empty: units read their textures as without stages.
+  [[nodiscard]] std::string stage_key() const;
   [[nodiscard]] int stages() const;
   [[nodiscard]] bool stage_reads(int stage, std::uint32_t code) const;
   [[nodiscard]] bool final_reads(std::uint32_t code) const;

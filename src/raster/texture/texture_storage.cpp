@@ -1,6 +1,7 @@
 // Textures that own their samples, and mip-maps made by a box filter.
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -105,13 +106,13 @@ Texture keep(TextureTarget target, InternalFormat format, Faces faces) {
 // A copy of an image's samples.
 TextureSamples samples_of(InternalFormat format, const TextureImage& image) {
   const std::array<bool, 4> stored = stored_components(format);
-  TextureSamples copy{image.width, image.height};
+  TextureSamples copy{.width = image.width, .height = image.height, .depth = image.depth};
   std::visit(
       [&](const auto& planes) {
         using T = std::remove_const_t<std::remove_pointer_t<decltype(planes[0].data)>>;
         std::vector<T> samples;
         for (std::size_t k = 0; k < 4; ++k) {
-          for (int y = 0; y < image.height && stored[k]; ++y) {
+          for (int y = 0; y < image.height * image.depth && stored[k]; ++y) {
             for (int x = 0; x < image.width; ++x) samples.push_back(planes[k].at(x, y));
           }
         }
@@ -147,51 +148,100 @@ std::string complaint_about(TextureTarget target, InternalFormat format, const T
   return {};
 }
 
-std::uint8_t mean(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
-  return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
+// The eight texels of the previous level that a texel stands for, s first, then t, then r.
+template <class T>
+using Octet = std::array<T, 8>;
+
+// Of an image with one layer, both halves are alike.
+float mean(const Octet<float>& of) {
+  const float near = ((of[0] + of[1]) + (of[2] + of[3])) * 0.25F;
+  const float far = ((of[4] + of[5]) + (of[6] + of[7])) * 0.25F;
+  return near == far ? near : (near + far) * 0.5F;
 }
-std::uint32_t mean(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  return (a + b + c + d + 2) / 4;  // codes have 24 bits
+Half mean(const Octet<Half>& of) {
+  Octet<float> floats{};
+  std::transform(of.begin(), of.end(), floats.begin(), [](Half half) { return float_of(half); });
+  return half_of(mean(floats));
 }
-float mean(float a, float b, float c, float d) {
-  return ((a + b) + (c + d)) * 0.25F;
-}
-Half mean(Half a, Half b, Half c, Half d) {
-  return half_of(mean(float_of(a), float_of(b), float_of(c), float_of(d)));
+template <class T>
+T mean(const Octet<T>& of) {
+  return static_cast<T>((std::accumulate(of.begin(), of.end(), std::uint32_t{0}) + 4) / 8);  // codes have 24 bits
 }
 
-// Of a byte in two's complement: shifted to 0 to 255, and back.
+// Of whole numbers in two's complement with this sign bit: shifted to positive ones, and back. A sign of 0: unsigned.
 template <class T>
-T signed_mean(T a, T b, T c, T d) {
-  if constexpr (std::is_same_v<T, std::uint8_t>) {
-    const auto shifted = [](std::uint8_t byte) { return static_cast<std::uint8_t>(byte ^ 0x80U); };
-    return shifted(mean(shifted(a), shifted(b), shifted(c), shifted(d)));
-  } else {
-    return mean(a, b, c, d);
+T signed_mean(Octet<T> of, T sign) {
+  for (T& code : of) code = static_cast<T>(code ^ sign);
+  return static_cast<T>(mean(of) ^ sign);
+}
+
+// The means of the octets of an image's next level. `read`(x, y, z) reads a texel of the image; where that is one texel
+// wide, high or deep, the same texel stands for both of a pair.
+template <class T, class Read>
+std::vector<T> means(const TextureImage& image, const TextureSamples& next, const Read& read, T sign) {
+  std::vector<T> all;
+  all.reserve(static_cast<std::size_t>(texels_of(next)));
+  for (int z = 0; z < next.depth; ++z) {
+    for (int y = 0; y < next.height; ++y) {
+      for (int x = 0; x < next.width; ++x) {
+        Octet<T> of{};
+        for (int i = 0; i < 8; ++i) {
+          of[static_cast<std::size_t>(i)] =
+              read(std::min(2 * x + (i & 1), image.width - 1), std::min(2 * y + (i >> 1 & 1), image.height - 1),
+                   std::min(2 * z + (i >> 2), image.depth - 1));
+        }
+        if constexpr (std::is_integral_v<T>) {
+          all.push_back(signed_mean(of, sign));
+        } else {
+          all.push_back(mean(of));
+        }
+      }
+    }
+  }
+  return all;
+}
+
+// Of words whose bytes are in two components.
+void add_words(const TextureImage& image, const TextureSamples& next, std::array<std::size_t, 2> high_and_low,
+               bool is_signed, std::array<std::vector<std::uint8_t>, 4>& bytes) {
+  const auto& planes = *std::get_if<std::array<Plane<const std::uint8_t>, 4>>(&image.planes);
+  const auto [high, low] = high_and_low;
+  const auto read = [&](int x, int y, int z) {
+    const int row = y + image.height * z;
+    return static_cast<std::uint16_t>(256 * planes[high].at(x, row) + planes[low].at(x, row));
+  };
+  for (const std::uint16_t word : means<std::uint16_t>(image, next, read, is_signed ? 0x8000 : 0)) {
+    bytes[high].push_back(static_cast<std::uint8_t>(word >> 8U));
+    bytes[low].push_back(static_cast<std::uint8_t>(word & 0xFFU));
   }
 }
 
-// The next level of an image. Where it is one texel wide or high, the same texel stands for both of a pair.
+// The next level of an image.
 TextureSamples next_level(InternalFormat format, const TextureImage& image, const std::array<bool, 4>& is_signed) {
   const std::array<bool, 4> stored = stored_components(format);
-  TextureSamples next{std::max(image.width / 2, 1), std::max(image.height / 2, 1)};
+  TextureSamples next{.width = std::max(image.width / 2, 1),
+                      .height = std::max(image.height / 2, 1),
+                      .depth = std::max(image.depth / 2, 1)};
+  if (has_words(format)) {
+    std::array<std::vector<std::uint8_t>, 4> bytes;
+    add_words(image, next, {kAlpha, kRed}, is_signed[kAlpha], bytes);
+    add_words(image, next, {kGreen, kBlue}, is_signed[kGreen], bytes);
+    std::vector<std::uint8_t> samples;
+    for (const auto& plane : bytes) samples.insert(samples.end(), plane.begin(), plane.end());
+    next.samples = std::move(samples);
+    return next;
+  }
   std::visit(
       [&](const auto& planes) {
         using T = std::remove_const_t<std::remove_pointer_t<decltype(planes[0].data)>>;
         std::vector<T> samples;
-        samples.reserve(static_cast<std::size_t>(next.width) * static_cast<std::size_t>(next.height) *
-                        plane_count(format));
         for (std::size_t k = 0; k < 4; ++k) {
           if (!stored[k]) continue;
-          for (int y = 0; y < next.height; ++y) {
-            const int above = std::min(2 * y + 1, image.height - 1);
-            for (int x = 0; x < next.width; ++x) {
-              const int right = std::min(2 * x + 1, image.width - 1);
-              const auto find = is_signed[k] ? &signed_mean<T> : static_cast<T (*)(T, T, T, T)>(&mean);
-              samples.push_back(find(planes[k].at(2 * x, 2 * y), planes[k].at(right, 2 * y), planes[k].at(2 * x, above),
-                                     planes[k].at(right, above)));
-            }
-          }
+          const auto read = [&](int x, int y, int z) { return planes[k].at(x, y + image.height * z); };
+          T sign{};
+          if constexpr (std::is_same_v<T, std::uint8_t>) sign = is_signed[k] ? 0x80 : 0;
+          const std::vector<T> plane = means<T>(image, next, read, sign);
+          samples.insert(samples.end(), plane.begin(), plane.end());
         }
         next.samples = std::move(samples);
       },
@@ -223,15 +273,13 @@ Result<Texture> make_texture(TextureTarget target, InternalFormat format,
 Result<Texture> with_mipmaps(const Texture& texture, const std::array<bool, 4>& is_signed) {
   if (Status status = check_texture(texture); !status) return status.error();
   if (texture.target == TextureTarget::rectangle) return Diagnostic{"rectangles have no mip-maps"};
-  if (texture.target == TextureTarget::texture_3d) return Diagnostic{"mip-maps of 3D textures are not computed"};
-  if (has_words(texture.format)) return Diagnostic{"mip-maps of HILO textures are not computed"};
   const std::array<bool, 4> as_signed = signed_components(texture, {.is_signed = is_signed});
   Faces faces(texture.face_count());
   for (std::size_t face = 0; face < faces.size(); ++face) {
     if (texture.faces[face].empty()) return Diagnostic{"a texture without a level 0 has no mip-maps"};
     std::vector<TextureSamples>& levels = faces[face];
     levels.push_back(samples_of(texture.format, texture.faces[face][0]));
-    while (levels.back().width > 1 || levels.back().height > 1) {
+    while (std::max({levels.back().width, levels.back().height, levels.back().depth}) > 1) {
       levels.push_back(next_level(texture.format, view_of(texture.format, levels.back()), as_signed));
     }
   }
