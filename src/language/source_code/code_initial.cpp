@@ -116,7 +116,6 @@ std::int64_t Machine::open_count(const Expression& list) {
 void Machine::declare(const Declared& d) {
   if (d.is_extern && d.value.empty()) return;
   const std::string name(d.name);
-  std::vector<Variable>& variables = frames_.back().variables;
   const Expression* const value = d.value.empty() ? nullptr : &d.value[0];
   if (d.is_reference && value != nullptr) {
     const bool is_place = value->kind == ExpressionKind::name || value->kind == ExpressionKind::index ||
@@ -155,7 +154,7 @@ void Machine::declare(const Declared& d) {
   }
   Place at = place_of(new_object(type, name));
   at.type = type;
-  variables.push_back({d.name, at});
+  frames_.back().variables.push_back({d.name, at});
   if (objects_[static_cast<std::size_t>(at.object)].cells.empty()) return;
   const bool is_special = type->structure != nullptr && type->structure->is_special;
   const Value* const given = frames_.size() == 1 ? defined(name) : nullptr;
