@@ -55,10 +55,7 @@ void Machine::run(const Function& function) {
   for (const Declared& parameter : function.parameters) {
     if (parameter.name.empty()) continue;
     const std::string name(parameter.name);
-    const int object = new_object(parameter.type, name);
-    Place at = place_of(object);
-    at.type = parameter.type;
-    frames_[0].variables.push_back({parameter.name, at});
+    const Place at = new_variable(parameter.type, parameter.name);
     if (at.type->is(TypeKind::array) || at.type->is(TypeKind::structure) || at.type->is(TypeKind::opaque)) continue;
     Value value = needed_value(name, parameter.type->kinds);
     if (const Value* const given = defined(name)) {
@@ -148,8 +145,8 @@ Machine::Flow Machine::execute(const Statement& s) {
       return choice(s);
     case StatementKind::jump:
       // One to where no calls follow needs no word.
-      if (!is_conditional() && leads_to_calls(s) && reported_.insert(s.offset).second) {
-        faults_.add(s.offset, "goto is not followed, and calls of the combiners stand behind its label");
+      if (!is_conditional() && leads_to_calls(s)) {
+        report(s.offset, "goto is not followed, and calls of the combiners stand behind its label");
       }
       jump_label_ = s.message;
       return Flow::jump;
@@ -167,8 +164,8 @@ Machine::Flow Machine::execute(const Statement& s) {
       is_thrown_ = is_thrown_ || (s.message == "throw" && (frames_.size() > 1 || tries_ > 0));
       return Flow::give_back;
     case StatementKind::unreadable:
-      if (program_.file.calls_between(s.offset, s.end) && reported_.insert(s.offset).second) {
-        faults_.add(s.offset, "a call of the combiners cannot be read here: " + s.message);
+      if (program_.file.calls_between(s.offset, s.end)) {
+        report(s.offset, "a call of the combiners cannot be read here: " + s.message);
       }
       forget_all();
       if (s.may_jump) add_exit(Flow::give_back, {}, {}, nullptr);
@@ -275,7 +272,7 @@ void Machine::widen(const Statement& s, const Value& why) {
     for (const auto& [key, value] : changes) {
       // A variable of a round is another one in the next.
       const int object = std::get<0>(key);
-      if (object >= static_cast<int>(objects) && statics_types_.count(object) == 0) continue;
+      if (object >= static_cast<int>(objects) && !object_at(object).is_static) continue;
       const Value& now = cell(key);
       if (same(now, value) || (!now.is_known() && now.name.empty() && now.object < 0 && !value.is_known())) continue;
       changed = true;
@@ -297,15 +294,13 @@ Machine::Flow Machine::each(const Statement& s) {
   Declared one = declared;
   if (declared.type->is(TypeKind::unknown)) one.type = element;
   const std::size_t step = known ? std::max<std::size_t>(cells_of(element), 1) : 1;
-  const std::size_t size = known ? objects_[static_cast<std::size_t>(range.object)].cells.size() / step : 0;
+  const std::size_t size = known ? object_at(range.object).cells.size() / step : 0;
   const auto bind = [&](const Place& from) {
     if (declared.is_reference) {
       frames_.back().variables.push_back({declared.name, from});
       return;
     }
-    Place at = place_of(new_object(one.type, std::string(declared.name)));
-    at.type = one.type;
-    frames_.back().variables.push_back({declared.name, at});
+    const Place at = new_variable(one.type, declared.name);
     if (known) store(at, load(from));
   };
   for (std::size_t i = 0; i < size && flow == Flow::normal && spend(); ++i) {
