@@ -256,15 +256,7 @@ Value Machine::call_function(const Function& function, const Expression& e, cons
   frame.result = place_of(new_object(function.result, "the result"));
   frame.result.type = gives ? function.result : nullptr;
   frames_.push_back(std::move(frame));
-  (void)execute(program_.body_of(function));
-  resolve(Flow::give_back, frames_.back().mark);
-  // A way back to a label is not followed.
-  const auto leads_back = [&](const Exit& one) { return one.frame == frames_.size(); };
-  const bool is_lost = std::any_of(exits_.begin(), exits_.end(), leads_back);
-  if (is_lost) {
-    exits_.erase(std::remove_if(exits_.begin(), exits_.end(), leads_back), exits_.end());
-    forget_all();
-  }
+  const bool is_lost = execute_body(program_.body_of(function), program_.sets(function));
   if (gives && !is_lost) {
     Value result = load(frames_.back().result);
     const std::string own = "the result";

@@ -161,8 +161,8 @@ class Machine {
   Flow each(const Statement& statement);
   Flow choice(const Statement& statement);
   void widen(const Statement& statement, const Value& why);
-  [[nodiscard]] bool leads_to_calls(const Statement& jump) const;
-  [[nodiscard]] bool jumps_to_calls(const std::vector<Statement>& statements) const;
+  [[nodiscard]] bool leaves(const std::vector<Statement>& statements);
+  bool execute_body(const std::vector<Statement>& body, bool sets);
   void declare(const Declared& declared);
   void initialize(const Place& place, const Declared& declared);
   int first_value(const Declared& declared, bool changes);
