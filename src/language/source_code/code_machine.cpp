@@ -344,7 +344,8 @@ bool Machine::leaves(const std::vector<Statement>& statements) {
 // them or in a block, are not followed; whether there were some.
 bool Machine::execute_body(const std::vector<Statement>& body, bool sets) {
   const bool jumps = execute(body) == Flow::jump;
-  if (jumps && sets && !out_of_steps_) report(body.back().offset, "goto " + jump_label_ + " leads into a block, and is not followed");
+  if (jumps && sets && !out_of_steps_)
+    report(body.back().offset, "goto " + jump_label_ + " leads into a block, and is not followed");
   resolve(Flow::give_back, frames_.back().mark);
   const auto is_lost = [&](const Exit& one) { return one.frame == frames_.size(); };
   const bool loses = std::any_of(exits_.begin(), exits_.end(), is_lost);

@@ -57,6 +57,7 @@ struct Program {
   // Whether executing something may set combiners.
   [[nodiscard]] bool sets(const std::vector<Statement>& statements);
   [[nodiscard]] bool sets(const Expression& expression);
+  [[nodiscard]] bool is_setter(const Expression& call) const;
   [[nodiscard]] bool sets(const Function& function);
   // The file's function that a callee means, called inside of another one; nullptr: none, or it is not decided.
   [[nodiscard]] const Function* function_of(const Expression& callee, std::size_t arguments,

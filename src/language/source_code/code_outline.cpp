@@ -171,8 +171,11 @@ bool Parser::function(const Head& head, Struct* of) {
   out.offset = token(name).offset;
   out.name = std::string(out.own_name);
   std::size_t at = name;
-  for (; at >= head.begin + 2 && (token(at - 1).is("::") || token(at - 1).is("~")) && token(at - 2).is_name();
-       at -= 2) {
+  if (destroys && token(--at).text.data() + 1 == out.own_name.data()) {
+    out.own_name = {token(at).text.data(), out.own_name.size() + 1};
+    out.name = std::string(out.own_name);
+  }
+  for (; at >= head.begin + 2 && token(at - 1).is("::") && token(at - 2).is_name(); at -= 2) {
     if (out.scope.empty()) out.scope = token(at - 2).text;
     out.name.insert(0, std::string(token(at - 2).text) + "::");
   }
