@@ -114,6 +114,9 @@ TEST(SourceCode, StatementsAreExecuted) {
 TEST(SourceCode, FunctionsOfTheFileAreCalled) {
   EXPECT_EQ(count("set(3);", "void set(int n) { " + kSet + "n); }"), 3);
   EXPECT_EQ(count(kSet + "twice(2));", "static int twice(int n) { return n * 2; }"), 4);
+  EXPECT_EQ(count("auto n = twice(2); " + kSet + "n);",
+                  "int one(int n) { return n; }\nint twice(int n) { return one(n) * 2; }"),
+            4);
   EXPECT_EQ(count("set();", "void set(int n = 5) { " + kSet + "n); }"), 5);
   EXPECT_EQ(count("set(2, 3);", "void set(int n) { " + kSet + "n); }\nvoid set(int a, int b) { " + kSet + "a + b); }"),
             5);

@@ -93,9 +93,14 @@ TEST(SourceShapes, LoopsOverElements) {
   expect_fault_of("void f() { for (int n : list) { " + set_count("n") + " } }", "'list'");
 }
 
-TEST(SourceShapes, GotoIsNotFollowed) {
-  expect_fault_of("void f() {\n goto end;\n " + set_count("2") + "\nend:\n " + set_count("3") + "\n}",
-                  "shape.c:2:2: goto is not followed");
+TEST(SourceShapes, GotoIsFollowed) {
+  expect_calls("void f() {\n goto end;\n " + set_count("2") + "\nend:\n " + set_count("3") + "\n}", set_count("3"));
+  expect_calls("void f() { int i = 0; again: " + set_count("i + 1") + " if (++i < 3) goto again; }", set_count("3"));
+  // Not into a block, nor back under a condition that is not known.
+  expect_fault_of("void f() { goto in; { in: " + set_count("2") + " } }", "goto in leads into a block");
+  const std::string endless = "int i = 1; again: " + set_count("i++") + " if (n) goto again;";
+  expect_fault_of("void f(int n) { " + endless + " }", "'n'");
+  expect_fault_of("void g(int n) { " + endless + " }\nvoid f() { g(count()); }", "'count()'");
   expect_fault_of(
       "void f(int n) {\n GLenum r = GL_FOG;\n if (n) goto out;\n r = GL_ZERO;\nout: " + set_input("r") + "\n}", "'n'");
   // One to the function's end, where something failed, is a return.

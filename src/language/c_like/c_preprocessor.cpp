@@ -10,22 +10,6 @@
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::code {
-namespace {
-
-// The tokens' text, a blank between two.
-std::string text_of(const std::vector<Token>& tokens) {
-  std::string out;
-  for (const Token& token : tokens) out += (out.empty() ? "" : " ") + std::string(token.text);
-  return out;
-}
-
-bool is_too_long(const std::vector<Token>& condition) {
-  std::size_t bytes = 0;
-  for (const Token& token : condition) bytes += token.text.size() + 1;
-  return bytes > detail::kMostConditionBytes;
-}
-
-}  // namespace
 
 Preprocessor::Preprocessor(std::string_view text, Macros& macros, PreprocessorOptions options)
     : macros_(macros), options_(std::move(options)), expander_(macros, [this] { return next(); }) {
@@ -166,23 +150,28 @@ Answer Preprocessor::answer(const Token& directive, const std::vector<Token>& li
     const bool parenthesis = asked[i - 1].is("(") && i > 1;
     asked[i].is_final = asked[i - (parenthesis ? 2 : 1)].is("defined");
   }
-  const std::vector<Token> expression = expand_tokens(macros_, asked);
-  if (is_too_long(expression)) return {false, false, {}, std::string(detail::kLongCondition)};
+  std::vector<Token> expression = expand_tokens(macros_, asked);
+  constexpr int kMostReplaced = 1000;
+  int replaced = 0;
+  for (std::size_t i = 0; i < expression.size() && replaced < kMostReplaced; ++i) {
+    const bool is_used = expression[i].is_name() && !expression[i].is_final && !expression[i].is("defined");
+    const auto value = is_used ? value_of(expression[i].text) : std::nullopt;
+    if (!value) continue;
+    std::vector<Token> body;
+    Lexer lexer(*value);
+    for (Token one = lexer.next(); one.kind != Token::Kind::end; one = lexer.next()) body.push_back(one);
+    body = expand_tokens(macros_, body);
+    const auto at = expression.erase(expression.begin() + static_cast<std::ptrdiff_t>(i));
+    expression.insert(at, body.begin(), body.end());
+    ++replaced;
+    --i;
+  }
   bool is_sure = true;
-  const auto value = detail::condition_value(text_of(expression),
-                                             {.is_defined =
-                                                  [&](std::string_view name) {
-                                                    const bool known = is_defined(name);
-                                                    is_sure = is_sure && known;
-                                                    return known;
-                                                  },
-                                              .body_of = [&](std::string_view name) -> std::optional<std::string> {
-                                                if (const auto given = value_of(name)) return std::string(*given);
-                                                const auto macro = macros_.all.find(name);
-                                                if (macro == macros_.all.end() || macro->second.has_parameters)
-                                                  return std::nullopt;
-                                                return text_of(macro->second.body);
-                                              }});
+  const auto value = condition_value(expression, [&](std::string_view name) {
+    const bool known = is_defined(name);
+    is_sure = is_sure && known;
+    return known;
+  });
   return {value.holds, is_sure && value.unknown.empty() && value.fault.empty(), value.unknown, value.fault};
 }
 

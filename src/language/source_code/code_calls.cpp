@@ -93,10 +93,7 @@ Value Machine::call(const Expression& e) {
       const Place object =
           named.is_arrow ? deref(evaluate(named.parts[0]), integer_value(0), "") : place(named.parts[0]);
       if (object.kind == PlaceKind::cell) {
-        self.kind = ValueKind::pointer;
-        self.object = object.object;
-        self.at = object.at;
-        self.type = object.type;
+        self = pointer_value(object.object, object.at, object.type);
       }
     }
     return call_function(*function, e, self);
@@ -124,14 +121,12 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
   if (prototype != nullptr && prototype->result->is(TypeKind::pointer)) out.type = prototype->result->of;
   if (quiet_ > 0) return out;
   look_for_misspelling(name, e);
-  if (program_.by_name.count(name) != 0 && reported_.count(e.offset) == 0) {
-    for (const Function* const one : program_.by_name.find(name)->second) {
-      const bool may_be_it = callee.kind != ExpressionKind::member || one->parameters.size() == e.parts.size() - 1;
-      if (!may_be_it || one == frames_.back().function || !program_.sets(*one)) continue;
-      reported_.insert(e.offset);
-      faults_.add(e.offset, quoted(name) + " sets combiners, and which function of this name is called is not known");
-      break;
-    }
+  const auto same_name = program_.by_name.find(name);
+  for (const Function* const one :
+       same_name == program_.by_name.end() ? std::vector<const Function*>{} : same_name->second) {
+    const bool may_be_it = callee.kind != ExpressionKind::member || one->parameters.size() == e.parts.size() - 1;
+    if (!may_be_it || one == frames_.back().function || !program_.sets(*one)) continue;
+    report(e.offset, quoted(name) + " sets combiners, and which function of this name is called is not known");
   }
   std::vector<Value> given;
   if (callee.kind == ExpressionKind::call || callee.kind == ExpressionKind::index) given.push_back(evaluate(callee));
@@ -144,7 +139,7 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
         callee.is_arrow ? deref(evaluate(callee.parts[0]), integer_value(0), "") : place(callee.parts[0]);
     if (object.object >= 0) {
       forget_object(object.object);
-      objects_[static_cast<std::size_t>(object.object)].is_escaped = true;
+      object_at(object.object).is_escaped = true;
     }
   }
   for (std::size_t i = 1; i < e.parts.size(); ++i) {
@@ -163,7 +158,7 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
     }
     if (at.object >= 0) {
       forget_object(at.object);
-      objects_[static_cast<std::size_t>(at.object)].is_escaped = true;
+      object_at(at.object).is_escaped = true;
     } else {
       forget_outside();
     }
@@ -191,7 +186,7 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
 void Machine::assume_unchanged(const Place& at, std::string_view function, const Expression& e) {
   const bool is_number =
       at.kind == PlaceKind::cell && at.type != nullptr && at.type->is(TypeKind::number) && is_inside(at);
-  if (!is_number || objects_[static_cast<std::size_t>(at.object)].is_constant) return;
+  if (!is_number || object_at(at.object).is_constant) return;
   const CellKey key{at.object, at.at, {}};
   const Value now = cell(key);
   if (!now.is_known()) return;
@@ -219,8 +214,7 @@ std::vector<WholeState> Machine::programs() const {
 // A call that is one letter away from one of the combiners'.
 void Machine::look_for_misspelling(std::string_view name, const Expression& e) {
   const std::string meant = name.find("ombin") == std::string_view::npos ? "" : detail::meant_call(name);
-  if (meant.empty() || !reported_.insert(e.offset).second) return;
-  faults_.add(e.offset, quoted(name) + " is not a call of the register combiners" + meant);
+  if (!meant.empty()) report(e.offset, quoted(name) + " is not a call of the register combiners" + meant);
 }
 
 Value Machine::call_function(const Function& function, const Expression& e, const Value& self) {
@@ -243,16 +237,15 @@ Value Machine::call_function(const Function& function, const Expression& e, cons
     }
     Value value = given != nullptr ? evaluate(*given) : Value{};
     if (!value.is_known() && !value.needs && value.object < 0) value.needs = needed_value(path).needs;
-    Place at = place_of(new_object(parameter.type, std::string(parameter.name)));
-    at.type = parameter.type;
-    if (!objects_[static_cast<std::size_t>(at.object)].cells.empty()) store(at, std::move(value));
+    const Place at = place_of(new_object(parameter.type, std::string(parameter.name)));
+    if (!object_at(at.object).cells.empty()) store(at, std::move(value));
     frame.variables.push_back({parameter.name, at});
   }
   Value out = needed_value(path, function.result->kinds);
   const bool too_deep = frames_.size() >= kMostNestedCalls;
   if (too_deep || function.is_special || function.is_template || !spend()) {
-    if (!too_deep && program_.sets(function) && reported_.insert(e.offset).second) {
-      faults_.add(e.offset, quoted(function.own_name) + " sets combiners, and is not followed");
+    if (!too_deep && program_.sets(function)) {
+      report(e.offset, quoted(function.own_name) + " sets combiners, and is not followed");
     }
     forget_all();
     return out;
@@ -263,15 +256,7 @@ Value Machine::call_function(const Function& function, const Expression& e, cons
   frame.result = place_of(new_object(function.result, "the result"));
   frame.result.type = gives ? function.result : nullptr;
   frames_.push_back(std::move(frame));
-  (void)execute(program_.body_of(function));
-  resolve(Flow::give_back, frames_.back().mark);
-  // A way back to a label is not followed.
-  const auto leads_back = [&](const Exit& one) { return one.frame == frames_.size(); };
-  const bool is_lost = std::any_of(exits_.begin(), exits_.end(), leads_back);
-  if (is_lost) {
-    exits_.erase(std::remove_if(exits_.begin(), exits_.end(), leads_back), exits_.end());
-    forget_all();
-  }
+  const bool is_lost = execute_body(program_.body_of(function), program_.sets(function));
   if (gives && !is_lost) {
     Value result = load(frames_.back().result);
     const std::string own = "the result";
@@ -349,10 +334,8 @@ bool Machine::call_stage(const detail::GlSignature& signature, const Expression&
   }
   need_guards(e);
   if (unknown_unit_ && unknown_unit_->is_number()) {
-    if (reported_.insert(e.offset).second) {
-      faults_.add(e.offset,
-                  "the active texture unit has no texture-shader stage; there are " + std::to_string(kTextureStages));
-    }
+    report(e.offset,
+           "the active texture unit has no texture-shader stage; there are " + std::to_string(kTextureStages));
     return true;
   }
   if (unknown_unit_) need(*unknown_unit_, e);
@@ -385,10 +368,8 @@ bool Machine::argument(const Expression& e, char kind, detail::GlArgument& out) 
   }
   const bool is_gls_name = e.kind == ExpressionKind::name && e.text.starts_with("GL_") && value.name == e.text;
   if (is_gls_name) {
-    if (reported_.insert(e.offset).second) {
-      faults_.add(e.offset,
-                  quoted(e.text) + " is not an enumerant of the register combiners" + detail::meant_enumerant(e.text));
-    }
+    report(e.offset,
+           quoted(e.text) + " is not an enumerant of the register combiners" + detail::meant_enumerant(e.text));
     return false;
   }
   need(value, e);
@@ -402,7 +383,7 @@ bool Machine::array_argument(Value value, const Expression& e, char kind, detail
   const Type* const element = program_.parser->number_type(kind == 'I' || kind == kExactIntegers ? kInt32 : kFloat32);
   std::int64_t size = kRead;
   if (value.is(ValueKind::pointer)) {
-    const Object& object = objects_[static_cast<std::size_t>(value.object)];
+    const Object& object = object_at(value.object);
     size = static_cast<std::int64_t>(object.cells.size()) - value.at;
     if (value.type != nullptr && value.type->is(TypeKind::array)) value.type = value.type->of;
   }

@@ -59,8 +59,8 @@ const Type* Parser::suffixes(const Type* base, Function* function) {
     take();
     std::int64_t count = Type::kOpen;
     if (!peek().is("]")) {
-      const Expression bound = expression();
-      const auto number = failed(bound) ? std::nullopt : fold(bound);
+      const auto bound = tried([&] { return expression(); });
+      const auto number = bound ? fold(*bound) : std::nullopt;
       count = number && !number->may_be_real() && number->integer >= 0 ? number->integer : -2;
     }
     at_ = behind;
@@ -80,8 +80,8 @@ const Type* Parser::suffixes(const Type* base, Function* function) {
 // Reads the parameters between the parentheses, whose first one is the next token.
 void Parser::parameters(Function& out) {
   const std::size_t close = std::min<std::size_t>(file_.closing[at_], end_);
-  if (++depth_ >= kMostNestedStatements) {
-    --depth_;
+  const Deeper deeper(depth_);
+  if (depth_ >= kMostNestedStatements) {
     at_ = close;
     return;
   }
@@ -100,16 +100,14 @@ void Parser::parameters(Function& out) {
       const bool is_rest = peek().is("...") && peek(1).is_name();  // float... values, of Java
       if (is_rest) take();
       one.type = declarator(is_rest ? pointer_to(words.type) : words.type, one, nullptr);
-      if (one.type->is(TypeKind::array)) one.type = pointer_to(one.type->of);
-      if (one.type->is(TypeKind::function)) one.type = pointer_to(one.type);
+      one.type = decayed(one.type);
       // A name without a type, as C had it before 1989, is read as a type.
       const bool alone = one.name.empty() && at_ == begin + 1 && words.type->is(TypeKind::unknown);
       if (alone && words.type->structure == nullptr) one.name = token(begin).text;
     }
     const bool is_nothing = one.type->is(TypeKind::nothing) && one.name.empty();
     if (takes("=")) {
-      Expression value = assignment();
-      if (!failed(value)) one.value.push_back(std::move(value));
+      if (auto value = tried([&] { return assignment(); })) one.value.push_back(*std::move(value));
     }
     if (!at_end() && !peek().is(",")) {  // something else
       one = {};
@@ -122,7 +120,6 @@ void Parser::parameters(Function& out) {
     if (!is_nothing) out.parameters.push_back(std::move(one));
     takes(",");
   }
-  --depth_;
   end_ = end;
 }
 
@@ -176,26 +173,22 @@ bool Parser::is_declaration() const {
   return points ? ends : ends || behind.is("(") || behind.is("{") || behind.is(":");
 }
 
-bool Parser::initializer(Declared& out) {
-  if (takes("=")) {
-    Expression value = peek().is("{") ? list("}") : assignment();
-    if (failed(value)) return false;
-    out.value.push_back(std::move(value));
-  } else if (peek().is("{")) {
-    Expression value = list("}");
-    if (failed(value)) return false;
-    out.value.push_back(std::move(value));
-  }
-  return true;
+void Parser::initializer(Declared& out) {
+  if (takes("=") || peek().is("{")) out.value.push_back(braces_or_assignment());
 }
 
-// From its specifiers to the semicolon; false: it cannot be read.
-bool Parser::declaration(Statement& out) {
+// From its specifiers to the semicolon.
+void Parser::declaration(Statement& out, bool of_class) {
   out.kind = StatementKind::declaration;
   Specifiers words;
-  if (!specifiers(words, true)) return false;
-  for (Declared& one : words.enumerators) out.declared.push_back(std::move(one));
-  while (!peek().is(";") && !peek().is(":")) {
+  if (!specifiers(words, true)) return void(fail());
+  if (of_class && !words.enumerators.empty()) {
+    outline_.globals.emplace_back().kind = StatementKind::declaration;
+    outline_.globals.back().declared = std::move(words.enumerators);
+  } else {
+    out.declared = std::move(words.enumerators);
+  }
+  while (!failed_ && !peek().is(";") && !peek().is(":")) {
     Declared one;
     Function prototype;
     one.is_constant = words.is_constant;
@@ -206,20 +199,21 @@ bool Parser::declaration(Statement& out) {
     (void)pointers(words.type, trial);
     // TYPE NAME(arguments): an object, or a function that is declared.
     const bool constructs = peek().is_name() && peek(1).is("(") && !holds_parameters(at_ + 1) && !words.is_typedef;
-    const Type* const pointed = constructs ? pointers(words.type, one) : nullptr;
+    at_ = begin;
     if (constructs) {
-      one.type = pointed;
+      one.type = pointers(words.type, one);
       one.offset = peek().offset;
       one.name = take().text;
-      Expression value = list(")");
-      if (failed(value)) return false;
-      one.value.push_back(std::move(value));
+      one.value.push_back(list(")"));
       one.is_constructed = true;
     } else {
-      at_ = begin;
       one.type = declarator(words.type, one, &prototype);
+      if (of_class && takes(":")) {  // a bit-field
+        (void)assignment();
+        one.type = type({.kind = TypeKind::opaque});
+      }
     }
-    if (one.name.empty()) return false;
+    if (one.name.empty()) return void(fail());
     if (words.is_typedef) {
       declare(one.name, {one.type, {}});
     } else if (one.type->is(TypeKind::function)) {
@@ -228,17 +222,17 @@ bool Parser::declaration(Statement& out) {
       prototype.result = one.type->of;
       outline_.prototypes.push_back(std::move(prototype));
     } else {
-      if (!constructs && !initializer(one)) return false;
+      if (!constructs) initializer(one);
       // The value of a constant is one for bounds of arrays, too.
       std::optional<Number> value;
       if (one.is_constant && one.type->is(TypeKind::number) && !one.value.empty()) value = fold(one.value[0]);
       if (value) value = convert(*value, one.type->kinds);
-      declare(one.name, {nullptr, value});
+      if (!of_class) declare(one.name, {nullptr, value});
       out.declared.push_back(std::move(one));
     }
     if (!takes(",")) break;
   }
-  return takes(";") || (peek().is(":") && out.declared.size() == 1);
+  if (!takes(";") && !(peek().is(":") && out.declared.size() == 1)) fail();
 }
 
 // The value of a constant expression; empty: it is not one.

@@ -79,8 +79,7 @@ Value Machine::evaluate_once(const Expression& e) {
       if (e.text == "length" && !e.is_arrow && is_java()) {
         const Value array = evaluate(e.parts[0]);
         if (array.is(ValueKind::pointer) && array.at == 0) {
-          return integer_value(
-              static_cast<std::int64_t>(objects_[static_cast<std::size_t>(array.object)].cells.size()));
+          return integer_value(static_cast<std::int64_t>(object_at(array.object).cells.size()));
         }
       }
       const ExpressionKind from = e.parts[0].kind;
@@ -115,13 +114,7 @@ Value Machine::part_of(const Value& record, std::string_view name) {
     if (one.name != name) continue;
     if (one.type->is(TypeKind::array)) return needed_value(std::string(name));
     if (!one.type->is(TypeKind::structure)) return (*record.cells)[one.cell];
-    const auto first = record.cells->begin() + static_cast<std::ptrdiff_t>(one.cell);
-    Value out;
-    out.kind = ValueKind::record;
-    out.type = one.type;
-    out.cells = std::make_shared<const std::vector<Value>>(
-        first, first + static_cast<std::ptrdiff_t>(one.type->structure->cells));
-    return out;
+    return record_value(one.type, std::span(*record.cells).subspan(one.cell, one.type->structure->cells));
   }
   return needed_value(std::string(name));
 }
@@ -158,14 +151,9 @@ Value Machine::evaluate_unary(const Expression& e) {
       }
     }
     const Place at = place(operand);
-    Value out;
-    out.type = at.type;
-    out.object = at.object;
-    out.at = at.at;
-    if (at.kind == PlaceKind::cell) {
-      out.kind = ValueKind::pointer;
-      return out;
-    }
+    Value out = pointer_value(at.object, at.at, at.type);
+    if (at.kind == PlaceKind::cell) return out;
+    out.kind = ValueKind::unknown;
     if (at.kind == PlaceKind::outside && at.outside[0] != '#') {
       const bool element = at.outside.ends_with("[0]");
       std::string name = at.outside.substr(0, at.outside.size() - (element ? 3 : 0));
@@ -425,11 +413,7 @@ Value Machine::evaluate_make(const Expression& e) {
   }
   if (e.is_new && type->is(TypeKind::unknown)) return needed_value(normal_path(text_of(e)));
   if (!e.is_new) return load(at);
-  Value out;
-  out.kind = ValueKind::pointer;
-  out.object = at.object;
-  out.type = type->is(TypeKind::array) ? type->of : type;
-  return out;
+  return pointer_value(at.object, 0, type->is(TypeKind::array) ? type->of : type);
 }
 
 }  // namespace ninebit::code

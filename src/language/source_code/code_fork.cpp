@@ -17,8 +17,7 @@ void Machine::roll_back(std::size_t mark) {
     Logged last = std::move(log_.back());
     log_.pop_back();
     const auto& [object, at, name] = last.key;
-    (object < 0 ? outside_[name] : objects_[static_cast<std::size_t>(object)].cells[static_cast<std::size_t>(at)]) =
-        std::move(last.before);
+    (object < 0 ? outside_[name] : object_at(object).cells[static_cast<std::size_t>(at)]) = std::move(last.before);
   }
 }
 

@@ -43,8 +43,6 @@ std::optional<Place> Machine::global(const std::string& name) {
   const auto at_object = [&](int object) {
     Place out = place_of(object);
     out.path = own;
-    if (const auto type = statics_types_.find(object); type != statics_types_.end()) out.type = type->second;
-    if (out.type == nullptr) out.kind = PlaceKind::nowhere;
     return out;
   };
   if (const auto known = globals_.find(name); known != globals_.end()) {
@@ -53,8 +51,8 @@ std::optional<Place> Machine::global(const std::string& name) {
   globals_[name] = -1;  // in its own value
   const bool changes = !one.is_constant && program_.assigned.count(one.name) != 0;
   const int object = first_value(one, changes);
-  objects_[static_cast<std::size_t>(object)].is_constant = one.is_constant;
-  objects_[static_cast<std::size_t>(object)].is_global = changes;
+  object_at(object).is_constant = one.is_constant;
+  object_at(object).is_global = changes;
   globals_[name] = object;
   return at_object(object);
 }
@@ -62,14 +60,9 @@ std::optional<Place> Machine::global(const std::string& name) {
 // A variable that is there before any function runs. Its first value is not logged: no way takes it back.
 int Machine::first_value(const Declared& one, bool changes) {
   const std::string name(one.name);
-  const Type* type = one.type;
-  if (type->is(TypeKind::array) && type->count == Type::kOpen) {
-    const bool is_list = !one.value.empty() && one.value[0].kind == ExpressionKind::list;
-    type = is_list ? program_.parser->array_of(type->of, open_count(one.value[0])) : program_.parser->unknown_type();
-  }
-  if (type->is(TypeKind::array) && type->count == Type::kOpen) type = program_.parser->unknown_type();
+  const Type* const type = sized_type(one);
   const int object = new_object(type, name);
-  statics_types_[object] = type;
+  object_at(object).is_static = true;
   const Value* const given = defined(name);
   const bool has_value = !one.value.empty() || (one.is_static && one.scope.empty() && !one.is_extern);
   if (given == nullptr && (changes || !has_value)) return object;
@@ -77,8 +70,7 @@ int Machine::first_value(const Declared& one, bool changes) {
   std::vector<Frame> frames = std::exchange(frames_, std::vector<Frame>(1));
   std::vector<Guard> guards = std::exchange(guards_, {});
   std::vector<Exit> exits = std::exchange(exits_, {});
-  Place at = place_of(object);
-  at.type = type;
+  const Place at = place_of(object);
   if (given != nullptr) {
     store(at, definition_for(*given, type, name));
   } else {
@@ -89,7 +81,7 @@ int Machine::first_value(const Declared& one, bool changes) {
     origin.origins = std::make_shared<const Names>(Names{name});
     assumptions_[name] = {one.offset,
                           "took the initial value of " + detail::quoted(name) + ", which is not a constant"};
-    for (Value& cell : objects_[static_cast<std::size_t>(object)].cells) cell = with_origins(cell, origin);
+    for (Value& cell : object_at(object).cells) cell = with_origins(cell, origin);
   }
   frames_ = std::move(frames);
   guards_ = std::move(guards);
@@ -112,11 +104,18 @@ std::int64_t Machine::open_count(const Expression& list) {
   return most;
 }
 
+// The type of a variable, with as many elements as its value has.
+const Type* Machine::sized_type(const Declared& d) {
+  if (!d.type->is(TypeKind::array) || d.type->count != Type::kOpen) return d.type;
+  const bool is_list = !d.value.empty() && d.value[0].kind == ExpressionKind::list && !d.is_constructed;
+  const Type* const type = is_list ? program_.parser->array_of(d.type->of, open_count(d.value[0])) : d.type;
+  return type->count == Type::kOpen ? program_.parser->unknown_type() : type;
+}
+
 // A variable of a function.
 void Machine::declare(const Declared& d) {
   if (d.is_extern && d.value.empty()) return;
   const std::string name(d.name);
-  std::vector<Variable>& variables = frames_.back().variables;
   const Expression* const value = d.value.empty() ? nullptr : &d.value[0];
   if (d.is_reference && value != nullptr) {
     const bool is_place = value->kind == ExpressionKind::name || value->kind == ExpressionKind::index ||
@@ -132,31 +131,22 @@ void Machine::declare(const Declared& d) {
     const auto known = statics_.find(&d);
     const int object = known != statics_.end() ? known->second : first_value(d, false);
     statics_[&d] = object;
-    objects_[static_cast<std::size_t>(object)].is_constant = d.is_constant;
-    objects_[static_cast<std::size_t>(object)].is_global = !d.is_constant;
-    Place at = place_of(object);
-    at.type = statics_types_[object];
-    frames_.back().variables.push_back({d.name, at});
+    object_at(object).is_constant = d.is_constant;
+    object_at(object).is_global = !d.is_constant;
+    frames_.back().variables.push_back({d.name, place_of(object)});
     return;
   }
-  const Type* type = d.type;
-  const bool is_list = value != nullptr && value->kind == ExpressionKind::list && !d.is_constructed;
-  if (type->is(TypeKind::array) && type->count == Type::kOpen) {
-    type = is_list ? program_.parser->array_of(type->of, open_count(*value)) : program_.parser->unknown_type();
-  }
-  if (type->is(TypeKind::array) && type->count == Type::kOpen) type = program_.parser->unknown_type();
+  const Type* type = sized_type(d);
   Value first;
-  const bool is_auto = type->name == "auto" && value != nullptr && !is_list;
+  const bool is_auto = type->name == "auto" && value != nullptr && value->kind != ExpressionKind::list;
   if (is_auto) {
     first = evaluate(*value);
     if (first.is_number()) type = program_.parser->number_type(first.number.kinds);
     if (first.is(ValueKind::pointer) && first.type != nullptr) type = program_.parser->pointer_to(first.type);
     if (first.is(ValueKind::record)) type = first.type;
   }
-  Place at = place_of(new_object(type, name));
-  at.type = type;
-  variables.push_back({d.name, at});
-  if (objects_[static_cast<std::size_t>(at.object)].cells.empty()) return;
+  const Place at = new_variable(type, d.name);
+  if (object_at(at.object).cells.empty()) return;
   const bool is_special = type->structure != nullptr && type->structure->is_special;
   const Value* const given = frames_.size() == 1 ? defined(name) : nullptr;
   if (given != nullptr) {
@@ -165,7 +155,7 @@ void Machine::declare(const Declared& d) {
     if (type->is(TypeKind::array) && whole.is(ValueKind::pointer)) {
       for (std::int64_t i = 0; i < static_cast<std::int64_t>(given->cells ? given->cells->size() : 0); ++i) {
         Place element = at;
-        element.type = objects_[static_cast<std::size_t>(at.object)].types[0];
+        element.type = object_at(at.object).types[0];
         element.at = i;
         if (i < static_cast<std::int64_t>(cells_of(type))) store(element, load(deref(whole, integer_value(i), name)));
       }
@@ -177,23 +167,21 @@ void Machine::declare(const Declared& d) {
     if (value != nullptr) {
       const Value made = evaluate(*value);
       forget_pointed(made);
-      const Object* const list = made.object >= 0 ? &objects_[static_cast<std::size_t>(made.object)] : nullptr;
+      const Object* const list = made.object >= 0 ? &object_at(made.object) : nullptr;
       for (const Value& one : list != nullptr ? list->cells : std::vector<Value>{}) forget_pointed(one);
     }
     forget_shared();
     const auto constructors = program_.by_name.find(type->structure->name);
     for (const Function* const one :
          constructors == program_.by_name.end() ? std::vector<const Function*>{} : constructors->second) {
-      if (program_.sets(*one) && reported_.insert(d.offset).second) {
-        faults_.add(d.offset, "a constructor sets combiners, and is not followed");
-      }
+      if (program_.sets(*one)) report(d.offset, "a constructor sets combiners, and is not followed");
     }
   } else if (is_auto) {
     store(at, std::move(first));
   } else if (value != nullptr) {
     initialize(at, d);
   }
-  objects_[static_cast<std::size_t>(at.object)].is_constant = d.is_constant && value != nullptr;
+  object_at(at.object).is_constant = d.is_constant && value != nullptr;
 }
 
 void Machine::initialize(const Place& at, const Declared& d) {
@@ -316,7 +304,7 @@ void Machine::fill_part(const Place& at, const std::vector<Expression>& parts, s
 Value Machine::converted_list(const Expression& e, const Type* type) {
   const int object = new_object(type, text_of(e));
   {
-    Object& made = objects_[static_cast<std::size_t>(object)];
+    Object& made = object_at(object);
     made.types.assign(e.parts.size(), type);
     made.cells.assign(e.parts.size(), Value{});
   }
@@ -331,11 +319,7 @@ Value Machine::converted_list(const Expression& e, const Type* type) {
            .path = text_of(part)},
           std::move(value));
   }
-  Value out;
-  out.kind = ValueKind::pointer;
-  out.object = object;
-  out.type = type;
-  return out;
+  return pointer_value(object, 0, type);
 }
 
 }  // namespace ninebit::code

@@ -137,7 +137,7 @@ std::optional<Value> Machine::call_of_memory(std::string_view name, const Expres
     return to;
   };
   if (!to.is(ValueKind::pointer) || !size || size->integer < 0) return give_up();
-  const Object& object = objects_[static_cast<std::size_t>(to.object)];
+  const Object& object = object_at(to.object);
   // As many cells as the bytes cover.
   std::int64_t cells = 0;
   const Type* const whole = to.type;
@@ -158,7 +158,7 @@ std::optional<Value> Machine::call_of_memory(std::string_view name, const Expres
   if (!copies && !clears) return give_up();
   std::vector<Value> values;
   for (std::int64_t i = 0; i < cells; ++i) {
-    const Type* const type = objects_[static_cast<std::size_t>(to.object)].types[static_cast<std::size_t>(to.at + i)];
+    const Type* const type = object_at(to.object).types[static_cast<std::size_t>(to.at + i)];
     if (copies) {
       Value source = from;
       source.type = nullptr;
@@ -193,24 +193,19 @@ std::optional<Value> Machine::call_buffer(std::string_view name, const Expressio
     const std::int64_t numbers = size.number.integer / (name == "allocateDirect" ? 4 : 1);
     const Type* const number =
         program_.parser->number_type(name.find("Int") != std::string_view::npos ? kInt32 : kFloat32);
-    Value out;
-    out.kind = ValueKind::pointer;
-    out.object = new_object(program_.parser->array_of(number, numbers + 1), "a buffer");
-    out.type = number;
-    Object& made = objects_[static_cast<std::size_t>(out.object)];
-    made.name = "a buffer";
-    for (Value& one : made.cells) one = number_value(*convert(int_number(0), number->kinds));
-    return out;
+    const int made = new_object(program_.parser->array_of(number, numbers + 1), "a buffer");
+    for (Value& one : object_at(made).cells) one = number_value(*convert(int_number(0), number->kinds));
+    return pointer_value(made, 0, number);
   }
   if (callee.kind != ExpressionKind::member) return std::nullopt;
   const bool puts = name == "put" && (count == 1 || count == 2);
   const bool rewinds = (name == "flip" || name == "rewind" || name == "order") && count <= 1;
   if (!puts && !rewinds) return std::nullopt;
   const Value buffer = evaluate(callee.parts[0]);
-  if (!buffer.is(ValueKind::pointer) || objects_[static_cast<std::size_t>(buffer.object)].name != "a buffer") {
+  if (!buffer.is(ValueKind::pointer) || object_at(buffer.object).name != "a buffer") {
     return std::nullopt;
   }
-  const auto last = static_cast<std::int64_t>(objects_[static_cast<std::size_t>(buffer.object)].cells.size()) - 1;
+  const auto last = static_cast<std::int64_t>(object_at(buffer.object).cells.size()) - 1;
   const Place next{.kind = PlaceKind::cell, .object = buffer.object, .at = last, .type = buffer.type};
   if (name == "order") return buffer;
   if (rewinds) {
@@ -219,7 +214,7 @@ std::optional<Value> Machine::call_buffer(std::string_view name, const Expressio
   }
   const Value value = evaluate(e.parts[count]);
   std::vector<Value> values{value};
-  if (value.is(ValueKind::pointer)) values = objects_[static_cast<std::size_t>(value.object)].cells;
+  if (value.is(ValueKind::pointer)) values = object_at(value.object).cells;
   const Value at = count == 2 ? evaluate(e.parts[1]) : load(next);
   const auto index = at.is_number() ? convert(at.number, kInt64) : std::nullopt;
   if (!index || index->integer < 0 || index->integer + static_cast<std::int64_t>(values.size()) > last) {

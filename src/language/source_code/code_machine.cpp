@@ -11,11 +11,15 @@ namespace {
 // sets no combiners goes round before what it changes is no longer followed.
 constexpr std::size_t kMostSteps = 200'000, kMostStepsOfFile = 2'000'000, kMostRounds = 4096;
 
-bool ends_function(const std::vector<Statement>& statements) {
-  if (statements.empty()) return false;
-  const Statement& last = statements.back();
-  return last.kind == StatementKind::give_back || last.kind == StatementKind::jump ||
-         (last.kind == StatementKind::block && ends_function(last.body));
+// The place of a goto's label; nullptr: it is not there.
+const Statement* find_mark(const std::vector<Statement>& statements, std::string_view label) {
+  for (const Statement& one : statements) {
+    if (one.kind == StatementKind::mark && one.message == label) return &one;
+    for (const std::vector<Statement>* const inner : {&one.body, &one.otherwise}) {
+      if (const Statement* const found = find_mark(*inner, label)) return found;
+    }
+  }
+  return nullptr;
 }
 
 // Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
@@ -55,10 +59,7 @@ void Machine::run(const Function& function) {
   for (const Declared& parameter : function.parameters) {
     if (parameter.name.empty()) continue;
     const std::string name(parameter.name);
-    const int object = new_object(parameter.type, name);
-    Place at = place_of(object);
-    at.type = parameter.type;
-    frames_[0].variables.push_back({parameter.name, at});
+    const Place at = new_variable(parameter.type, parameter.name);
     if (at.type->is(TypeKind::array) || at.type->is(TypeKind::structure) || at.type->is(TypeKind::opaque)) continue;
     Value value = needed_value(name, parameter.type->kinds);
     if (const Value* const given = defined(name)) {
@@ -74,8 +75,7 @@ void Machine::run(const Function& function) {
   }
   frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
   need_conditions(&function);
-  (void)execute(program_.body_of(function));
-  exits_.clear();
+  (void)execute_body(program_.body_of(function), true);
   frames_.clear();
 }
 
@@ -84,8 +84,7 @@ void Machine::run_code() {
   frames_[0].mark = log_.size();
   frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
   need_conditions(nullptr);
-  (void)execute(program_.outline.code);
-  exits_.clear();
+  (void)execute_body(program_.outline.code, true);
   frames_.clear();
 }
 
@@ -147,10 +146,6 @@ Machine::Flow Machine::execute(const Statement& s) {
     case StatementKind::choice:
       return choice(s);
     case StatementKind::jump:
-      // One to where no calls follow needs no word.
-      if (!is_conditional() && leads_to_calls(s) && reported_.insert(s.offset).second) {
-        faults_.add(s.offset, "goto is not followed, and calls of the combiners stand behind its label");
-      }
       jump_label_ = s.message;
       return Flow::jump;
     case StatementKind::leave:
@@ -167,8 +162,8 @@ Machine::Flow Machine::execute(const Statement& s) {
       is_thrown_ = is_thrown_ || (s.message == "throw" && (frames_.size() > 1 || tries_ > 0));
       return Flow::give_back;
     case StatementKind::unreadable:
-      if (program_.file.calls_between(s.offset, s.end) && reported_.insert(s.offset).second) {
-        faults_.add(s.offset, "a call of the combiners cannot be read here: " + s.message);
+      if (program_.file.calls_between(s.offset, s.end)) {
+        report(s.offset, "a call of the combiners cannot be read here: " + s.message);
       }
       forget_all();
       if (s.may_jump) add_exit(Flow::give_back, {}, {}, nullptr);
@@ -197,8 +192,8 @@ Machine::Flow Machine::branch(const Statement& s) {
     return execute(before->second ? s.body : s.otherwise);
   }
   if (!yes && !no) {
-    const bool guard = ends_function(s.body) && s.otherwise.empty();
-    if (!guard || jumps_to_calls(s.body) || !more_follow || calls_made_ > 0 || is_conditional()) return either();
+    const bool guard = s.otherwise.empty() && more_follow && calls_made_ == 0 && !is_conditional();
+    if (!guard || !leaves(s.body)) return either();
     assumed_[text] = false;
     notes_.add(s.offset, "assumed that " + text + " is false: else no combiners are set");
     return Flow::normal;
@@ -275,7 +270,7 @@ void Machine::widen(const Statement& s, const Value& why) {
     for (const auto& [key, value] : changes) {
       // A variable of a round is another one in the next.
       const int object = std::get<0>(key);
-      if (object >= static_cast<int>(objects) && statics_types_.count(object) == 0) continue;
+      if (object >= static_cast<int>(objects) && !object_at(object).is_static) continue;
       const Value& now = cell(key);
       if (same(now, value) || (!now.is_known() && now.name.empty() && now.object < 0 && !value.is_known())) continue;
       changed = true;
@@ -297,15 +292,13 @@ Machine::Flow Machine::each(const Statement& s) {
   Declared one = declared;
   if (declared.type->is(TypeKind::unknown)) one.type = element;
   const std::size_t step = known ? std::max<std::size_t>(cells_of(element), 1) : 1;
-  const std::size_t size = known ? objects_[static_cast<std::size_t>(range.object)].cells.size() / step : 0;
+  const std::size_t size = known ? object_at(range.object).cells.size() / step : 0;
   const auto bind = [&](const Place& from) {
     if (declared.is_reference) {
       frames_.back().variables.push_back({declared.name, from});
       return;
     }
-    Place at = place_of(new_object(one.type, std::string(declared.name)));
-    at.type = one.type;
-    frames_.back().variables.push_back({declared.name, at});
+    const Place at = new_variable(one.type, declared.name);
     if (known) store(at, load(from));
   };
   for (std::size_t i = 0; i < size && flow == Flow::normal && spend(); ++i) {
@@ -336,27 +329,32 @@ Machine::Flow Machine::each(const Statement& s) {
   return flow;
 }
 
-// Whether statements end with a goto behind whose label calls of the combiners stand.
-bool Machine::jumps_to_calls(const std::vector<Statement>& statements) const {
+// Whether a way that ends like this leaves the function, or goes to where no calls of the combiners follow.
+bool Machine::leaves(const std::vector<Statement>& statements) {
   if (statements.empty()) return false;
   const Statement& last = statements.back();
-  if (last.kind == StatementKind::block) return jumps_to_calls(last.body);
-  return last.kind == StatementKind::jump && leads_to_calls(last);
+  if (last.kind == StatementKind::block) return leaves(last.body);
+  const Function* const function = frames_.back().function;
+  if (last.kind != StatementKind::jump || function == nullptr) return last.kind == StatementKind::give_back;
+  const Statement* const mark = find_mark(program_.body_of(*function), last.message);
+  return mark != nullptr && mark->offset > last.offset && !program_.file.calls_between(mark->offset, function->end);
 }
 
-bool Machine::leads_to_calls(const Statement& jump) const {
-  const Function* const function = frames_.back().function;
-  const std::size_t end = function != nullptr ? function->end : program_.source.text.size();
-  if (jump.end >= end) return false;
-  const std::string_view behind = program_.source.text.substr(jump.end, end - jump.end);
-  for (std::size_t at = behind.find(jump.message); at != std::string_view::npos;
-       at = behind.find(jump.message, at + 1)) {
-    const std::size_t next = behind.find_first_not_of(" \t\r\n", at + jump.message.size());
-    const bool is_word = at == 0 || !detail::is_word(behind[at - 1]);
-    const bool is_label = is_word && next != std::string_view::npos && behind[next] == ':';
-    if (is_label) return program_.file.calls_between(jump.end + at, end);
+// Executes the body of the innermost frame's function. Ways to a label that is not passed, because it stands before
+// them or in a block, are not followed; whether there were some.
+bool Machine::execute_body(const std::vector<Statement>& body, bool sets) {
+  const bool jumps = execute(body) == Flow::jump;
+  if (jumps && sets && !out_of_steps_)
+    report(body.back().offset, "goto " + jump_label_ + " leads into a block, and is not followed");
+  resolve(Flow::give_back, frames_.back().mark);
+  const auto is_lost = [&](const Exit& one) { return one.frame == frames_.size(); };
+  const bool loses = std::any_of(exits_.begin(), exits_.end(), is_lost);
+  for (const Exit& one : exits_) {
+    if (sets && is_lost(one) && one.condition != nullptr) need(one.why, *one.condition);
   }
-  return function == nullptr || program_.file.calls_between(function->begin, end);  // it leads back
+  exits_.erase(std::remove_if(exits_.begin(), exits_.end(), is_lost), exits_.end());
+  if (jumps || loses) forget_all();
+  return jumps || loses;
 }
 
 Machine::Flow Machine::choice(const Statement& s) {

@@ -57,6 +57,7 @@ struct Program {
   // Whether executing something may set combiners.
   [[nodiscard]] bool sets(const std::vector<Statement>& statements);
   [[nodiscard]] bool sets(const Expression& expression);
+  [[nodiscard]] bool is_setter(const Expression& call) const;
   [[nodiscard]] bool sets(const Function& function);
   // The file's function that a callee means, called inside of another one; nullptr: none, or it is not decided.
   [[nodiscard]] const Function* function_of(const Expression& callee, std::size_t arguments,
@@ -161,11 +162,12 @@ class Machine {
   Flow each(const Statement& statement);
   Flow choice(const Statement& statement);
   void widen(const Statement& statement, const Value& why);
-  [[nodiscard]] bool leads_to_calls(const Statement& jump) const;
-  [[nodiscard]] bool jumps_to_calls(const std::vector<Statement>& statements) const;
+  [[nodiscard]] bool leaves(const std::vector<Statement>& statements);
+  bool execute_body(const std::vector<Statement>& body, bool sets);
   void declare(const Declared& declared);
   void initialize(const Place& place, const Declared& declared);
   int first_value(const Declared& declared, bool changes);
+  const Type* sized_type(const Declared& declared);
   std::int64_t open_count(const Expression& list);
   void fill(const Place& place, const Expression& list);
   void fill_part(const Place& place, const std::vector<Expression>& parts, std::size_t& next, bool has_braces);
@@ -182,8 +184,11 @@ class Machine {
   [[nodiscard]] bool is_conditional() const { return !guards_.empty() || !exits_.empty(); }
 
   // Memory: code_memory.cpp
+  Object& object_at(int object) { return objects_[static_cast<std::size_t>(object)]; }
+  [[nodiscard]] const Object& object_at(int object) const { return objects_[static_cast<std::size_t>(object)]; }
   int new_object(const Type* type, const std::string& name);
-  Place place_of(int object) const;
+  [[nodiscard]] Place place_of(int object) const;
+  Place new_variable(const Type* type, std::string_view name);
   [[nodiscard]] const Value& cell(const CellKey& key) const;
   void set_cell(const CellKey& key, Value value);
   Value load(const Place& place);
@@ -242,6 +247,10 @@ class Machine {
   void need(const std::string& name, std::uint32_t offset);
   void need_conditions(const Function* function);
   void need_guards(const Expression& e);
+  // Reports a fault, of each place the first.
+  void report(std::uint32_t offset, const std::string& message) {
+    if (reported_.insert(offset).second) faults_.add(offset, message);
+  }
   void use(const Value& value);
 
   // Calls: code_calls.cpp, code_known_calls.cpp, code_nvparse.cpp
@@ -283,9 +292,8 @@ class Machine {
   std::vector<Guard> guards_;
   std::vector<Exit> exits_;
   std::unordered_map<std::string, Value> definitions_;
-  std::map<std::string, int> globals_;        // objects
-  std::map<const void*, int> statics_;        // of declarations: objects
-  std::map<int, const Type*> statics_types_;  // of the objects of globals and statics
+  std::map<std::string, int> globals_;  // objects
+  std::map<const void*, int> statics_;  // of declarations: objects
   std::map<std::uint32_t, CallSite> sites_;
   std::map<std::string, std::set<std::uint32_t>> needs_;                      // where each is used
   std::set<std::string> used_;                                                // definitions that were looked at

@@ -33,6 +33,7 @@ bool same_size(const Type* a, const Type* b) {
 int Machine::new_object(const Type* type, const std::string& name) {
   Object out;
   add_cell_types(type, out.types);
+  out.type = type;
   out.name = name;
   out.cells.resize(out.types.size());
   for (std::size_t i = 0; i < out.cells.size(); ++i) out.cells[i].number.kinds = out.types[i]->kinds;
@@ -42,29 +43,33 @@ int Machine::new_object(const Type* type, const std::string& name) {
 }
 
 Place Machine::place_of(int object) const {
-  const Object& one = objects_[static_cast<std::size_t>(object)];
-  Place out{.kind = PlaceKind::cell, .object = object, .path = one.name};
-  out.type = one.types.empty() ? nullptr : one.types[0];
-  return out;
+  const Object& one = object_at(object);
+  return {.kind = PlaceKind::cell, .object = object, .type = one.type, .path = one.name};
+}
+
+// A variable of the function that is executed.
+Place Machine::new_variable(const Type* type, std::string_view name) {
+  Place at = place_of(new_object(type, std::string(name)));
+  frames_.back().variables.push_back({name, at});
+  return at;
 }
 
 const Value& Machine::cell(const CellKey& key) const {
   static const Value kNothing;
   const auto& [object, at, name] = key;
-  if (object >= 0) return objects_[static_cast<std::size_t>(object)].cells[static_cast<std::size_t>(at)];
+  if (object >= 0) return object_at(object).cells[static_cast<std::size_t>(at)];
   const auto found = outside_.find(name);
   return found == outside_.end() ? kNothing : found->second;
 }
 
 void Machine::set_cell(const CellKey& key, Value value) {
   const auto& [object, at, name] = key;
-  Value& now =
-      object >= 0 ? objects_[static_cast<std::size_t>(object)].cells[static_cast<std::size_t>(at)] : outside_[name];
+  Value& now = object >= 0 ? object_at(object).cells[static_cast<std::size_t>(at)] : outside_[name];
   log_.push_back({key, std::exchange(now, std::move(value))});
 }
 
 bool Machine::is_inside(const Place& place) const {
-  const auto size = static_cast<std::int64_t>(objects_[static_cast<std::size_t>(place.object)].cells.size());
+  const auto size = static_cast<std::int64_t>(object_at(place.object).cells.size());
   return place.at >= 0 && place.at + static_cast<std::int64_t>(cells_of(place.type)) <= size;
 }
 
@@ -106,7 +111,7 @@ Value Machine::converted(Value value, const Type* type, const std::string& path)
 }
 
 Value Machine::load_cell(const Place& place) {
-  const Object& object = objects_[static_cast<std::size_t>(place.object)];
+  const Object& object = object_at(place.object);
   const Type* const own = object.types[static_cast<std::size_t>(place.at)];
   const Value& value = object.cells[static_cast<std::size_t>(place.at)];
   const Type* const as = place.type;
@@ -124,22 +129,14 @@ Value Machine::load(const Place& place) {
   if (place.type != nullptr) out.number.kinds = place.type->kinds;
   const bool is_array = place.type != nullptr && place.type->is(TypeKind::array);
   if (place.kind == PlaceKind::cell && is_array) {
-    out.kind = ValueKind::pointer;
-    out.object = place.object;
-    out.at = place.at;
-    out.type = place.type->of;
-    return out;
+    return pointer_value(place.object, place.at, place.type->of);
   }
   if (place.kind == PlaceKind::cell && is_inside(place)) {
     if (place.type->is(TypeKind::structure)) {
-      const auto& cells = objects_[static_cast<std::size_t>(place.object)].cells;
-      const auto first = cells.begin() + static_cast<std::ptrdiff_t>(place.at);
-      out.kind = ValueKind::record;
-      out.type = place.type;
-      out.cells =
-          std::make_shared<const std::vector<Value>>(first, first + static_cast<std::ptrdiff_t>(cells_of(place.type)));
-      (void)spend(out.cells->size() / 8);
-      return out;
+      (void)spend(cells_of(place.type) / 8);
+      return record_value(
+          place.type,
+          std::span(object_at(place.object).cells).subspan(static_cast<std::size_t>(place.at), cells_of(place.type)));
     }
     out = load_cell(place);
   } else if (place.kind == PlaceKind::outside) {
@@ -159,7 +156,7 @@ Value Machine::load(const Place& place) {
 }
 
 void Machine::store_cell(const Place& place, Value value) {
-  const Type* const own = objects_[static_cast<std::size_t>(place.object)].types[static_cast<std::size_t>(place.at)];
+  const Type* const own = object_at(place.object).types[static_cast<std::size_t>(place.at)];
   const Type* const as = place.type;
   const bool fits = as == own || as->is(TypeKind::unknown) || own->is(TypeKind::unknown) || same_size(as, own) ||
                     (as->is(TypeKind::number) && own->is(TypeKind::number) && as->kinds == own->kinds) ||
@@ -208,7 +205,7 @@ void Machine::store(const Place& place, Value value) {
 }
 
 void Machine::forget_object(int object) {
-  Object& one = objects_[static_cast<std::size_t>(object)];
+  Object& one = object_at(object);
   if (one.is_constant) return;
   (void)spend(one.cells.size() / 8);
   for (std::size_t i = 0; i < one.cells.size(); ++i) {
@@ -231,7 +228,7 @@ void Machine::forget_pointed(const Value& value) {
     if (!value.is_known() && !value.name.empty()) forget_outside(value.name);
     return;
   }
-  Object& object = objects_[static_cast<std::size_t>(value.object)];
+  Object& object = object_at(value.object);
   const std::vector<Value> content = object.is_escaped ? std::vector<Value>{} : object.cells;
   object.is_escaped = true;
   forget_object(value.object);
@@ -279,7 +276,7 @@ Place Machine::deref(const Value& pointer, const Value& index, const std::string
     out.object = pointer.object;
     out.kind = pointer.is(ValueKind::pointer) && known ? PlaceKind::cell : PlaceKind::somewhere;
     out.type = pointer.type;
-    const Object& object = objects_[static_cast<std::size_t>(pointer.object)];
+    const Object& object = object_at(pointer.object);
     const bool is_vague = out.type == nullptr || out.type->is(TypeKind::unknown) || out.type->is(TypeKind::nothing);
     out.at = pointer.at + i * static_cast<std::int64_t>(is_vague ? 1 : cells_of(out.type));
     if (is_vague && out.kind == PlaceKind::cell) {

@@ -130,18 +130,14 @@ Value Machine::definition_for(const Value& given, const Type* type, const std::s
   const auto [known, is_new] = globals_.try_emplace("--define " + key, -1);
   if (is_new) {
     const int object = new_object(element, name);
-    Object& made = objects_[static_cast<std::size_t>(object)];
+    Object& made = object_at(object);
     made.cells.clear();
     made.types.assign(given.cells->size(), element);
     for (const Value& one : *given.cells) made.cells.push_back(converted(one, element, name));
     made.is_constant = true;
     known->second = object;
   }
-  Value out;
-  out.kind = ValueKind::pointer;
-  out.object = known->second;
-  out.type = element;
-  return out;
+  return pointer_value(known->second, 0, element);
 }
 
 // The value that is stored in a place; where it is not known, the value that is defined for it.
@@ -193,9 +189,7 @@ void Machine::need_guards(const Expression& e) {
     if (one.condition != nullptr) need(one.why, *one.condition);
     is_named = is_named && one.condition != nullptr;
   }
-  if (!is_named && reported_.insert(e.offset).second) {
-    faults_.add(e.offset, "whether this call is reached is not known: what stands before it cannot be read");
-  }
+  if (!is_named) report(e.offset, "whether this call is reached is not known: what stands before it cannot be read");
 }
 
 // The values that are needed; several elements of an array are the array.

@@ -5,23 +5,11 @@
 #include "src/language/source_code/code_parser.h"
 
 namespace ninebit::code {
-namespace {
-
-bool is_keyword_of_control(const Token& token) {
-  for (const std::string_view word : {"if", "for", "while", "do", "switch", "else", "try", "return"}) {
-    if (token.is(word)) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 void Parser::read_outline() {
   while (!at_end()) {
     const std::size_t begin = at_;
-    const bool label = peek().is_name() && peek(1).is(":") && !peek(2).is(":");
-    if (label) take();
-    if (label || peek().is(";") || peek().is("}")) {
+    if (skip_words()) continue;
+    if (peek().is("}")) {
       take();
     } else if (peek().is("namespace") || (peek().is("extern") && peek(1).kind == Token::Kind::text)) {
       while (!at_end() && !peek().is("{") && !peek().is(";") && !peek().is("(")) {
@@ -29,17 +17,28 @@ void Parser::read_outline() {
         if (token(at_ - 1).kind == Token::Kind::text) break;  // extern "C" void f()
       }
       takes("{");
-    } else if (peek().is("@") && peek(1).is_name() && !peek(1).is("interface")) {
-      at_ += 2;
-      if (peek().is("(")) skip_brackets();
-    } else if (peek().is("using") || peek().is("import") || peek().is("package")) {
-      skip_statement();
     } else {
       part();
     }
     if (at_ == begin) take();
   }
   add_defaults();
+}
+
+// Skips what declares nothing: labels, annotations, imports.
+bool Parser::skip_words() {
+  if (takes(";")) return true;
+  if (peek().is_name() && peek(1).is(":") && !peek(2).is(":")) {
+    at_ += 2;
+  } else if (peek().is("@") && peek(1).is_name() && !peek(1).is("interface")) {
+    at_ += 2;
+    if (peek().is("(")) skip_brackets();
+  } else if (is_one_of(peek(), {"using", "import", "package", "friend"})) {
+    skip_statement();
+  } else {
+    return false;
+  }
+  return true;
 }
 
 // To behind a semicolon or a block.
@@ -107,7 +106,7 @@ Parser::Head Parser::head() {
 void Parser::part() {
   const Head head = this->head();
   const bool braces = head.stop < end_ && token(head.stop).is("{");
-  if (is_keyword_of_control(token(head.begin))) return code(head);
+  if (is_one_of(token(head.begin), {"if", "for", "while", "do", "switch", "else", "try", "return"})) return code(head);
   // Old parameters stand between the parentheses and the brace, each with a semicolon.
   std::size_t old = head.parenthesis == 0 ? 0 : std::min(behind_brackets(head.parenthesis), end_);
   const bool follows = old != 0 && old < head.stop && !braces && begins_type(old);
@@ -123,9 +122,12 @@ void Parser::part() {
   out.offset = peek().offset;
   const bool has_calls = file_.calls_between(peek().offset, head.stop < end_ ? token(head.stop).end : last_end());
   const bool is_call = head.parenthesis > head.begin && head.assignment == 0 && !head.is_class;
-  if (!(has_calls && is_call) && is_declaration() && declaration(out)) {
-    if (!out.declared.empty()) outline_.globals.push_back(std::move(out));
-    return;
+  if (!(has_calls && is_call) && is_declaration()) {
+    declaration(out, false);
+    if (!std::exchange(failed_, false)) {
+      if (!out.declared.empty()) outline_.globals.push_back(std::move(out));
+      return;
+    }
   }
   at_ = head.begin;
   const bool is_block = peek().is("{");
@@ -151,12 +153,8 @@ bool Parser::function(const Head& head, Struct* of) {
   const std::size_t open = head.parenthesis;
   std::size_t name = open - 1;
   const bool destroys = name > head.begin && token(name - 1).is("~");
-  const bool is_operator = [&] {
-    for (std::size_t i = head.begin; i < open; ++i) {
-      if (token(i).is("operator")) return true;
-    }
-    return false;
-  }();
+  bool is_operator = false;
+  for (std::size_t i = head.begin; i < open; ++i) is_operator = is_operator || token(i).is("operator");
   if (of != nullptr) {
     const bool constructs = token(name).text == of->name && !destroys;
     of->is_special = of->is_special || constructs || destroys || is_operator;
@@ -173,8 +171,11 @@ bool Parser::function(const Head& head, Struct* of) {
   out.offset = token(name).offset;
   out.name = std::string(out.own_name);
   std::size_t at = name;
-  for (; at >= head.begin + 2 && (token(at - 1).is("::") || token(at - 1).is("~")) && token(at - 2).is_name();
-       at -= 2) {
+  if (destroys && token(--at).text.data() + 1 == out.own_name.data()) {
+    out.own_name = {token(at).text.data(), out.own_name.size() + 1};
+    out.name = std::string(out.own_name);
+  }
+  for (; at >= head.begin + 2 && token(at - 1).is("::") && token(at - 2).is_name(); at -= 2) {
     if (out.scope.empty()) out.scope = token(at - 2).text;
     out.name.insert(0, std::string(token(at - 2).text) + "::");
   }
@@ -196,7 +197,7 @@ bool Parser::function(const Head& head, Struct* of) {
   for (std::size_t i = at_; i < head.stop; ++i) {
     if (token(i).is(":")) out.is_special = true;  // a constructor's initializers
     if (token(i).is(";")) {
-      old_parameters(out, at_);
+      old_parameters(out);
       break;
     }
   }
@@ -228,37 +229,29 @@ const Type* Parser::result_type(std::size_t begin, std::size_t name) {
 }
 
 // int f(a, b) int a; float b; {
-void Parser::old_parameters(Function& out, std::size_t begin) {
-  at_ = begin;
-  while (!at_end() && !peek().is("{")) {
-    Specifiers words;
-    if (!specifiers(words, true)) return;
-    do {
-      Declared one;
-      one.type = declarator(words.type, one, nullptr);
-      if (one.type->is(TypeKind::array)) one.type = pointer_to(one.type->of);
-      // A float was given as a double.
+void Parser::old_parameters(Function& out) {
+  while (!failed_ && !at_end() && !peek().is("{")) {
+    Statement old;
+    declaration(old, true);
+    for (const Declared& one : old.declared) {
       for (Declared& parameter : out.parameters) {
-        if (parameter.name == one.name) parameter.type = one.type;
+        if (parameter.name == one.name) parameter.type = decayed(one.type);
       }
-    } while (takes(","));
-    if (!takes(";")) return;
+    }
   }
+  failed_ = false;
 }
 
 // Defaults of parameters often stand with the declaration alone.
 void Parser::add_defaults() {
-  std::map<std::string_view, std::vector<const Function*>> by_name;
-  for (const Function& one : outline_.prototypes) by_name[one.own_name].push_back(&one);
+  std::map<std::pair<std::string_view, std::size_t>, const Function*> declared;
+  for (const Function& one : outline_.prototypes) declared.try_emplace({one.own_name, one.parameters.size()}, &one);
   for (Function& function : outline_.functions) {
-    const auto found = by_name.find(function.own_name);
-    if (found == by_name.end()) continue;
-    for (const Function* const one : found->second) {
-      if (one->parameters.size() != function.parameters.size()) continue;
-      for (std::size_t i = 0; i < one->parameters.size(); ++i) {
-        if (function.parameters[i].value.empty()) function.parameters[i].value = one->parameters[i].value;
-      }
-      break;
+    const auto found = declared.find({function.own_name, function.parameters.size()});
+    if (found == declared.end()) continue;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+      std::vector<Expression>& value = function.parameters[i].value;
+      if (value.empty()) value = found->second->parameters[i].value;
     }
   }
 }

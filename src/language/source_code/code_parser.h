@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "src/language/c_like/c_lexer.h"
@@ -33,6 +34,10 @@ class Parser {
   const Type* unknown_type() { return type({}); }
   const Type* pointer_to(const Type* of) { return type({.kind = TypeKind::pointer, .of = of}); }
   const Type* array_of(const Type* of, std::int64_t count);
+  // The type of a parameter that is declared with one.
+  const Type* decayed(const Type* type) {
+    return type->is(TypeKind::array) ? pointer_to(type->of) : type->is(TypeKind::function) ? pointer_to(type) : type;
+  }
 
  private:
   // The meaning of a name; a name without a type and a constant is a variable.
@@ -53,12 +58,35 @@ class Parser {
     bool is_class = false, is_template = false;
   };
 
+  struct Deeper {
+    explicit Deeper(int& counted) : depth(++counted) {}
+    ~Deeper() { --depth; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+    int& depth;
+  };
+
   // The cursor.
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
     return at_ + ahead < end_ ? file_.tokens[at_ + ahead] : end_token_;
   }
   [[nodiscard]] const Token& token(std::size_t i) const { return file_.tokens[i]; }
   const Token& take() { return at_ < end_ ? file_.tokens[at_++] : end_token_; }
+  void expect(std::string_view what) {
+    if (!takes(what)) fail();
+  }
+  // Ends all that is read until the failure is looked at; what comes back in between means nothing.
+  Expression fail();
+  // What is read; empty: it failed, and the cursor is where it was.
+  template <class Read>
+  auto tried(const Read& read) -> std::optional<decltype(read())> {
+    if (failed_) return std::nullopt;
+    const std::size_t begin = at_;
+    auto out = read();
+    if (!std::exchange(failed_, false)) return out;
+    at_ = begin;
+    return std::nullopt;
+  }
   bool takes(std::string_view what) {
     if (!peek().is(what)) return false;
     ++at_;
@@ -89,8 +117,8 @@ class Parser {
   [[nodiscard]] bool is_declaration() const;
   [[nodiscard]] bool begins_type(std::size_t at) const;
   [[nodiscard]] bool holds_parameters(std::size_t open) const;
-  bool declaration(Statement& out);
-  bool initializer(Declared& out);
+  void declaration(Statement& out, bool of_class);
+  void initializer(Declared& out);
   [[nodiscard]] std::optional<Number> fold(const Expression& e) const;
 
   // The file: code_outline.cpp
@@ -99,7 +127,8 @@ class Parser {
   void code(const Head& head);
   bool function(const Head& head, Struct* of);
   const Type* result_type(std::size_t begin, std::size_t name);
-  void old_parameters(Function& out, std::size_t begin);
+  void old_parameters(Function& out);
+  bool skip_words();
   void skip_statement();
   void add_defaults();
 
@@ -114,10 +143,14 @@ class Parser {
   Expression parenthesis();
   Expression creation();
   Expression list(std::string_view close);
+  Expression braces_or_assignment();
   Expression arguments(Expression callee);
   Expression named();
+  void qualified(Expression& out);
   Expression size();
-  Expression fail(const Token& at) const;
+  [[nodiscard]] Expression around(ExpressionKind kind, std::string_view text, std::uint32_t offset,
+                                  Expression part) const;
+  [[nodiscard]] Expression joined(ExpressionKind kind, std::string_view text, Expression left, Expression right) const;
   const Type* type_name();
   [[nodiscard]] bool is_cast();
 
@@ -131,22 +164,21 @@ class Parser {
   Statement choice();
   Statement block();
   Statement plain();
-  bool condition(Statement& out);
+  std::vector<Statement> scoped();
+  void condition(Statement& out);
   Statement unreadable(std::size_t begin, const std::string& expected);
 
   const File& file_;
   Outline& outline_;
   std::size_t at_ = 0, end_;
   Token end_token_{};
+  bool failed_ = false;
+  Token failure_{};  // the first token that could not be read
   std::unordered_map<std::string_view, Symbol> symbols_;
   std::vector<std::vector<std::pair<std::string_view, std::optional<Symbol>>>> saved_;  // of the open scopes
   std::vector<std::string_view> classes_;                                               // around the current place
   int depth_ = 0, expression_depth_ = 0;
 };
-
-[[nodiscard]] inline bool failed(const Expression& e) {
-  return e.kind == ExpressionKind::unreadable;
-}
 
 // Words of types, for the parser.
 

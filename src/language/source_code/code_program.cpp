@@ -119,16 +119,21 @@ bool Program::sets(const std::vector<Statement>& statements) {
   return found;
 }
 
+// Whether a call is one of the combiners' own, of texture shaders, or of nvparse; or an assignment to a definition of
+// the Xbox.
+bool Program::is_setter(const Expression& e) const {
+  if (e.kind != ExpressionKind::call) return assigns_word(e);
+  const std::string_view name = called_operand(e.parts[0]).text;
+  if (name == "nvparse") return true;
+  if (file.reads_stages && detail::find_stage_call(name) != nullptr) return file.calls_between(e.offset, e.end);
+  const auto* const signature = signature_of(e.parts[0]);
+  return signature != nullptr && signature->parameters != "e";
+}
+
 bool Program::sets(const Expression& e) {
-  if (assigns_word(e)) return true;
+  if (is_setter(e)) return true;
   if (e.kind == ExpressionKind::call) {
-    if (const auto* const signature = signature_of(e.parts[0])) {
-      const bool switches = signature->parameters == "e";
-      if (!switches || (e.parts.size() == 2 && names_capability(e.parts[1]))) return true;
-    }
-    if (called_operand(e.parts[0]).text == "nvparse") return true;
-    const bool may_set_stage = file.reads_stages && detail::find_stage_call(called_operand(e.parts[0]).text) != nullptr;
-    if (may_set_stage && file.calls_between(e.offset, e.end)) return true;
+    if (e.parts.size() == 2 && signature_of(e.parts[0]) != nullptr && names_capability(e.parts[1])) return true;
     const Function* const function = function_of(e.parts[0], e.parts.size() - 1, nullptr);
     if (function != nullptr && sets(*function)) return true;
   }

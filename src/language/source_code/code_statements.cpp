@@ -40,24 +40,22 @@ std::vector<Statement> Parser::statements() {
 
 // Skips the statement that begins at `begin`, up to its semicolon or the end of the block around it.
 Statement Parser::unreadable(std::size_t begin, const std::string& expected) {
-  const Token at = peek();
+  const Token at = std::exchange(failed_, false) ? failure_ : peek();
   at_ = begin;
   Statement out = empty_at(peek(), StatementKind::unreadable);
   out.message = "expected " + expected + ", " +
                 (at.kind == Token::Kind::end ? "but the text ends" : "found " + detail::quoted(at.text));
   while (!at_end() && !peek().is("}")) {
-    const bool opens = peek().is("{") || peek().is("(") || peek().is("[");
     const bool block = peek().is("{");
     const std::size_t from = at_;
-    if (opens) {
+    if (block || peek().is("(") || peek().is("[")) {
       skip_brackets();
     } else if (take().is(";")) {
       break;
     }
     for (std::size_t i = from; i < at_; ++i) {
-      for (const std::string_view word : {"return", "break", "continue", "goto", "throw", "case", "default"}) {
-        out.may_jump = out.may_jump || token(i).is(word);
-      }
+      out.may_jump =
+          out.may_jump || is_one_of(token(i), {"return", "break", "continue", "goto", "throw", "case", "default"});
     }
     if (block && !peek().is(";") && !peek().is(",") && !peek().is(")") && !peek().is("else")) break;
   }
@@ -66,23 +64,21 @@ Statement Parser::unreadable(std::size_t begin, const std::string& expected) {
 }
 
 Statement Parser::statement() {
-  const std::size_t begin = at_;
   const Token first = peek();
-  if (depth_ >= kMostNestedStatements) return unreadable(begin, "fewer nested statements");
-  ++depth_;
+  const Deeper deeper(depth_);
+  if (depth_ > kMostNestedStatements) return unreadable(at_, "fewer nested statements");
   Statement out;
   if (first.is("{")) {
     out = block();
-  } else if (first.is(";")) {
-    out = empty_at(take(), StatementKind::nothing);
+  } else if (takes(";")) {
+    out = empty_at(first, StatementKind::nothing);
   } else if (first.is_name() && peek(1).is(":") && !first.is("default") && !first.is("case")) {
-    take();
-    out = empty_at(take(), StatementKind::mark);
+    at_ += 2;
+    out = empty_at(first, StatementKind::mark);
     out.message = first.text;
   } else {
     out = controlled(first);
   }
-  --depth_;
   out.offset = first.offset;
   out.end = std::max(out.end, last_end());
   return out;
@@ -97,10 +93,9 @@ Statement Parser::controlled(const Token& keyword) {
     Statement out = empty_at(take(), word("break")      ? StatementKind::leave
                                      : word("continue") ? StatementKind::next
                                                         : StatementKind::give_back);
-    const bool gives = word("return") || word("throw");
-    if (gives && !peek().is(";")) {
-      out.value.push_back(peek().is("{") ? list("}") : expression(true));
-      if (failed(out.value[0])) out.value.clear();
+    const bool gives = (word("return") || word("throw")) && !peek().is(";");
+    if (auto value = gives ? tried([&] { return peek().is("{") ? list("}") : expression(true); }) : std::nullopt) {
+      out.value.push_back(*std::move(value));
     }
     if (word("throw")) out.message = "throw";
     if (!takes(";")) unreadable(at_, "';'");
@@ -108,7 +103,7 @@ Statement Parser::controlled(const Token& keyword) {
   }
   if (word("case") || word("default")) {
     Statement out = empty_at(take(), StatementKind::label);
-    if (word("case")) out.value.push_back(expression());
+    if (word("case")) out.value.push_back(tried([&] { return expression(); }).value_or(Expression{}));
     while (!at_end() && !peek().is(":") && !peek().is("}") && !peek().is(";")) take();
     takes(":");
     return out;
@@ -148,12 +143,12 @@ Statement Parser::plain() {
   const std::size_t begin = at_;
   if (is_declaration()) {
     Statement out = empty_at(peek(), StatementKind::declaration);
-    if (declaration(out) && !peek().is(":")) return out;
-    return unreadable(begin, "a declaration");
+    declaration(out, false);
+    return failed_ || peek().is(":") ? unreadable(begin, "a declaration") : out;
   }
   Statement out = empty_at(peek(), StatementKind::expression);
   out.value.push_back(expression(true));
-  if (failed(out.value[0])) return unreadable(begin, "a statement");
+  if (failed_) return unreadable(begin, "a statement");
   // The last one of a text, or a macro that stands alone, needs no semicolon.
   const bool ends =
       takes(";") || at_end() || peek().is("}") || (out.value[0].kind == ExpressionKind::call && peek().begins_line);
@@ -169,29 +164,30 @@ Statement Parser::block() {
   return out;
 }
 
-// ( … ) behind if, while and switch.
-bool Parser::condition(Statement& out) {
-  if (!takes("(")) return false;
-  if (is_declaration() && !peek(1).is("(")) {  // if (T x = …)
-    return false;
-  }
+// A statement in a scope of its own.
+std::vector<Statement> Parser::scoped() {
+  open_scope();
+  std::vector<Statement> out{statement()};
+  close_scope();
+  return out;
+}
+
+// ( … ) behind if, while and switch; it declares nothing.
+void Parser::condition(Statement& out) {
+  expect("(");
+  if (!failed_ && is_declaration() && !peek(1).is("(")) fail();
   out.value.push_back(expression(true));
-  return !failed(out.value[0]) && takes(")");
+  expect(")");
 }
 
 Statement Parser::branch() {
   const std::size_t begin = at_;
   Statement out = empty_at(take(), StatementKind::branch);
   takes("constexpr");
-  if (!condition(out)) return unreadable(begin, "a condition");
-  open_scope();
-  out.body.push_back(statement());
-  close_scope();
-  if (takes("else")) {
-    open_scope();
-    out.otherwise.push_back(statement());
-    close_scope();
-  }
+  condition(out);
+  if (failed_) return unreadable(begin, "a condition");
+  out.body = scoped();
+  if (takes("else")) out.otherwise = scoped();
   return out;
 }
 
@@ -199,69 +195,57 @@ Statement Parser::loop(const Token& keyword) {
   const std::size_t begin = at_;
   Statement out = empty_at(take(), StatementKind::loop);
   open_scope();
-  bool good = true;
   if (keyword.is("do")) {
     out.tests_last = true;
     out.body.push_back(statement());
-    good = takes("while") && condition(out);
+    expect("while");
+    condition(out);
     takes(";");
   } else if (keyword.is("while")) {
-    good = condition(out);
+    condition(out);
   } else {
-    good = takes("(");
-    if (good && !for_each(out)) {
+    expect("(");
+    if (!for_each(out)) {
       if (is_declaration()) {
-        good = declaration(out.first.emplace_back(empty_at(peek(), StatementKind::declaration)));
+        declaration(out.first.emplace_back(empty_at(peek(), StatementKind::declaration)), false);
       } else if (!takes(";")) {
-        Statement& first = out.first.emplace_back(empty_at(peek(), StatementKind::expression));
-        first.value.push_back(expression(true));
-        good = !failed(first.value[0]) && takes(";");
+        out.first.emplace_back(empty_at(peek(), StatementKind::expression)).value.push_back(expression(true));
+        expect(";");
       }
-      if (good && !peek().is(";")) {
-        out.value.push_back(expression(true));
-        good = !failed(out.value[0]);
-      }
-      good = good && takes(";");
-      if (good && !peek().is(")")) {
-        out.step.push_back(expression(true));
-        good = !failed(out.step[0]);
-      }
+      if (!peek().is(";")) out.value.push_back(expression(true));
+      expect(";");
+      if (!peek().is(")")) out.step.push_back(expression(true));
     }
-    good = good && takes(")");
+    expect(")");
   }
-  if (good && !out.tests_last) out.body.push_back(statement());
+  if (!failed_ && !out.tests_last) out.body.push_back(statement());
   close_scope();
-  return good ? out : unreadable(begin, "a loop");
+  return failed_ ? unreadable(begin, "a loop") : out;
 }
 
 // for (TYPE NAME : RANGE)
 bool Parser::for_each(Statement& out) {
-  const std::size_t begin = at_;
-  Statement declared;
-  if (is_declaration() && declaration(declared) && declared.declared.size() == 1 && takes(":")) {
-    out.kind = StatementKind::each;
-    out.declared = std::move(declared.declared);
-    out.value.push_back(peek().is("{") ? list("}") : expression());
-    if (!failed(out.value[0])) return true;
-    out.kind = StatementKind::loop;
-    out.declared.clear();
-    out.value.clear();
-  }
-  at_ = begin;
-  return false;
+  const auto read = tried([&] {
+    Statement each = out;
+    if (!is_declaration()) fail();
+    declaration(each, false);
+    if (each.declared.size() != 1) fail();
+    expect(":");
+    each.kind = StatementKind::each;
+    each.value.push_back(peek().is("{") ? list("}") : expression());
+    return each;
+  });
+  if (read) out = *read;
+  return read.has_value();
 }
 
 Statement Parser::choice() {
   const std::size_t begin = at_;
   Statement out = empty_at(take(), StatementKind::choice);
-  if (!condition(out) || !peek().is("{")) return unreadable(begin, "a switch");
+  condition(out);
+  if (failed_ || !peek().is("{")) return unreadable(begin, "a switch");
   Statement body = block();
   out.body = std::move(body.body);
-  for (const Statement& one : out.body) {
-    for (const Expression& value : one.value) {
-      if (one.kind == StatementKind::label && failed(value)) return unreadable(begin, "a constant");
-    }
-  }
   // A label inside of another statement is not modelled.
   std::size_t labels = 0, seen = 0;
   for (std::size_t i = begin, inner = 0; i < at_; ++i) {
@@ -269,7 +253,11 @@ Statement Parser::choice() {
       inner = std::max(inner, behind_brackets(std::min(behind_brackets(i + 1), end_ - 1)));
     if (i >= inner && (token(i).is("case") || (token(i).is("default") && token(i + 1).is(":")))) ++labels;
   }
-  for (const Statement& one : out.body) seen += one.kind == StatementKind::label ? std::size_t{1} : 0;
+  for (const Statement& one : out.body) {
+    if (one.kind != StatementKind::label) continue;
+    ++seen;
+    if (!one.value.empty() && one.value[0].kind == ExpressionKind::unreadable) return unreadable(begin, "a constant");
+  }
   return labels == seen ? out : unreadable(begin, "labels in the block of the switch alone");
 }
 

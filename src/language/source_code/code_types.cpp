@@ -272,71 +272,34 @@ void Parser::members(Struct& out, bool& is_read) {
   constexpr std::size_t kMostCells = 4096;
   while (!at_end() && !peek().is("}")) {
     const std::size_t begin = at_;
-    if (takes(";")) continue;
-    if (peek().is_name() && peek(1).is(":") && !peek(2).is(":")) {
-      at_ += 2;
-      continue;
-    }
-    if (peek().is("@")) {  // an annotation
-      at_ += 2;
-      if (peek().is("(")) skip_brackets();
-      continue;
-    }
+    if (skip_words()) continue;
     if (peek().is("{") || (peek().is("static") && peek(1).is("{"))) {
       takes("static");
       skip_brackets();
       continue;
     }
-    if (is_one_of(peek(), {"friend", "using"})) {
-      skip_statement();
-      continue;
-    }
     const Head head = this->head();
-    const bool is_method =
-        head.parenthesis != 0 && !head.is_class &&
-        !(token(head.parenthesis).is("(") && head.parenthesis + 1 < end_ && token(head.parenthesis + 1).is("*"));
-    if (is_method && function(head, &out)) continue;
+    const bool points = head.parenthesis + 1 < end_ && token(head.parenthesis + 1).is("*");
+    if (head.parenthesis != 0 && !head.is_class && !points && function(head, &out)) continue;
     at_ = begin;
-    Specifiers words;
-    bool good = specifiers(words, true);
-    for (Declared& one : words.enumerators) {
-      outline_.globals.emplace_back().kind = StatementKind::declaration;
-      outline_.globals.back().declared.push_back(std::move(one));
+    Statement all;
+    declaration(all, true);
+    if (std::exchange(failed_, false)) {
+      is_read = false;
+      at_ = begin;
+      skip_statement();
+      if (at_ == begin) take();
     }
-    while (good && !peek().is(";") && !at_end()) {
-      Declared one;
-      one.type = declarator(words.type, one, nullptr);
+    for (Declared& one : all.declared) {
       one.scope = out.name;
-      one.is_constant = words.is_constant && !one.type->is(TypeKind::pointer);
-      one.is_static = words.is_static;
-      if (takes(":")) {  // a bit-field
-        good = !failed(assignment());
-        one.type = type({.kind = TypeKind::opaque});
-      }
-      good = good && initializer(one);
-      if (one.name.empty() && one.type->is(TypeKind::opaque) && words.type->structure != nullptr) {
-        out.is_special = true;  // an anonymous union
-        is_read = false;
-      }
-      if (words.is_typedef) {
-        declare(one.name, {one.type, {}});
-      } else if (!words.is_static && !one.name.empty()) {
-        const bool fits = !(one.type->is(TypeKind::array) && one.type->count == Type::kOpen);
-        is_read = is_read && fits && out.cells < kMostCells;
-        out.members.push_back({one.name, one.type, out.cells});
-        if (fits) out.cells += cells_of(one.type);
-      }
-      if (!words.is_typedef && !one.name.empty()) {
-        outline_.globals.emplace_back().kind = StatementKind::declaration;
-        outline_.globals.back().declared.push_back(std::move(one));
-      }
-      if (!takes(",")) break;
+      one.is_constant = one.is_constant && !one.type->is(TypeKind::pointer);
+      if (one.is_static) continue;
+      const bool fits = !(one.type->is(TypeKind::array) && one.type->count == Type::kOpen);
+      is_read = is_read && fits && out.cells < kMostCells;
+      out.members.push_back({one.name, one.type, out.cells});
+      if (fits) out.cells += cells_of(one.type);
     }
-    if (good && takes(";")) continue;
-    is_read = false;
-    at_ = begin;
-    skip_statement();
-    if (at_ == begin) take();
+    if (!all.declared.empty()) outline_.globals.push_back(std::move(all));
   }
 }
 
@@ -361,8 +324,8 @@ void Parser::enumeration(Specifiers& out) {
   while (peek().is_name()) {
     const Token one = take();
     if (takes("=")) {
-      const Expression value = assignment();
-      next = failed(value) ? std::nullopt : fold(value);
+      const auto value = tried([&] { return assignment(); });
+      next = value ? fold(*value) : std::nullopt;
       if (next) next = convert(*next, kInt64);
       constexpr std::int64_t kBeyond = std::int64_t{1} << 31;
       if (next) next->kinds = next->integer >= kBeyond ? kUint32 : kInt32;

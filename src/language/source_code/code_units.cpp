@@ -35,30 +35,6 @@ void visit_effects(const std::vector<Statement>& statements, const Visit& visit)
   }
 }
 
-// Whether a call is one of the combiners' own, of texture shaders, or of nvparse; or an assignment to a definition of
-// the Xbox.
-bool sets_combiners(const Expression& call, const File& file) {
-  if (call.kind == ExpressionKind::assignment) return assigns_word(call);
-  const std::string_view name = called_operand(call.parts[0]).text;
-  if (name == "nvparse") return true;
-  if (file.reads_stages && detail::find_stage_call(name) != nullptr) return file.calls_between(call.offset, call.end);
-  const auto* const signature = signature_of(call.parts[0]);
-  return signature != nullptr && signature->parameters != "e";
-}
-
-// The name of a destructor, which the outline gives without its ~ and maybe without its class; else empty.
-std::string destructor_name(std::string_view text, const Function& function) {
-  const char* const name = function.own_name.data();
-  if (name <= text.data() || name > text.data() + text.size() || name[-1] != '~') return "";
-  const std::string own = "~" + std::string(function.own_name);
-  if (function.name.size() > function.own_name.size()) {
-    return function.name.substr(0, function.name.size() - function.own_name.size()) + own;
-  }
-  const std::string scope = std::string(function.own_name) + "::";
-  const std::string_view before = text.substr(0, static_cast<std::size_t>(name - text.data()) - 1);
-  return before.ends_with(scope) ? scope + own : own;
-}
-
 // "NAME:LINE" without ":LINE", which is then `line`.
 std::string without_line(const std::string& name, int& line) {
   constexpr std::size_t kMostDigits = 8;
@@ -89,64 +65,60 @@ Units::Units(const SourceText& text, const SourceSelection& selection, const Har
 
 void Units::find_functions() {
   std::map<const Function*, std::size_t> found;
-  const std::vector<std::uint32_t> misspelled = misspelled_calls();
+  const std::vector<const Token*> misspelled = misspelled_calls();
   for (const Function& function : program_.outline.functions) {
-    const auto first = std::lower_bound(misspelled.begin(), misspelled.end(), function.begin);
-    const bool misspells = first != misspelled.end() && *first < function.end;
+    const bool misspells = std::any_of(misspelled.begin(), misspelled.end(), [&](const Token* one) {
+      return function.begin <= one->offset && one->offset < function.end;
+    });
     if (!misspells && !program_.sets(function)) continue;
     found[&function] = units_.size();
-    const std::string destructor = destructor_name(program_.source.text, function);
-    units_.push_back({.name = destructor.empty() ? function.name : destructor,
-                      .own_name = (destructor.empty() ? "" : "~") + std::string(function.own_name),
+    units_.push_back({.name = function.name,
+                      .own_name = std::string(function.own_name),
                       .offset = function.offset,
                       .function = &function});
   }
-  const auto called = [&](const Function& caller, const Expression& call) {
-    const bool calls = call.kind == ExpressionKind::call;
-    return calls ? program_.function_of(call.parts[0], call.parts.size() - 1, &caller) : nullptr;
-  };
-  std::set<const Function*> helpers;
+  std::map<std::size_t, std::set<std::size_t>> called;  // units by units
   for (const auto& [function, at] : found) {
     const Function* const caller = function;  // clang 14 captures no structured binding
+    std::set<std::size_t>& all = called[at];
     visit_effects(program_.body_of(*function), [&](const Expression& call) {
-      const auto helper = found.find(called(*caller, call));
-      if (helper != found.end() && helper->first != caller) helpers.insert(helper->first);
+      if (call.kind != ExpressionKind::call) return;
+      const auto callee = found.find(program_.function_of(call.parts[0], call.parts.size() - 1, caller));
+      if (callee != found.end()) all.insert(callee->second);
     });
   }
-  for (const Function* const one : helpers) units_[found[one]].is_helper = depends_on_parameters(*one);
-  for (const auto& [function, at] : found) {
-    const Function* const caller = function;
-    bool calls_helper = false;
-    visit_effects(program_.body_of(*function), [&](const Expression& call) {
-      const auto helper = found.find(called(*caller, call));
-      calls_helper = calls_helper || (helper != found.end() && units_[helper->second].is_helper);
-    });
-    const bool direct = program_.file.calls_between(function->begin, function->end);
-    units_[at].is_root = !units_[at].is_helper && (direct || calls_helper);
+  for (const auto& [caller, all] : called) {
+    for (const std::size_t one : all) {
+      if (one != caller && !units_[one].is_helper) units_[one].is_helper = depends_on_parameters(*units_[one].function);
+    }
+  }
+  for (const auto& [at, all] : called) {
+    Unit& unit = units_[at];
+    const bool calls_helper =
+        std::any_of(all.begin(), all.end(), [&](std::size_t one) { return units_[one].is_helper; });
+    const bool direct = program_.file.calls_between(unit.function->begin, unit.function->end);
+    unit.is_root = !unit.is_helper && (direct || calls_helper);
   }
 }
 
-// Where calls stand whose names are nearly those of the combiners' calls, ascending.
-std::vector<std::uint32_t> Units::misspelled_calls() const {
-  std::vector<std::uint32_t> found;
+// Calls whose names are nearly those of the combiners' calls.
+std::vector<const Token*> Units::misspelled_calls() const {
+  std::vector<const Token*> found;
   const std::vector<Token>& tokens = program_.file.tokens;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     const std::string_view name = tokens[i].text;
     if (!tokens[i].is_name() || !tokens[i + 1].is("(") || name.find("ombin") == std::string_view::npos) continue;
     if (detail::find_gl_call(name) != nullptr) continue;
     const bool is_own = program_.by_name.find(name) != program_.by_name.end();
-    if (!is_own && !detail::meant_call(name).empty()) found.push_back(tokens[i].offset);
+    if (!is_own && !detail::meant_call(name).empty()) found.push_back(&tokens[i]);
   }
-  std::sort(found.begin(), found.end());
   return found;
 }
 
 void Units::report_no_units() {
-  for (const std::uint32_t offset : misspelled_calls()) {
-    const std::string_view rest = program_.source.text.substr(offset);
-    const auto end = std::find_if_not(rest.begin(), rest.end(), detail::is_word);
-    const std::string name(rest.begin(), end);
-    faults_.add(offset, quoted(name) + " is not a call of the register combiners" + detail::meant_call(name));
+  for (const Token* const one : misspelled_calls()) {
+    faults_.add(one->offset,
+                quoted(one->text) + " is not a call of the register combiners" + detail::meant_call(one->text));
   }
   if (!faults_.empty()) return;
   const std::string_view other = foreign_calls(program_.source.text);
@@ -192,7 +164,7 @@ SourceFunction Units::describe(const Unit& unit) {
   // The calls that stand in the unit itself; without any, those of the functions that it calls.
   std::set<std::uint32_t> own;
   const auto note = [&](const Expression& call) {
-    if (sets_combiners(call, program_.file)) own.insert(call.offset);
+    if (program_.is_setter(call)) own.insert(call.offset);
   };
   if (unit.kind == UnitKind::function) visit_effects(program_.body_of(*unit.function), note);
   if (unit.kind == UnitKind::code) visit_effects(program_.outline.code, note);

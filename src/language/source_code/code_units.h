@@ -45,7 +45,7 @@ class Units {
 
  private:
   void find_functions();
-  [[nodiscard]] std::vector<std::uint32_t> misspelled_calls() const;
+  [[nodiscard]] std::vector<const Token*> misspelled_calls() const;
   void report_no_units();
   [[nodiscard]] bool depends_on_parameters(const Function& function);
   void find_texts();

@@ -48,6 +48,23 @@ Value integer_value(std::int64_t value) {
   return number_value(int_number(value, value < kBeyond ? kInt32 : kUint32));
 }
 
+Value pointer_value(int object, std::int64_t at, const Type* type) {
+  Value out;
+  out.kind = ValueKind::pointer;
+  out.object = object;
+  out.at = at;
+  out.type = type;
+  return out;
+}
+
+Value record_value(const Type* type, std::span<const Value> cells) {
+  Value out;
+  out.kind = ValueKind::record;
+  out.type = type;
+  out.cells = std::make_shared<const std::vector<Value>>(cells.begin(), cells.end());
+  return out;
+}
+
 Value needed_value(const std::string& name, Kinds kinds) {
   Value out;
   out.number.kinds = kinds;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -48,6 +49,8 @@ using ValueKind = Value::Kind;
 
 [[nodiscard]] Value number_value(const Number& number);
 [[nodiscard]] Value integer_value(std::int64_t value);
+[[nodiscard]] Value pointer_value(int object, std::int64_t at, const Type* type);
+[[nodiscard]] Value record_value(const Type* type, std::span<const Value> cells);
 // A value that is known if `name` is defined.
 [[nodiscard]] Value needed_value(const std::string& name, Kinds kinds = 0);
 // A value that is not known because these are not, or depend on what was assumed.
@@ -63,10 +66,12 @@ using ValueKind = Value::Kind;
 struct Object {
   std::vector<Value> cells{};
   std::vector<const Type*> types{};  // of the cells
+  const Type* type = nullptr;        // of the whole
   std::string name{};
   bool is_constant = false;
   bool is_global = false;   // other functions of the file, and of other files, may change it
   bool is_escaped = false;  // functions of other files have its address
+  bool is_static = false;   // it is there before any function runs
 };
 
 // Where a value is stored.

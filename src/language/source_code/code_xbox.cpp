@@ -95,14 +95,14 @@ std::optional<std::size_t> Machine::number_of_word(const NamedWord& word, const 
     index = whole->integer;
   }
   if (const std::string fault = index_fault(*word.field, index); !fault.empty()) {
-    if (reported_.insert(e.offset).second) faults_.add(e.offset, fault);
+    report(e.offset, fault);
     return std::nullopt;
   }
   return word.field->first + static_cast<std::size_t>(index.value_or(0));
 }
 
 Value Machine::refuse_value(const Expression& e) {
-  if (reported_.insert(e.offset).second) faults_.add(e.offset, "the value is not a whole number of 32 bits");
+  report(e.offset, "the value is not a whole number of 32 bits");
   return {};
 }
 
@@ -139,8 +139,8 @@ Value Machine::assign_word(const NamedWord& word, const Expression& e) {
   const std::string name = value.needs && !value.needs->empty() ? *value.needs->begin() : text_of(e.parts[1]);
   if (!name.starts_with("PS_") && !name.starts_with("D3DCOLOR_")) {
     need(value, e.parts[1]);
-  } else if (reported_.insert(e.parts[1].offset).second) {
-    faults_.add(e.parts[1].offset, "unknown name " + quoted(name) + did_you_mean(name, xbox::macro_names()));
+  } else {
+    report(e.parts[1].offset, "unknown name " + quoted(name) + did_you_mean(name, xbox::macro_names()));
   }
   return value;
 }
@@ -162,8 +162,7 @@ void Machine::look_for_misspelled_member(const Expression& target) {
   const Expression& member = e.kind == ExpressionKind::index ? without_cast(e.parts[0]) : e;
   if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return;
   const std::string meant = did_you_mean(member.text, xbox::field_names());
-  if (meant.empty() || !reported_.insert(target.offset).second) return;
-  faults_.add(target.offset, quoted(member.text) + " is not a member of D3DPIXELSHADERDEF" + meant);
+  if (!meant.empty()) report(target.offset, quoted(member.text) + " is not a member of D3DPIXELSHADERDEF" + meant);
 }
 
 // The macros of the Xbox's headers, and what clears a definition.
@@ -178,10 +177,8 @@ std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expressi
   const xbox::Macro* const macro = xbox::find_macro(name);
   if (macro == nullptr) return std::nullopt;
   if (count != macro->arguments.size()) {
-    if (reported_.insert(e.offset).second) {
-      faults_.add(e.offset, std::string(macro->name) + " has " + std::to_string(count) + " arguments; expected " +
-                                std::to_string(macro->arguments.size()));
-    }
+    report(e.offset, std::string(macro->name) + " has " + std::to_string(count) + " arguments; expected " +
+                         std::to_string(macro->arguments.size()));
     return integer_value(0);
   }
   std::uint32_t bits = macro->always;
@@ -196,8 +193,8 @@ std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expressi
     const auto whole = convert(value.number, kInt64);
     if (whole && accepts(macro->arguments[i], whole->integer)) {
       bits |= bits_of(macro->arguments[i], whole->integer);
-    } else if (reported_.insert(e.parts[i + 1].offset).second) {
-      faults_.add(e.parts[i + 1].offset, fault_of_range(*macro, i));
+    } else {
+      report(e.parts[i + 1].offset, fault_of_range(*macro, i));
     }
   }
   return unknown.is_known() ? integer_value(bits) : unknown;
