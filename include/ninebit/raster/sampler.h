@@ -112,6 +112,7 @@ struct TextureCoordinates {
   std::array<const float*, 3> value{};  // of the fragments
   std::array<const float*, 3> dx{};     // to the fragment on the right
   std::array<const float*, 3> dy{};     // to the fragment above
+  bool one_change = false;              // dx and dy have one value each, for all fragments
 };
 
 // The reader of a sampler's texels.

@@ -213,14 +213,15 @@ HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawCon
     const int components = sampler.needs_r() ? 3 : 2;
     const std::span<const glm::vec3> at_vertex = arrays.texture_coordinates[unit];
     fill_coordinates(f, f.weight, batch.coordinate, at_vertex, components);
+    const bool one_change = f.has_one_change && !context.reads_q(unit);
     if (sampler.needs_derivatives()) {
-      fill_coordinates(f, batch.dx.share, batch.dx.coordinate, at_vertex, components);
-      fill_coordinates(f, batch.dy.share, batch.dy.coordinate, at_vertex, components);
+      fill_coordinates(f, batch.dx.share, batch.dx.coordinate, at_vertex, components, one_change);
+      fill_coordinates(f, batch.dy.share, batch.dy.coordinate, at_vertex, components, one_change);
     }
     if (context.reads_q(unit)) {
       divide_coordinates(f, batch, arrays.texture_q[unit], components, sampler.needs_derivatives());
     }
-    sample(batch, f.count, context, unit);
+    sample(batch, f.count, context, unit, one_change);
   }
 }
 

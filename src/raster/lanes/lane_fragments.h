@@ -46,6 +46,7 @@ struct LaneFragments {
   std::size_t runs = 0;
   std::size_t spans = 0;
   bool has_shares = false;                         // true if `weight` holds shares
+  bool has_one_change = false;                     // true if their changes are the same for all fragments
   std::array<Span, kBatchSize> span;               // all fragments, in their order
   std::array<Run, kBatchSize + 1> run;             // and one more, whose `first` is `count`
   alignas(64) Lanes<std::uint32_t> place;          // of the pixel in TilePlanes
@@ -58,7 +59,7 @@ struct LaneFragments {
   }
   void clear() {
     count = runs = spans = 0;
-    has_shares = false;
+    has_shares = has_one_change = false;
   }
 };
 

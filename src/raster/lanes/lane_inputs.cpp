@@ -43,8 +43,9 @@ void refill_constants(LaneBatch& batch, const DrawContext& context) {
   batch.has_constants = true;
 }
 
-void sample(LaneBatch& batch, std::size_t count, const DrawContext& context, std::size_t unit) {
+void sample(LaneBatch& batch, std::size_t count, const DrawContext& context, std::size_t unit, bool one_change) {
   TextureCoordinates coordinates;
+  coordinates.one_change = one_change;
   for (std::size_t k = 0; k < 3; ++k) {
     coordinates.value[k] = batch.coordinate[k].data();
     coordinates.dx[k] = batch.dx.coordinate[k].data();

@@ -6,7 +6,9 @@
 #define NINEBIT_RASTER_LANES_LANE_INTERPOLATION_INL_H_
 #endif
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <span>
 
@@ -47,31 +49,45 @@ constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
   return (i / lanes + 1) * lanes;
 }
 
-// Divides the weights by their sum, which it stores.
+// Divides the weights by their sum, which it stores. Returns whether that is one number, as it is up to rounding where
+// a triangle lies parallel to the screen.
 template <bool kQuotients>
-HWY_INLINE void normalize(LaneFragments& f, LaneFragments::Lanes<float>& sums) {
+HWY_INLINE bool normalize(LaneFragments& f, LaneFragments::Lanes<float>& sums) {
+  const VF first = hn::Set(kDF, (f.weight[0][0] + f.weight[1][0]) + f.weight[2][0]);
+  const VF of_first = kQuotients ? hn::Div(hn::Set(kDF, 1.0F), first) : first;
+  bool is_one = true;
   for (std::size_t i = 0; i < f.count; i += kLaneCount) {
     const VF w[3] = {hn::Load(kDF, f.weight[0].data() + i), hn::Load(kDF, f.weight[1].data() + i),
                      hn::Load(kDF, f.weight[2].data() + i)};
     const VF sum = hn::Add(hn::Add(w[0], w[1]), w[2]);
     hn::Store(sum, kDF, sums.data() + i);
-    const VF reciprocal = kQuotients ? hn::Div(hn::Set(kDF, 1.0F), sum) : sum;
+    const bool is_first = hn::AllTrue(kDF, hn::Or(hn::Eq(sum, first), hn::Not(hn::FirstN(kDF, f.count - i))));
+    is_one = is_one && is_first;
+    VF reciprocal = of_first;
+    if (kQuotients && !is_first) reciprocal = hn::Div(hn::Set(kDF, 1.0F), sum);
     for (std::size_t k = 0; k < 3; ++k) {
       hn::Store(kQuotients ? quotient(w[k], sum, reciprocal) : hn::Div(w[k], sum), kDF, f.weight[k].data() + i);
     }
   }
+  return is_one;
 }
 
 using Shares = std::array<LaneFragments::Lanes<float>, 3>;
 
 // The changes of the corners' shares: a share is g / sum, g being edge / w, which is linear in the window, so its
-// derivative is (g' - share × sum') / sum.
-HWY_INLINE void find_changes(const LaneFragments& f, std::size_t r, const std::array<float, 3>& step,
+// derivative is (g' - share × sum') / sum. is_one: f has one run, with one sum; returns whether the changes are one,
+// too.
+HWY_INLINE bool find_changes(const LaneFragments& f, std::size_t r, const std::array<float, 3>& step, bool is_one,
                              const LaneFragments::Lanes<float>& sums, Shares& to) {
   const SetupCorners& corners = *f.run[r].corners;
   std::array<float, 3> change{};
   for (std::size_t k = 0; k < 3; ++k) change[corners.corner[k]] = step[k] * corners.inv_w[k];
-  const VF sum_change = hn::Set(kDF, (change[0] + change[1]) + change[2]);
+  const float change_of_sum = (change[0] + change[1]) + change[2];
+  if (is_one && change_of_sum == 0.0F) {
+    for (std::size_t k = 0; k < 3; ++k) std::fill_n(to[k].begin(), f.count, change[k] / sums[0]);
+    return true;
+  }
+  const VF sum_change = hn::Set(kDF, change_of_sum);
   for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
     const VF sum = hn::LoadU(kDF, sums.data() + i);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -80,21 +96,20 @@ HWY_INLINE void find_changes(const LaneFragments& f, std::size_t r, const std::a
       hn::StoreU(hn::Div(difference, sum), kDF, to[k].data() + i);
     }
   }
+  return false;
 }
 
 // Turns the weights of a batch into shares, once, and finds their changes if textures need them.
 HWY_INLINE void find_shares(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   if (f.has_shares) return;
   const bool are_plain = kHasQuotients && f.are_plain();
-  if (are_plain) {
-    normalize<kHasQuotients>(f, batch.weight_sum);
-  } else {
-    normalize<false>(f, batch.weight_sum);
-  }
+  bool is_one = are_plain ? normalize<kHasQuotients>(f, batch.weight_sum) : normalize<false>(f, batch.weight_sum);
+  is_one = is_one && f.runs == 1 && f.run[0].is_plain();
   for (std::size_t r = 0; r < f.runs && context.needs_texture_changes; ++r) {
     const EdgeSteps steps = edge_steps(*f.run[r].primitive);
-    find_changes(f, r, steps.x, batch.weight_sum, batch.dx.share);
-    find_changes(f, r, steps.y, batch.weight_sum, batch.dy.share);
+    const bool one_x = find_changes(f, r, steps.x, is_one, batch.weight_sum, batch.dx.share);
+    const bool one_y = find_changes(f, r, steps.y, is_one, batch.weight_sum, batch.dy.share);
+    f.has_one_change = one_x && one_y;
   }
   if (!are_plain) {
     unclip(f, f.weight);
@@ -133,13 +148,16 @@ HWY_INLINE ShareLanes eight_bit_weights(const ShareLanes& shares) {
 // vectors that are stored might alias them.
 struct CornerColors {
   std::array<std::array<float, 3>, 4> value;  // by component and vertex
-  bool has_one_alpha;
+  bool has_one_alpha, are_equal;
+  ColorBytes first;
   HWY_INLINE CornerColors(const LaneFragments::Run& run, std::span<const ColorBytes> colors) {
     for (std::size_t n = 0; n < 3; ++n) {
       const ColorBytes color = colors[run.corners->vertex[n]];
       for (std::size_t k = 0; k < 4; ++k) value[k][n] = static_cast<float>(color[k]);
     }
     has_one_alpha = value[kAlpha][0] == value[kAlpha][1] && value[kAlpha][0] == value[kAlpha][2];
+    first = colors[run.corners->vertex[0]];
+    are_equal = first == colors[run.corners->vertex[1]] && first == colors[run.corners->vertex[2]];
   }
 };
 
@@ -147,6 +165,12 @@ struct CornerColors {
 // the range of the corners' values by at most 2^-20.
 template <bool kPlain, bool kEightBits>
 HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::size_t r, const CornerColors& corner) {
+  if (kPlain && kEightBits && corner.are_equal) {  // as weights of eight bits have the sum 1
+    std::fill(batch.color.begin() + static_cast<std::ptrdiff_t>(f.run[r].first),
+              batch.color.begin() + static_cast<std::ptrdiff_t>(f.run[r + 1].first),
+              std::bit_cast<std::uint32_t>(corner.first));
+    return;
+  }
   const VF alpha = hn::Set(kDF, corner.value[kAlpha][0]);
   // The next run overwrites what is stored beyond this one's end.
   for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
@@ -222,13 +246,14 @@ HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, cons
   }
 }
 
-// Texture coordinates, or their changes: s and t, and r if there are three components.
+// Texture coordinates, or their changes: s and t, and r if there are three components. only_first: of the first vector.
 HWY_INLINE void fill_coordinates(const LaneFragments& f, const Shares& shares, Shares& to,
-                                 std::span<const glm::vec3> at_vertex, int components) {
+                                 std::span<const glm::vec3> at_vertex, int components, bool only_first = false) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
     const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
-    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
+    const std::size_t end = only_first ? 1 : f.run[r + 1].first;
+    for (std::size_t i = f.run[r].first; i < end; i = next_vector(i, kLaneCount)) {
       const ShareLanes at(shares, i);
       hn::StoreU(at.interpolate(a.x, b.x, c.x), kDF, to[0].data() + i);
       hn::StoreU(at.interpolate(a.y, b.y, c.y), kDF, to[1].data() + i);

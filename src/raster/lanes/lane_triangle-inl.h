@@ -6,6 +6,7 @@
 #define NINEBIT_RASTER_LANES_LANE_TRIANGLE_INL_H_
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -92,7 +93,9 @@ HWY_INLINE void gather_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& c
 template <Drawing kDrawing, class Rows, class Inside>
 HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& current, const TileTriangles& t,
                                std::size_t k, const PixelVector<Inside>& at) {
-  const V z24 = find_depths<Rows>(current, at.x, at.y, at.mask, at.z_low, at.z_high);
+  const LaneOperations& operations = draw.operations;
+  const bool needs_depth = kDrawing != Drawing::gathers || operations.depth || !operations.are_tests_final;
+  const V z24 = needs_depth ? find_depths<Rows>(current, at.x, at.y, at.mask, at.z_low, at.z_high) : hn::Zero(kD);
   if constexpr (is_nearest(kDrawing)) {
     draw_nearest<kDrawing == Drawing::noted, Rows>(draw, current, at.place, at.mask, z24);
   } else if constexpr (kDrawing == Drawing::flat) {
@@ -108,8 +111,19 @@ HWY_INLINE std::size_t first_place(const PrimitiveDraw& current, const TileTrian
   return static_cast<std::size_t>((t.bottom[k] - planes.bottom) * kTileSize + (t.left[k] - planes.left));
 }
 
-// Draws triangle k row by row.
-template <Drawing kDrawing>
+// True if triangle k covers all of its region: its edge functions are not negative at the corners.
+HWY_INLINE bool is_full(const TileTriangles& t, std::size_t k) {
+  const std::int64_t columns = t.right[k] - t.left[k], rows = t.top[k] - t.bottom[k];
+  std::int64_t signs = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    signs |= t.inside[i][k] + std::min<std::int64_t>(t.inside_x[i][k] * columns, 0) +
+             std::min<std::int64_t>(t.inside_y[i][k] * rows, 0);
+  }
+  return signs >= 0;
+}
+
+// Draws triangle k row by row. kFull: it is_full().
+template <Drawing kDrawing, bool kFull>
 HWY_NOINLINE void draw_triangle(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V lane = lane_numbers(kD);
@@ -121,25 +135,26 @@ HWY_NOINLINE void draw_triangle(const PrimitiveDraw& current, const TileTriangle
   const int left = t.left[k], right = t.right[k], top = t.top[k];
   // The triangle may reach beyond the end of the region.
   const M last = hn::FirstN(kD, static_cast<std::size_t>((right - left) % kLanes + 1));
+  constexpr bool kReadsEdges = !kFull || kDrawing == Drawing::gathers;
   auto row_place = first_place(current, t, k);
   for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
     V e[3] = {row[0], row[1], row[2]};
     V64 z_low = z.row;
     std::size_t place = row_place;
     for (int x = left;; x += kLanes, place += kLanes) {
-      M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
       const bool is_last = x + kLanes > right;
-      if (is_last) mask = hn::And(mask, last);
-      if (!hn::AllFalse(kD, mask)) {
+      M mask = is_last ? last : hn::FirstN(kD, kLaneCount);
+      if (!kFull) mask = hn::And(mask, hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1)));
+      if (kFull || !hn::AllFalse(kD, mask)) {
         const PixelVector<V> at{x, y, place, mask, z_low, hn::Add(z_low, z.half), {e[0], e[1], e[2]}};
         draw_fragments<kDrawing, OneRow>(draw, current, t, k, at);
       }
       if (is_last) break;
-      for (std::size_t i = 0; i < 3; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
+      for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
       z_low = hn::Add(z_low, z.step);
     }
     if (y == top) break;
-    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i][k]));
+    for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i][k]));
     z.row = hn::Add(z.row, z.up);
   }
 }

@@ -78,7 +78,9 @@ HWY_INLINE void draw_placed(const PrimitiveDraw& current, const TileTriangles& t
   if (kDrawing == Drawing::gathers && current.pass.operations.asks_equal_depth) {
     return current.tile.owners.are_known ? gather_rows<true>(current, t, k) : gather_rows<false>(current, t, k);
   }
-  draw_triangle<kDrawing>(current, t, k);
+  // Only large triangles cover regions so wide.
+  if (columns >= 2 * kLanes && is_full(t, k)) return draw_triangle<kDrawing, true>(current, t, k);
+  draw_triangle<kDrawing, false>(current, t, k);
 }
 
 // Primitives of a block that are drawn in a tile.

@@ -29,11 +29,20 @@ std::array<const float*, 3> whole_batch(const std::array<const float*, 3>& at, s
 }
 
 int cube_detail_q8(int size, const TextureCoordinates& at, std::size_t i) {
-  const auto triple = [i](const std::array<const float*, 3>& of) {
-    return std::array<float, 3>{of[0][i], of[1][i], of[2][i]};
+  const auto triple = [](const std::array<const float*, 3>& of, std::size_t k) {
+    return std::array<float, 3>{of[0][k], of[1][k], of[2][k]};
   };
-  TexelChanges changes = cube_changes(triple(at.value), triple(at.dx), triple(at.dy));
+  const std::size_t d = at.one_change ? 0 : i;
+  TexelChanges changes = cube_changes(triple(at.value, i), triple(at.dx, d), triple(at.dy, d));
   for (double* const change : {&changes.ux, &changes.vx, &changes.uy, &changes.vy}) *change *= size;
+  return level_of_detail_q8(rho_squared(changes));
+}
+
+// Of all fragments, where coordinates have one_change.
+int one_detail_q8(const LaneLevel& level, const TextureCoordinates& at) {
+  TexelChanges changes{at.dx[0][0], at.dx[1][0], at.dy[0][0], at.dy[1][0]};
+  for (double* const change : {&changes.ux, &changes.uy}) *change *= level.width;
+  for (double* const change : {&changes.vx, &changes.vy}) *change *= level.height;
   return level_of_detail_q8(rho_squared(changes));
 }
 
@@ -164,7 +173,9 @@ void TextureSampler::ByteSampler::filter(const TextureCoordinates& at, std::size
   const std::size_t components = level_.cube ? 3 : 2;
   const auto value = whole_batch(at.value, first, count, components, room);
   if (!needs_detail_) return filter_words(words_, rules_.filter, value, nullptr, count, to.words);
-  if (level_.cube) {
+  if (at.one_change && !level_.cube) {
+    to.lambda_q8.fill(one_detail_q8(level_, at));
+  } else if (level_.cube) {
     for (std::size_t i = 0; i < count; ++i) to.lambda_q8[i] = cube_detail_q8(level_.width, at, first + i);
     std::fill(to.lambda_q8.begin() + static_cast<std::ptrdiff_t>(count), to.lambda_q8.end(), 0);
   } else {

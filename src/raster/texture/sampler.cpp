@@ -163,7 +163,8 @@ TextureSampler::Filtered TextureSampler::filter(const TextureCoordinates& at, st
   const auto face = static_cast<std::size_t>(place.face);
   int lambda_q8 = kNoTexels;
   if (needs_derivatives_) {
-    const std::array<float, 3> dx = triple(at.dx, i), dy = triple(at.dy, i);
+    const std::size_t change = at.one_change ? 0 : i;
+    const std::array<float, 3> dx = triple(at.dx, change), dy = triple(at.dy, change);
     TexelChanges changes = cube_ ? cube_changes(value, dx, dy) : TexelChanges{dx[0], dx[1], dy[0], dy[1]};
     if (volume_) changes.wx = dx[2], changes.wy = dy[2];
     const TextureImage& base = texture_->faces[face][0];
