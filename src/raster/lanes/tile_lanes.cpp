@@ -123,7 +123,7 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
   const std::uint32_t first_number = tile.owners.next_number;
   tile.owners.next_number += static_cast<std::uint32_t>(indices.size());
   const bool is_real = pass.context.depth.is_real();
-  const bool loses_farther = tile.farthest.are_known && pass.depths_are_codes;
+  const bool loses_farther = tile.farthest.are_known && pass.corners_are_codes;
   const auto is_lost = [&](const SetupPrimitive& p, int left, int bottom, int right, int top) {
     const int x = tile.planes.left, y = tile.planes.bottom;
     return loses_farther &&
