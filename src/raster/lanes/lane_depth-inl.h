@@ -125,7 +125,6 @@ HWY_NOINLINE V real_depths(const TriangleRealDepth& t, const WindowDepth& depth,
 // Window depths of the lanes of the mask, the first of which is pixel (x, y), from both halves of their DepthLanes.
 template <class Rows>
 HWY_INLINE V find_depths(const PrimitiveDraw& current, int x, int y, M mask, V64 z_low, V64 z_high) {
-  if (HWY_UNLIKELY(current.real != nullptr)) return real_depths<Rows>(*current.real, current.pass.context.depth, x, y);
   const SetupPrimitive& p = current.primitive;
   const hn::RebindToUnsigned<D> du;
   const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
@@ -134,6 +133,11 @@ HWY_INLINE V find_depths(const PrimitiveDraw& current, int x, int y, M mask, V64
   const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
   if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) return exact_depth<Rows>(p, x, y, doubtful, z24);
   return z24;
+}
+
+template <class Rows>
+HWY_INLINE V find_depths(const RealPrimitiveDraw& current, int x, int y, M, V64, V64) {
+  return real_depths<Rows>(current.real, current.pass.context.depth, x, y);
 }
 
 // Edge function i of triangle k in floats, where it is too large for 32 bits, from pixel (x, y) on.
