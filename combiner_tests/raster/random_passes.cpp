@@ -214,6 +214,7 @@ PassScene random_passes(Random& random, int passes) {
   scene.width = size();
   scene.height = size();
   scene.format = kFormats[random.one_in(2) ? 0 : random.below(3)];
+  if (random.one_in(6)) scene.format = DepthStencilFormat::f24s8;
   scene.has_stencil = stencil_bits(scene.format) > 0 || random.one_in(2);
   const bool some_missing = random.one_in(4);
   for (bool& has : scene.has_color) has = !some_missing || random.one_in(2);

@@ -102,9 +102,54 @@ TEST(ColorKeys, OfOtherFormatsAndFiltersAreRefused) {
   RenderTarget target = surface.target();
   Sampler around = kNearestSampler;
   around.cylinder_wrap = {true, false};
-  const std::array<TextureUnit, 1> units{TextureUnit{&texture, around}};
-  EXPECT_NE(rasterize(state, kIdentity, {}, units, target).error().message.find("neither wrap around cylinders"),
+  const auto message = [&](const Sampler& one, TextureOperation operation) {
+    state.texture_shader.stage = {};
+    state.texture_shader.stage[0].operation = TextureOperation::texture_2d;
+    state.texture_shader.stage[1].operation = operation;
+    const std::array<TextureUnit, 2> units{TextureUnit{&texture, kNearestSampler}, TextureUnit{&texture, one}};
+    const Status drawn = rasterize(state, kIdentity, {}, units, target);
+    return drawn ? std::string() : drawn.error().message;
+  };
+  Sampler killing = kNearestSampler;
+  killing.color_key.operation = ColorKeyOperation::kill;
+  EXPECT_EQ(message(around, TextureOperation::texture_2d), "");
+  EXPECT_EQ(message(killing, TextureOperation::texture_2d), "");
+  EXPECT_EQ(
+      message(around, TextureOperation::dependent_ar),
+      "texture unit 1: a cylinder wrap needs a texture-shader stage that reads the texture at its own coordinates: "
+      "what it does to others is not known");
+  EXPECT_NE(message(killing, TextureOperation::dependent_ar).find("texture unit 1: a killing colour key needs"),
             std::string::npos);
+}
+
+// Stages that read textures at their own coordinates draw what units do without stages, in vectors and in the probe,
+// too.
+TEST(ColorKeys, AndCylindersAreThoseOfStages) {
+  PipelineState plain = textured(), staged = textured();
+  plain.profile = staged.profile = profiles::nv2a;
+  plain.program = staged.program = pass_through(Register::texture0, Register::texture0, profiles::nv2a);
+  staged.texture_shader.enabled = true;
+  staged.texture_shader.stage[0].operation = TextureOperation::texture_2d;
+  Sampler sampler = kNearestSampler;
+  sampler.wrap_s = Wrap::repeat;
+  const Texture texture = key_texture(InternalFormat::rgba8);
+  for (const bool is_around : {false, true}) {
+    for (const ColorKeyOperation operation :
+         {ColorKeyOperation::disable, ColorKeyOperation::alpha, ColorKeyOperation::rgba, ColorKeyOperation::kill}) {
+      sampler.cylinder_wrap = {is_around, false};
+      sampler.color_key = {operation, 0x40102030};
+      for (const float s_right : {1.0F, 1.3F, 0.1F}) {
+        const KeyRow expected = draw_row(texture, sampler, 40, plain, 0.3F, s_right);
+        const KeyRow found = draw_row(texture, sampler, 40, staged, 0.3F, s_right);
+        EXPECT_EQ(found.color, expected.color) << is_around << ' ' << static_cast<int>(operation) << ' ' << s_right;
+        EXPECT_EQ(found.depth, expected.depth);
+      }
+    }
+  }
+  // The depth alone.
+  sampler.cylinder_wrap = {};
+  plain.color_mask = staged.color_mask = {};
+  EXPECT_EQ(draw_row(texture, sampler, 40, staged).depth, draw_row(texture, sampler, 40, plain).depth);
 }
 
 // A texel i of 8 is stored at i + 4 of 16; outside, the border mode reads what is stored there.

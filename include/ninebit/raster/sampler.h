@@ -92,9 +92,14 @@ struct Sampler {
   ColorKey color_key{};  // of nearest texels of rgba8 and rgb8
 };
 
-// Reports what a sampler's border texels, cylinder wrap and colour key cannot be combined with. The texture has passed
-// check_texture.
+// Reports what a sampler's border texels and colour key cannot be combined with. The texture has passed check_texture.
 [[nodiscard]] Status check_sampler(const Texture& texture, const Sampler& sampler);
+
+// Which of s and t wrap around a cylinder (rule 53).
+[[nodiscard]] constexpr std::array<bool, 2> cylinder_of(const Sampler& sampler) {
+  return {sampler.cylinder_wrap[0] && sampler.wrap_s == Wrap::repeat,
+          sampler.cylinder_wrap[1] && sampler.wrap_t == Wrap::repeat};
+}
 
 // Which bytes of a texture's texels are two's complement: those that the sampler says, and ds and dt.
 [[nodiscard]] std::array<bool, 4> signed_components(const Texture& texture, const Sampler& sampler);
@@ -145,9 +150,6 @@ class TextureSampler {
   // Whether fragments may be killed by the colour key, and whether fragment i is.
   [[nodiscard]] bool kills() const { return sampler_.color_key.operation == ColorKeyOperation::kill; }
   [[nodiscard]] bool kills(const TextureCoordinates& at, std::size_t i) const;
-
-  // Which of s and t wrap around a cylinder.
-  [[nodiscard]] std::array<bool, 2> cylinder() const;
 
   // Whether codes may be negative.
   [[nodiscard]] bool gives_signed_codes() const { return decodes_; }

@@ -59,7 +59,7 @@ class TextureStages {
 
   // Whether a texture is read whose level of detail is needed.
   [[nodiscard]] bool needs_derivatives() const { return needs_derivatives_; }
-  // Whether fragments may be culled.
+  // Whether fragments may be culled, or killed by a colour key.
   [[nodiscard]] bool culls() const { return culls_; }
   // Whether depths are replaced.
   [[nodiscard]] bool replaces_depth() const { return replaces_depth_; }

@@ -50,7 +50,7 @@ struct StageValues {
 // The results of all stages for one fragment.
 struct TextureShaderResult {
   std::array<StageValues, kTextureStages> stage;  // in the order of the units
-  bool is_culled = false;                         // by CULL_FRAGMENT; the stages are evaluated all the same
+  bool is_culled = false;        // by CULL_FRAGMENT or a colour key; the stages are evaluated all the same
   std::optional<float> depth{};  // that replaces the fragment's, in the program's unit, not rounded or clamped
   friend bool operator==(const TextureShaderResult&, const TextureShaderResult&) = default;
 };

@@ -72,7 +72,9 @@ struct DrawContext {
   std::array<float, kMaxTextureUnits> point_change{};
   bool needs_texture_changes = false;
   bool kills_by_key = false;  // whether a unit's colour key may kill fragments
-  bool wraps_around = false;  // whether a unit's coordinates wrap around a cylinder
+  // Which units' s and t wrap around a cylinder, and whether any do.
+  std::array<std::array<bool, 2>, kMaxTextureUnits> cylinder{};
+  bool wraps_around = false;
 
   // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment.
   bool has_flat_result = false;
@@ -88,6 +90,7 @@ struct DrawContext {
 
  private:
   [[nodiscard]] ColorBytes flat_primary_of_vertex(std::uint32_t primitive) const;
+  void set_cylinder(std::size_t unit, const Sampler& sampler);
   void prepare_units(std::span<const TextureUnit> units);
   void prepare_stages(std::span<const TextureUnit> units);
   void prepare_program(const RenderTarget& target, bool for_probe);

@@ -135,7 +135,7 @@ void FragmentBatch::fill_texture(std::size_t unit) {
   const std::size_t components = sampler.needs_r() ? 3 : 2;
   const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
   const std::size_t kinds = sampler.needs_derivatives() ? 3 : 1;
-  const std::array<bool, 2> cylinder = sampler.cylinder();
+  const std::array<bool, 2> cylinder = context_.cylinder[unit];
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
     glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
@@ -186,10 +186,16 @@ void FragmentBatch::fill_stage_coordinate(std::size_t kind, std::size_t unit, st
   const std::span<const float> q = context_.arrays.texture_q[unit];
   const std::span<const glm::vec3> str = context_.arrays.texture_coordinates[unit];
   const auto component = static_cast<int>(k);
+  const bool is_around = k < 2 && context_.cylinder[unit][k];
+  const auto near = [is_around](float a, float b) { return is_around ? around_cylinder(a, b) : b; };
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
-    to[i] = k == 3 ? interpolate(weights, i, q[v[0]], q[v[1]], q[v[2]])
-                   : interpolate(weights, i, str[v[0]][component], str[v[1]][component], str[v[2]][component]);
+    if (k == 3) {
+      to[i] = interpolate(weights, i, q[v[0]], q[v[1]], q[v[2]]);
+    } else {
+      const float a = str[v[0]][component], b = str[v[1]][component], c = str[v[2]][component];
+      to[i] = interpolate(weights, i, a, near(a, b), near(a, c));
+    }
   }
 }
 

@@ -16,6 +16,7 @@
 #include "src/raster/lanes/tile_triangles.h"
 #include "src/raster/setup/triangle_edges.h"
 #include "src/raster/setup/window_primitives.h"
+#include "src/raster/surface/depth_numbers.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -68,32 +69,62 @@ struct RealPlaces {
   }();
 };
 
+// Half a vector of codes: DepthNumbers::code().
+HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, DD>> real_codes(const DepthNumbers& numbers, hn::Vec<DD> number) {
+  const hn::Rebind<std::int32_t, DD> half;
+#if HWY_TARGET == HWY_WASM  // whose doubles have few operations
+  alignas(64) std::array<double, kLaneCount> each{};
+  alignas(64) std::array<std::int32_t, kLaneCount> code{};
+  hn::Store(number, kDD, each.data());
+  for (std::size_t i = 0; i < hn::Lanes(kDD); ++i) code[i] = static_cast<std::int32_t>(numbers.code(each[i]));
+  return hn::Load(half, code.data());
+#else
+  const auto zero = hn::Zero(kDD);
+  if (numbers.is_whole()) {
+    const auto sum = hn::Add(number, hn::Set(kDD, numbers.half()));
+    const auto within = hn::Min(sum, hn::Set(kDD, numbers.largest()));
+    return hn::DemoteTo(half, hn::IfThenElseZero(hn::Gt(sum, zero), within));
+  }
+  // All codes are below 2^24, and what is too large is above the largest code before it is limited.
+  const hn::RebindToUnsigned<D64> du;
+  const auto bits = hn::Add(hn::BitCast(du, number), hn::Set(du, numbers.half_bit()));
+  const auto code = hn::Sub(hn::ShiftRightSame(bits, numbers.dropped_bits()), hn::Set(du, numbers.first_code()));
+  const auto is_large = hn::Ge(number, hn::Set(kDD, 2.0 * numbers.largest()));
+  const auto least = hn::Ge(number, hn::Set(kDD, numbers.least()));
+  const auto limited = hn::IfThenElse(hn::RebindMask(du, is_large), hn::Set(du, numbers.largest_code()), code);
+  const auto there = hn::IfThenElseZero(hn::RebindMask(du, least), limited);
+  const hn::Rebind<std::uint32_t, DD> narrow;
+  const auto low = hn::TruncateTo(narrow, there);
+  return hn::BitCast(half, hn::Min(low, hn::Set(narrow, numbers.largest_code())));
+#endif
+}
+
 // Codes of the lanes, the first of which is pixel (x, y): RealDepth::number().
 template <class Rows>
-HWY_INLINE V real_depths(const TriangleRealDepth& t, const WindowDepth& depth, int x, int y) {
-  alignas(64) std::array<double, kLaneCount> number;
-  for (std::size_t first = 0; first < kLaneCount; first += hn::Lanes(kDD)) {
-    const auto column = hn::Add(hn::Load(kDD, RealPlaces<Rows>::kColumn.data() + first), hn::Set(kDD, x));
-    const auto row = hn::Add(hn::Load(kDD, RealPlaces<Rows>::kRow.data() + first), hn::Set(kDD, y));
+HWY_NOINLINE V real_depths(const TriangleRealDepth& t, const WindowDepth& depth, int x, int y) {
+  hn::Vec<DD> first[3];
+  for (std::size_t i = 0; i < 3; ++i) first[i] = hn::Set(kDD, t.edge[i] + t.edge_x[i] * x + t.edge_y[i] * y);
+  const auto parts = hn::Set(kDD, t.depth.parts), offset = hn::Set(kDD, t.depth.offset);
+  const auto half_at = [&](std::size_t lane) HWY_ATTR {
+    const auto column = hn::Load(kDD, RealPlaces<Rows>::kColumn.data() + lane);
     const auto of = [&](std::size_t i) HWY_ATTR {
       // Whole numbers below 2^53, however they are added.
-      const auto along = hn::Add(hn::Set(kDD, t.edge[i]), hn::Mul(hn::Set(kDD, t.edge_x[i]), column));
-      const auto share = hn::Add(along, hn::Mul(hn::Set(kDD, t.edge_y[i]), row));
+      auto share = hn::Add(first[i], hn::Mul(hn::Set(kDD, t.edge_x[i]), column));
+      if constexpr (Rows::kRows > 1) {
+        share = hn::Add(share, hn::Mul(hn::Set(kDD, t.edge_y[i]), hn::Load(kDD, RealPlaces<Rows>::kRow.data() + lane)));
+      }
       return hn::Mul(share, hn::Set(kDD, t.depth.corner[i]));
     };
-    const auto sum = hn::Add(hn::Add(of(0), of(1)), of(2)), parts = hn::Set(kDD, t.depth.parts);
+    const auto sum = hn::Add(hn::Add(of(0), of(1)), of(2));
     const auto own = depth.is_w() ? hn::Div(parts, sum) : hn::Mul(hn::Div(sum, parts), hn::Set(kDD, depth.one()));
-    hn::Store(hn::Add(own, hn::Set(kDD, t.depth.offset)), kDD, number.data() + first);
-  }
-  alignas(64) std::array<std::int32_t, kLaneCount> code;
-  for (std::size_t i = 0; i < kLaneCount; ++i) code[i] = static_cast<std::int32_t>(depth.code_of_number(number[i]));
-  return hn::Load(kD, code.data());
+    return real_codes(depth.numbers(), hn::Add(own, offset));
+  };
+  return hn::Combine(kD, half_at(hn::Lanes(kDD)), half_at(0));
 }
 
 // Window depths of the lanes of the mask, the first of which is pixel (x, y), from both halves of their DepthLanes.
 template <class Rows>
 HWY_INLINE V find_depths(const PrimitiveDraw& current, int x, int y, M mask, V64 z_low, V64 z_high) {
-  if (HWY_UNLIKELY(current.real != nullptr)) return real_depths<Rows>(*current.real, current.pass.context.depth, x, y);
   const SetupPrimitive& p = current.primitive;
   const hn::RebindToUnsigned<D> du;
   const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
@@ -102,6 +133,11 @@ HWY_INLINE V find_depths(const PrimitiveDraw& current, int x, int y, M mask, V64
   const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
   if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) return exact_depth<Rows>(p, x, y, doubtful, z24);
   return z24;
+}
+
+template <class Rows>
+HWY_INLINE V find_depths(const RealPrimitiveDraw& current, int x, int y, M, V64, V64) {
+  return real_depths<Rows>(current.real, current.pass.context.depth, x, y);
 }
 
 // Edge function i of triangle k in floats, where it is too large for 32 bits, from pixel (x, y) on.

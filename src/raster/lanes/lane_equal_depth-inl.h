@@ -64,8 +64,8 @@ HWY_INLINE void push_row(const PrimitiveDraw& current, const TileTriangles& t, s
 
 // Draws triangle k in a pass that asks_equal_depth: finds the fragments of a whole row before it gathers them. kOwned:
 // compares the tile's known owners instead of depths.
-template <bool kOwned>
-HWY_NOINLINE void gather_rows(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
+template <bool kOwned, class Draw>
+HWY_NOINLINE void gather_rows(const Draw& current, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const bool by_stencil = current.pass.gathers_by_stencil();
   const V lane = lane_numbers(kD);

@@ -46,7 +46,6 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const PrimitiveDra
                                 hn::Mask<D> mask, hn::Vec<D> depth) {
   const LaneOperations& operations = draw.operations;
   LaneTile& tile = current.tile;
-  if (HWY_UNLIKELY(operations.stipples)) mask = stippled<Rows>(d, current, place, mask);
   const std::int32_t* const at = lanes_of(tile.planes.depth_stencil.data()) + place;
   const auto any_overlaps = [&](hn::Mask<D> lanes) HWY_ATTR {
     bool any = false;
@@ -60,6 +59,7 @@ HWY_INLINE hn::Mask<D> gathered(D d, const LaneDraw<D>& draw, const PrimitiveDra
     mask = hn::And(mask, has_depth(d, stored, depth));
     if (current.pass.gathers_by_stencil()) mask = hn::And(mask, stencil_passes(d, draw, stored));
   } else {
+    if (HWY_UNLIKELY(operations.stipples)) mask = stippled<Rows>(d, current, place, mask);
     // Fragments in the batch may still change the outcome of tests.
     if (operations.tests_change && any_overlaps(mask)) flush_lanes(tile, current.pass);
     mask = not_lost(d, draw, mask, depth, Rows::load(d, at));

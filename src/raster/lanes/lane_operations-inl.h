@@ -147,11 +147,11 @@ HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> m
   return {after, drawn};
 }
 
-// Window depths as codes of the target. Real numbers are codes already.
+// Window depths as codes of the target. Those of formats of real numbers are codes already.
 template <class D>
 HWY_INLINE hn::Vec<D> depth_codes(D d, const LanePass& pass, const SetupPrimitive& p, hn::Vec<D> z24) {
   const WindowDepth& depth = pass.context.depth;
-  if (depth.is_real() || (p.offset_z24 == 0 && depth.step_z24() == 1)) return z24;
+  if ((p.offset_z24 == 0 && depth.step_z24() == 1) || depth.is_real()) return z24;
   return depth_code(VectorValues<D>(), z24, hn::Set(d, p.offset_z24),
                     hn::Set(d, static_cast<std::int32_t>(depth.max_z24())), depth.fraction_bits(), depth.half());
 }

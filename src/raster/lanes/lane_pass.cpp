@@ -20,7 +20,8 @@ std::unique_ptr<TileWords> stipple_of_tile(const StipplePattern& pattern) {
 LanePass::LanePass(const DrawContext& draw, const RenderTarget& target)
     : context(draw),
       operations(draw.state, target, draw.stages && draw.stages->replaces_depth()),
-      depths_are_codes(!draw.state.polygon_offset.fill && !draw.depth.is_real() && draw.depth.step_z24() == 1) {
+      depths_are_codes(draw.depth.is_real() || (!draw.state.polygon_offset.fill && draw.depth.step_z24() == 1)),
+      corners_are_codes(depths_are_codes && !draw.depth.is_real()) {
   if (operations.stipples) stipple = stipple_of_tile(*draw.state.polygon_stipple);
   if (draw.has_flat_result) return;
   batch = std::make_unique<LaneBatch>();

@@ -23,7 +23,8 @@ struct LanePass {
 
   const DrawContext& context;
   const LaneOperations operations;
-  const bool depths_are_codes;  // true for window depths in codes, without a polygon offset
+  // Whether find_depths() gives codes, and whether those of primitives' corners are codes, too.
+  const bool depths_are_codes, corners_are_codes;
   // Of a pass that stipples: all ones for the pixels of a tile that are drawn, else 0. (Tiles repeat the pattern.)
   std::unique_ptr<TileWords> stipple;
   std::unique_ptr<LaneBatch> batch;  // of a pass that gathers fragments: none where the draw's result is flat

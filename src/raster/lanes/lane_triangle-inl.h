@@ -44,7 +44,7 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const PrimitiveDraw& cur
   if (HWY_UNLIKELY(operations.stipples)) mask = stippled<Rows>(d, current, place, mask);
   std::int32_t* const at = lanes_of(current.tile.planes.depth_stencil.data()) + place;
   const auto color = hn::Set(d, static_cast<std::int32_t>(current.color));
-  const auto alpha = hn::Set(d, static_cast<std::int32_t>(current.alpha()));
+  const auto alpha = hn::Set(d, static_cast<std::int32_t>(current.alpha));
   const LaneResult<D> result = apply_lanes(d, draw, mask, depth, alpha, Rows::load(d, at));
   if (operations.depth_write || operations.stencil_write) Rows::store(result.depth_stencil, d, at);
   if (!operations.color) return;
@@ -89,10 +89,11 @@ HWY_INLINE void gather_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& c
   push<Rows>(kD, current, at.place, mask, depth, weight);
 }
 
-// Draws or gathers the fragments of a vector of triangle k.
-template <Drawing kDrawing, class Rows, class Inside>
-HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const PrimitiveDraw& current, const TileTriangles& t,
-                               std::size_t k, const PixelVector<Inside>& at) {
+// Draws or gathers the fragments of a vector of triangle k. `Draw` is PrimitiveDraw or RealPrimitiveDraw, here and
+// below.
+template <Drawing kDrawing, class Rows, class Draw, class Inside>
+HWY_INLINE void draw_fragments(const LaneDraw<D>& draw, const Draw& current, const TileTriangles& t, std::size_t k,
+                               const PixelVector<Inside>& at) {
   const LaneOperations& operations = draw.operations;
   const bool needs_depth = kDrawing != Drawing::gathers || operations.depth || !operations.are_tests_final;
   const V z24 = needs_depth ? find_depths<Rows>(current, at.x, at.y, at.mask, at.z_low, at.z_high) : hn::Zero(kD);
@@ -123,8 +124,8 @@ HWY_INLINE bool is_full(const TileTriangles& t, std::size_t k) {
 }
 
 // Draws triangle k row by row. kFull: it is_full().
-template <Drawing kDrawing, bool kFull>
-HWY_NOINLINE void draw_triangle(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
+template <Drawing kDrawing, bool kFull, class Draw>
+HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V lane = lane_numbers(kD);
   V row[3];
@@ -160,8 +161,8 @@ HWY_NOINLINE void draw_triangle(const PrimitiveDraw& current, const TileTriangle
 }
 
 // Draws triangle k several rows at a time. The triangle has_floats, and its region is no wider than a row of Rows.
-template <Drawing kDrawing, class Rows>
-HWY_INLINE void draw_slim_triangle(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
+template <Drawing kDrawing, class Rows, class Draw>
+HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V column = Rows::columns(), row = Rows::rows(kD);

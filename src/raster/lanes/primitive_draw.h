@@ -46,15 +46,16 @@ struct PrimitiveDraw {
   const LanePass& pass;
   const SetupPrimitive& primitive;
   const SetupBlock& block;
-  const SetupCorners* corners;              // null for a flat result
-  std::uint32_t color;                      // of a flat result, as it is stored
-  std::uint32_t number;                     // see PixelOwners
-  const TriangleRealDepth* real = nullptr;  // of a format of real numbers
+  const SetupCorners* corners;  // null for a flat result
+  std::uint32_t number;         // see PixelOwners
+  std::uint32_t color = 0;      // of a flat result, as it is stored
+  std::uint32_t alpha = 0;      // of a flat result: the whole one, which tests read
+};
 
-  // Of a flat result: the whole alpha, which tests read.
-  [[nodiscard]] std::uint32_t alpha() const {
-    return pass.operations.store.is_exact ? color >> 24 : pass.context.flat_primary(primitive.primitive)[3];
-  }
+// The same in a format of real numbers.
+struct RealPrimitiveDraw : PrimitiveDraw {
+  explicit RealPrimitiveDraw(const PrimitiveDraw& draw) : PrimitiveDraw(draw), real(draw.primitive) {}
+  TriangleRealDepth real;
 };
 
 }  // namespace ninebit

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <optional>
+#include <type_traits>
 
 #include "src/raster/fragment/blend.h"
 #include "src/raster/lanes/primitive_draw.h"
@@ -64,8 +64,8 @@ HWY_INLINE void draw_pixel(const PrimitiveDraw& current) {
 }
 
 // Draws triangle k in the way that is fastest for its width and the pass.
-template <Drawing kDrawing>
-HWY_INLINE void draw_placed(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k) {
+template <Drawing kDrawing, class Draw>
+HWY_INLINE void draw_placed(const Draw& current, const TileTriangles& t, std::size_t k) {
   const int columns = t.right[k] - t.left[k] + 1;
   if constexpr (kLanes == 16) {
     using Rows = SeveralRows<4>;
@@ -117,15 +117,15 @@ HWY_INLINE PrimitiveGroup place_group(TileTriangles& t, const PrimitiveList& lis
   return {end, place_small(t, list.block, index.data(), pixels)};
 }
 
-template <Drawing kDrawing>
+// `Draw` is PrimitiveDraw, or RealPrimitiveDraw for formats of real numbers, in which no primitive is a single pixel.
+template <Drawing kDrawing, class Draw>
 void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   const bool needs_color = kDrawing != Drawing::gathers && pass.operations.needs_color();
   const PrimitiveList list{block, indices,
                            needs_color ? pass.context.arrays.primitive_colors : std::span<const ColorBytes>()};
   const std::uint32_t first_number = tile.owners.next_number;
   tile.owners.next_number += static_cast<std::uint32_t>(indices.size());
-  const bool is_real = pass.context.depth.is_real();
-  const bool loses_farther = tile.farthest.are_known && pass.depths_are_codes;
+  const bool loses_farther = tile.farthest.are_known && pass.corners_are_codes;
   const auto is_lost = [&](const SetupPrimitive& p, int left, int bottom, int right, int top) {
     const int x = tile.planes.left, y = tile.planes.bottom;
     return loses_farther &&
@@ -139,11 +139,12 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
     for (; i < group.end; ++i) {
       const SetupPrimitive& p = block.primitives[indices[i]];
       const SetupCorners* const corners = kDrawing == Drawing::gathers ? &block.corners_of(p) : nullptr;
-      PrimitiveDraw current{tile, pass, p, block, corners, 0, first_number + static_cast<std::uint32_t>(i)};
+      PrimitiveDraw current{tile, pass, p, block, corners, first_number + static_cast<std::uint32_t>(i)};
       const auto find_color = [&] {
         if (!needs_color) return;
         const ColorBytes color = pass.context.flat_primary(p.primitive);
         std::memcpy(&current.color, color.data(), sizeof(current.color));
+        if constexpr (kDrawing == Drawing::flat) current.alpha = color[3];
         if (HWY_UNLIKELY(!stores_all)) current.color = pass.operations.store(current.color);
       };
       if (p.kind == SetupKind::pixel) {
@@ -157,23 +158,32 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
       const bool is_placed = ((group.triangles.placed >> k) & 1U) != 0;
       if (is_placed ? ((group.triangles.drawn >> k) & 1U) == 0 : !t.place(k, p)) continue;
       find_color();
-      std::optional<TriangleRealDepth> real;
-      if (is_real) current.real = &real.emplace(p);
-      draw_placed<kDrawing>(current, t, k);
+      if constexpr (std::is_same_v<Draw, PrimitiveDraw>) {
+        draw_placed<kDrawing>(current, t, k);
+      } else {
+        draw_placed<kDrawing>(Draw(current), t, k);
+      }
     }
   }
+}
+
+template <Drawing kDrawing>
+HWY_INLINE void draw_any(LaneTile& tile, const LanePass& pass, const SetupBlock& block,
+                         std::span<const std::uint32_t> indices) {
+  pass.context.depth.is_real() ? draw_all<kDrawing, RealPrimitiveDraw>(tile, pass, block, indices)
+                               : draw_all<kDrawing, PrimitiveDraw>(tile, pass, block, indices);
 }
 
 void draw_triangles(LaneTile& tile, const LanePass& pass, const SetupBlock& block,
                     std::span<const std::uint32_t> indices) {
   if (pass.batch != nullptr) {
-    draw_all<Drawing::gathers>(tile, pass, block, indices);
+    draw_any<Drawing::gathers>(tile, pass, block, indices);
   } else if (pass.notes_owners) {
-    draw_all<Drawing::noted>(tile, pass, block, indices);
+    draw_any<Drawing::noted>(tile, pass, block, indices);
   } else if (pass.draws_nearest_alone()) {
-    draw_all<Drawing::nearest>(tile, pass, block, indices);
+    draw_any<Drawing::nearest>(tile, pass, block, indices);
   } else {
-    draw_all<Drawing::flat>(tile, pass, block, indices);
+    draw_any<Drawing::flat>(tile, pass, block, indices);
   }
 }
 

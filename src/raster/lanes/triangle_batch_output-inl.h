@@ -40,7 +40,7 @@ struct Depths {
   alignas(64) TriangleCandidates::Lanes corner[3];
   alignas(64) TriangleCandidates::Lanes inv_w[3];
   alignas(64) TriangleCandidates::Lanes pixel;
-  alignas(64) TriangleCandidates::Lanes offset, fraction;  // of SetupOffset
+  alignas(64) TriangleCandidates::Lanes offset, fraction;  // of SetupOffset, with an offset
 };
 
 HWY_INLINE void gather_depths(const TriangleBatch& batch, const TriangleCandidates& c, Depths& to) {
@@ -59,15 +59,20 @@ HWY_INLINE void gather_depths(const TriangleBatch& batch, const TriangleCandidat
 // The depth plane at each single pixel with the triangle's fraction, cut: floor((Σ e z + fraction × area) / area)
 // (rules 20 and 28). Numerator, the fraction of the area being cut, and denominator are exact; a quotient that is not
 // whole is at least 2^-26 from the next whole number, which rounding to 53 bits cannot reach: it is below 2^25.
-HWY_INLINE void find_pixel_depths(const TriangleCandidates& c, Depths& to) {
+template <bool kMoved>
+HWY_INLINE void find_pixel_depths(const TriangleCandidates& c, const SetupOffset& none, Depths& to) {
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDD)) {
     const VD e0 = as_double(c.edge[0] + i), e1 = as_double(c.edge[1] + i), e2 = as_double(c.edge[2] + i);
     const VD area = hn::Add(hn::Add(e0, e1), e2);
     const VD wide = hn::Add(hn::Add(hn::Mul(e0, as_double(to.corner[0] + i)), hn::Mul(e1, as_double(to.corner[1] + i))),
                             hn::Mul(e2, as_double(to.corner[2] + i)));
-    const VD fraction = hn::Mul(as_double(to.fraction + i), hn::Set(kDD, 1.0 / (1 << kOffsetBits)));
-    const VD z = hn::Div(hn::Add(wide, hn::Floor(hn::Mul(area, fraction))), area);
-    store_numbers(z, to.pixel + i);
+    const auto with = [&](VD fraction) HWY_ATTR {
+      return hn::Add(wide, hn::Floor(hn::Mul(area, hn::Mul(fraction, hn::Set(kDD, 1.0 / (1 << kOffsetBits))))));
+    };
+    const VD sum = kMoved               ? with(as_double(to.fraction + i))
+                   : none.fraction != 0 ? with(hn::Set(kDD, none.fraction))
+                                        : wide;
+    store_numbers(hn::Div(sum, area), to.pixel + i);
   }
 }
 
@@ -159,18 +164,22 @@ HWY_INLINE void write_corners(const TriangleCandidates& c, const Depths& d, std:
 // The first three records of a SetupPrimitive, of four words each: box and kind, depths and offset, positions.
 using PrimitiveRows = std::int32_t[3][4 * 16];
 
-// The candidates from i on as PrimitiveRows.
-HWY_INLINE void interleave(const TriangleCandidates& c, const Depths& d, std::size_t i, PrimitiveRows& rows) {
+// The candidates from i on as PrimitiveRows. Those without an offset, not kMoved, have `none`.
+template <bool kMoved>
+HWY_INLINE void interleave(const TriangleCandidates& c, const Depths& d, const SetupOffset& none, std::size_t i,
+                           PrimitiveRows& rows) {
   static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, fraction) == 14 &&
                 offsetof(SetupPrimitive, z24) == 16 && offsetof(SetupPrimitive, position) == 32);
   static_assert(std::endian::native == std::endian::little);
   const auto load = [i](const TriangleCandidates::Lanes& lanes) HWY_ATTR { return hn::Load(kDI, lanes + i); };
-  const VI kind = hn::Or(hn::And(load(c.kind), set(0xFFFF)), hn::ShiftLeft<16>(load(d.fraction)));
+  const VI offset = kMoved ? load(d.offset) : set(none.whole),
+           fraction = kMoved ? load(d.fraction) : set(none.fraction);
+  const VI kind = hn::Or(hn::And(load(c.kind), set(0xFFFF)), hn::ShiftLeft<16>(fraction));
   hn::StoreInterleaved4(load(c.low), load(c.high), load(c.primitive), kind, kDI, rows[0]);
   const MI is_pixel = hn::Ne(hn::And(kind, set(0xFF)), set(0));
   const VI pixel = load(d.pixel);
   const auto depth = [&](int k) HWY_ATTR { return hn::IfThenElse(is_pixel, pixel, load(d.corner[k])); };
-  hn::StoreInterleaved4(depth(0), depth(1), depth(2), load(d.offset), kDI, rows[1]);
+  hn::StoreInterleaved4(depth(0), depth(1), depth(2), offset, kDI, rows[1]);
   constexpr int kLow = PackedPositions::kLow, kHigh = PackedPositions::kHigh;
   VI word[3], high_y = set(0);
   for (int k = 0; k < 3; ++k) {
@@ -192,12 +201,14 @@ HWY_INLINE VI tiles_of(VI low, VI high, int tile_columns) {
   return hn::IfThenElse(hn::Eq(tile, tile_at(high)), tile, set(static_cast<std::int32_t>(kSeveralTiles)));
 }
 
-// Writes the candidates where `out` points, and moves `out` behind them.
-HWY_INLINE void write(const TriangleBatch& batch, const TriangleCandidates& c, const Depths& d,
-                      TriangleBatchOutput& out) {
+// Finds the depths of single pixels, writes the candidates where `out` points, and moves `out` behind them.
+template <bool kMoved>
+HWY_INLINE void write(const TriangleBatch& batch, const TriangleCandidates& c, Depths& d, TriangleBatchOutput& out) {
+  const SetupOffset none = batch.context.no_offset();
+  if (c.has_pixels) find_pixel_depths<kMoved>(c, none, d);
   for (std::size_t i = 0; i < c.count; i += hn::Lanes(kDI)) {
     alignas(64) PrimitiveRows rows;
-    interleave(c, d, i, rows);
+    interleave<kMoved>(c, d, none, i, rows);
     const std::size_t count = c.count - i < hn::Lanes(kDI) ? c.count - i : hn::Lanes(kDI);
     alignas(64) std::int32_t tiles[16];
     hn::Store(tiles_of(hn::Load(kDI, c.low + i), hn::Load(kDI, c.high + i), batch.tile_columns), kDI, tiles);
@@ -217,19 +228,16 @@ HWY_NOINLINE void write_candidates(const TriangleBatch& batch, TriangleCandidate
   if (c.count == 0) return;
   Depths depths;
   gather_depths(batch, c, depths);
-  if (batch.context.is_offset(PolygonMode::fill)) {
+  if (!batch.context.is_offset(PolygonMode::fill)) {
+    write<false>(batch, c, depths, out);
+  } else {
     if (batch.context.window.depth().is_real()) {
       for (std::size_t k = 0; k < c.count; ++k) store_exact_offset(batch.context, c, k, depths);
     } else {
       find_offsets(batch.context, c, depths);
     }
-  } else {
-    const SetupOffset none = batch.context.no_offset();
-    std::fill_n(depths.offset, c.count, none.whole);
-    std::fill_n(depths.fraction, c.count, std::int32_t{none.fraction});
+    write<true>(batch, c, depths, out);
   }
-  if (c.has_pixels) find_pixel_depths(c, depths);
-  write(batch, c, depths, out);
   c.count = 0;
   c.has_pixels = false;
 }

@@ -119,12 +119,14 @@ Status check_arrays(const PipelineState& state, const VertexArrays& arrays, std:
     if (Status checked = check_sampler(*units[unit].texture, sampler); !checked) {
       return fault("texture unit " + std::to_string(unit) + ": " + checked.error().message);
     }
-    const bool is_plain =
-        sampler.cylinder_wrap == std::array<bool, 2>{} && sampler.color_key.operation != ColorKeyOperation::kill;
-    if (state.texture_shader.enabled && !is_plain) {
-      return fault("texture unit " + std::to_string(unit) +
-                   ": texture-shader stages neither wrap around cylinders nor kill fragments by a colour key");
-    }
+    const bool is_keyed = sampler.color_key.operation == ColorKeyOperation::kill;
+    if (!state.texture_shader.enabled || (!is_keyed && sampler.cylinder_wrap == std::array<bool, 2>{})) continue;
+    const TextureOperationInfo& info = info_of(state.texture_shader.stage[unit].operation);
+    if (info.target != StageTarget::none && info.input == StageInput::none) continue;
+    return fault(
+        "texture unit " + std::to_string(unit) + ": " + (is_keyed ? "a killing colour key" : "a cylinder wrap") +
+        " needs a texture-shader stage that reads the texture at its own coordinates: what it does to others is "
+        "not known");
   }
   return {};
 }

@@ -55,6 +55,7 @@ class WindowDepth {
 
   // The code of a real number (rules 50 and 51); depths are cut or rounded as on primitives.
   [[nodiscard]] std::uint32_t code_of_number(double number) const { return numbers_.code(number); }
+  [[nodiscard]] constexpr const DepthNumbers& numbers() const { return numbers_; }
 
   // A vertex's depth in [0, 1], rounded to nearest, halves up; clamped, NaN becomes 0.
   [[nodiscard]] constexpr std::uint32_t z24_of(double depth) const {

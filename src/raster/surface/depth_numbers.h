@@ -34,6 +34,15 @@ class DepthNumbers {
   // The number of the largest code.
   [[nodiscard]] constexpr double largest() const { return largest_; }
 
+  // What code() is made of, for vectors.
+  [[nodiscard]] constexpr bool is_whole() const { return is_whole_; }
+  [[nodiscard]] constexpr double half() const { return half_; }
+  [[nodiscard]] constexpr double least() const { return least_; }
+  [[nodiscard]] constexpr int dropped_bits() const { return dropped_; }
+  [[nodiscard]] constexpr std::uint64_t half_bit() const { return half_bit_; }
+  [[nodiscard]] constexpr std::uint64_t first_code() const { return first_code_; }
+  [[nodiscard]] constexpr std::uint32_t largest_code() const { return largest_code_; }
+
   // Too small a number and NaN become 0, too large a one all ones; others are cut, or rounded to nearest, halves up.
   [[nodiscard]] std::uint32_t code(double number) const {
     if (is_whole_) {

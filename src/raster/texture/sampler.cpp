@@ -418,11 +418,6 @@ bool TextureSampler::kills(const TextureCoordinates& at, std::size_t i) const {
   return kills() && is_keyed(texel(at, i));
 }
 
-std::array<bool, 2> TextureSampler::cylinder() const {
-  return {sampler_.cylinder_wrap[0] && sampler_.wrap_s == Wrap::repeat,
-          sampler_.cylinder_wrap[1] && sampler_.wrap_t == Wrap::repeat};
-}
-
 Status check_sampler(const Texture& texture, const Sampler& sampler) {
   const auto fault = [](const char* message) { return Diagnostic{.message = message}; };
   const bool is_plain = texture.target == TextureTarget::texture_1d || texture.target == TextureTarget::texture_2d;

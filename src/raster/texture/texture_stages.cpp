@@ -132,6 +132,9 @@ class TextureStages::Batch {
     auto& to = texel_[index(i)];
     sampler.sample(places, count_, {to[0].data(), to[1].data(), to[2].data(), to[3].data()});
     is_fetched_[index(i)] = true;
+    for (std::size_t n = 0; n < count_ && sampler.kills(); ++n) {
+      if (sampler.kills(places, n)) to_.killed[n] = 1;
+    }
   }
 
   void scale(int i, const TextureStage& stage) {
@@ -291,7 +294,7 @@ void TextureStages::find_reads() {
     reads[3] = reads[3] || all || (is_plain && info.target != StageTarget::cube_map);
     if (operation == TextureOperation::dot_product_reflect_cube_map) reads_[1][3] = reads_[2][3] = reads_[3][3] = true;
     if (fetches && sampler_[at]->needs_derivatives()) needs_derivatives_ = true;
-    culls_ = culls_ || operation == TextureOperation::cull_fragment;
+    culls_ = culls_ || operation == TextureOperation::cull_fragment || (fetches && sampler_[at]->kills());
     replaces_depth_ = replaces_depth_ || operation == TextureOperation::dot_product_depth_replace;
   }
   // A diffuse cube map reads the coordinates of the stage after it, even where that stage is inconsistent.
@@ -302,7 +305,8 @@ void TextureStages::find_reads() {
 }
 
 TextureShaderResult TextureStages::evaluate(const StageInputs& inputs) const {
-  return ninebit::evaluate(program_, profile_, inputs, [&](int unit, const TexturePlace& place) {
+  bool is_keyed = false;
+  TextureShaderResult result = ninebit::evaluate(program_, profile_, inputs, [&](int unit, const TexturePlace& place) {
     std::array<float, 3> dx{}, dy{};
     TextureCoordinates at;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -312,8 +316,12 @@ TextureShaderResult TextureStages::evaluate(const StageInputs& inputs) const {
       at.dx[k] = &dx[k];
       at.dy[k] = &dy[k];
     }
-    return sampler_[static_cast<std::size_t>(unit)]->bytes(at, 0);
+    const TextureSampler& sampler = *sampler_[static_cast<std::size_t>(unit)];
+    is_keyed = is_keyed || sampler.kills(at, 0);
+    return sampler.bytes(at, 0);
   });
+  result.is_culled = result.is_culled || is_keyed;
+  return result;
 }
 
 void TextureStages::run(const StageBatch& batch, std::size_t count, const StageOutputs& to) const {
