@@ -16,9 +16,9 @@ namespace {
 using vectors::Maker;
 using vectors::StageGroup;
 
-// The texel of a coordinate that counts `size` texels.
-int texel_at(float coordinate, int size) {
-  const float place = coordinate * static_cast<float>(size);
+// The texel of a coordinate of 0 to 1, or, of a rectangle, of 0 to `size`.
+int texel_at(float coordinate, int size, bool is_rectangle) {
+  const float place = is_rectangle ? coordinate : coordinate * static_cast<float>(size);
   if (!(place > 0.0F)) return 0;
   return place < static_cast<float>(size) ? static_cast<int>(place) : size - 1;
 }
@@ -103,7 +103,7 @@ Status set_words(const StageVectorPack& pack, StageVectorProgram& program) {
     const auto at = std::find(pack.word_names.begin(), pack.word_names.end(), word.name);
     program.words[static_cast<std::size_t>(at - pack.word_names.begin())] = word.value;
   };
-  const auto words = xbox::encode_stage_words(program.state);
+  const auto words = xbox::encode_stage_words(xbox::without_kinds(program.state));
   if (!words) return words.error();
   for (const RegisterWord& word : *words) put(word);
   for (const RegisterWord& word : xbox::encode_stage_numbers(program.state)) put(word);
@@ -134,9 +134,11 @@ const Bytes4& StagePicture::at(const std::array<float, 3>& place) const {
     t = on.t;
     layer = on.face;
   } else if (target == StageTarget::three_dimensional) {
-    layer = texel_at(place[2], depth);
+    layer = texel_at(place[2], depth, false);
   }
-  return texels[static_cast<std::size_t>((layer * height + texel_at(t, height)) * width + texel_at(s, width))];
+  const bool is_rectangle = target == StageTarget::rectangle;
+  return texels[static_cast<std::size_t>((layer * height + texel_at(t, height, is_rectangle)) * width +
+                                         texel_at(s, width, is_rectangle))];
 }
 
 int least_stage_vector_programs() {
