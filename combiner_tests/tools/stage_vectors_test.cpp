@@ -91,7 +91,7 @@ TEST_F(StageVectors, AnswersAndProgramsAreThoseOfThePack) {
   EXPECT_EQ(keys_of(object),
             (Words{"command", "version", "profile", "chip", "seed", "programs", "fragments", "id", "rows", "files"}));
   EXPECT_EQ(object["programs"], 1000);
-  EXPECT_EQ(object["rows"].size(), 25U);
+  EXPECT_EQ(object["rows"].size(), 30U);
   const auto read =
       ninebit::read_stage_vector_pack(read_bytes(folder + "/vectors.txt"), "v.txt", ninebit::profiles::nv2a);
   ASSERT_TRUE(read.ok()) << read.error().text();
@@ -111,7 +111,7 @@ TEST_F(StageVectors, WhatCannotBeMadeOrJudged) {
   expect_error(ninebit({"vectors", "--texture-shader", "-o", folder_ / "b"}), 2,
                {"--texture-shader", "profile geforce2 has no texture shaders"});
   expect_error(ninebit({"vectors", "--texture-shader", "-o", folder_ / "b", "--profile", "nv2a", "--programs", "24"}),
-               2, {"--programs", "29 is too few; expected at least 30"});
+               2, {"--programs", "24 is too few; expected at least 30"});
   const std::string folder = pack();
   (void)check(folder, "");
   std::string text = read_bytes(folder + "/vectors.txt");
