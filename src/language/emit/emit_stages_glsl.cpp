@@ -10,12 +10,8 @@
 namespace ninebit {
 namespace {
 
-// The helpers of each rule (stage_rules.inl), in the order in which they call each other.
-struct Helper {
-  std::string_view name;
-  std::string_view text;  // with $ for the name of the function that calls them
-};
-
+// The helpers of each rule (stage_rules.inl), in the order in which they call each other, with $ for the name of the
+// function that calls them.
 constexpr std::string_view kTwelveBits = R"(
 int $_byte(float c) {
   int n = c > 0.0 ? int(min(c * 4096.0, 4095.0)) : 0;
@@ -259,26 +255,16 @@ class GlslStages {
 
   // Those that are called, each after those that it calls.
   [[nodiscard]] std::string helpers() const {
-    const std::array<Helper, 8> all{{{"_byte(", program_.choices.byte == StageByte::nearest ? kNearest : kTwelveBits},
-                                     {"_s8(", kSigned},
-                                     {"_offset(", kOffset},
-                                     {"_scaled(", kScaled},
-                                     {"_dot(", kDot},
-                                     {"_hemisphere(", kHemisphere},
-                                     {"_reflected(", kReflected},
-                                     {"_rgb(", kYuv}}};
-    std::string text, used = lines_;
-    for (std::size_t i = all.size(); i-- > 0;) {
-      if (used.find(std::string(function_).append(all[i].name)) == std::string::npos &&
-          text.find(std::string(function_).append(all[i].name)) == std::string::npos &&
-          !(all[i].name == "_s8(" && text.find(function_ + "_s16(") != std::string::npos)) {
-        continue;
-      }
-      std::string named;
-      for (const char c : all[i].text) c == '$' ? named += function_ : named += c;
-      text = named + text;
-    }
-    return text;
+    const std::array<emit::Helper, 8> all{
+        {{"_byte(", program_.choices.byte == StageByte::nearest ? kNearest : kTwelveBits},
+         {"_s8(", kSigned},
+         {"_offset(", kOffset},
+         {"_scaled(", kScaled},
+         {"_dot(", kDot},
+         {"_hemisphere(", kHemisphere},
+         {"_reflected(", kReflected},
+         {"_rgb(", kYuv}}};
+    return emit::called_helpers(all, function_, lines_);
   }
 
   const TextureShaderProgram& program_;

@@ -151,8 +151,6 @@ Result<StageVectorPack> make_stage_vector_pack(const HardwareProfile& profile, c
     return Diagnostic{.message = "profile " + std::string(profile.name) + " has no texture shaders"};
   }
   const auto groups = vectors::stage_groups_of_packs();
-  std::vector<int> weights;
-  for (const StageGroup& group : groups) weights.push_back(group.weight);
   if (Status checked = vectors::check_settings(settings, groups.size(), profile); !checked) return checked.error();
   StageVectorPack pack;
   pack.profile = profile;
@@ -160,25 +158,8 @@ Result<StageVectorPack> make_stage_vector_pack(const HardwareProfile& profile, c
   pack.fragments = static_cast<std::size_t>(settings.fragments);
   pack.word_names = stage_word_names();
   pack.pictures = vectors::stage_pictures(settings.seed);
-  const std::vector<std::size_t> counts =
-      vectors::programs_by_group(weights, static_cast<std::size_t>(settings.programs));
-  std::vector<std::size_t> numbers;  // by program: of it in its group
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    pack.groups.push_back({groups[g].name, groups[g].rules, groups[g].what});
-    for (std::size_t i = 0; i < counts[g]; ++i) {
-      pack.programs.emplace_back().group = g;
-      numbers.push_back(i);
-    }
-  }
-  std::vector<Status> made(pack.programs.size());
-  const bool all = vectors::in_blocks(pack.programs.size(), go_on, [&](std::size_t i) {
-    StageVectorProgram& program = pack.programs[i];
-    made[i] = make_stage_program(pack, groups[program.group], i, numbers[i], program);
-  });
-  if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-  for (const Status& status : made) {
-    if (!status) return status.error();
-  }
+  if (Status made = vectors::make_programs(pack, groups, settings, go_on, &make_stage_program); !made)
+    return made.error();
   return pack;
 }
 
