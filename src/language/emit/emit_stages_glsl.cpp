@@ -23,8 +23,10 @@ int $_byte(float c) {
   return c > 0.0 ? int(min(c, 1.0) * 255.0 + 0.5) : 0;
 }
 )";
-constexpr std::string_view kSigned = R"(
+constexpr std::string_view kSigned8 = R"(
 int $_s8(int v) { return (v ^ 128) - 128; }
+)";
+constexpr std::string_view kSigned16 = R"(
 int $_s16(int v) { return (v ^ 32768) - 32768; }
 )";
 constexpr std::string_view kOffset = R"(
@@ -255,9 +257,10 @@ class GlslStages {
 
   // Those that are called, each after those that it calls.
   [[nodiscard]] std::string helpers() const {
-    const std::array<emit::Helper, 8> all{
+    const std::array<emit::Helper, 9> all{
         {{"_byte(", program_.choices.byte == StageByte::nearest ? kNearest : kTwelveBits},
-         {"_s8(", kSigned},
+         {"_s8(", kSigned8},
+         {"_s16(", kSigned16},
          {"_offset(", kOffset},
          {"_scaled(", kScaled},
          {"_dot(", kDot},
