@@ -72,6 +72,33 @@ TEST(EffectParts, ConstantsOfOneCombiner) {
   EXPECT_EQ(program->combiners.general[1].constant1[0], 0);
 }
 
+// A rectangle is read with its own sides where the readers can do that.
+TEST(EffectParts, RectanglesKeepTheirSides) {
+  EffectReaders readers;
+  const auto texture_of = [](TextureTarget target, int width, int height) {
+    TextureSamples samples{.width = width, .height = height};
+    samples.samples = std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height));
+    return make_texture(target, InternalFormat::rgb8, {{samples}});
+  };
+  readers.texture = [&](std::span<const std::filesystem::path>, const HardwareProfile&) {
+    return texture_of(TextureTarget::texture_2d, 4, 8);
+  };
+  EffectTexture texture{.name = "t", .origin = TextureOrigin::rectangle, .files = {"odd.png"}};
+  texture.sampler.min_filter = MinFilter::nearest;
+  const auto resampled = effect_texture({}, texture, profiles::nv2a, readers);
+  ASSERT_TRUE(resampled) << resampled.error().text();
+  EXPECT_EQ(resampled->faces[0][0].width, 4);
+  EXPECT_EQ(resampled->target, TextureTarget::rectangle);
+  readers.rectangle = [&](const std::filesystem::path& file, const HardwareProfile&) {
+    EXPECT_EQ(file.filename(), "odd.png");
+    return texture_of(TextureTarget::rectangle, 3, 5);
+  };
+  const auto kept = effect_texture({}, texture, profiles::nv2a, readers);
+  ASSERT_TRUE(kept) << kept.error().text();
+  EXPECT_EQ(kept->faces[0][0].width, 3);
+  EXPECT_EQ(kept->faces[0][0].height, 5);
+}
+
 // A texture register that a stage writes before another reads it needs no texture.
 TEST(EffectParts, WarnsOfTextureRegistersThatAreReadFirst) {
   const auto warned = [](const std::string& program) {

@@ -26,6 +26,12 @@ void random_texture(Random& random) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+// The 2D texture that is bound has one texel.
+void set_one_texel(const Pixel& texel, GLint format = GL_RGBA8) {
+  glTexImage2D(GL_TEXTURE_2D, 0, format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+}
+
 void random_combine(Random& random, GLenum function, GLenum source, GLenum operand, GLenum scale, bool is_rgb) {
   const auto set = [](GLenum pname, int value) { glTexEnvi(GL_TEXTURE_ENV, pname, value); };
   int wanted = random.pick({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT});
@@ -125,9 +131,7 @@ TEST(LayerEnvironments, EqualTheDriversFixedFunctions) {
 
 TEST(LayerEnvironments, DecalBlendsByTheTexelsAlpha) {
   NINEBIT_GL_CONTEXT(context);
-  const std::uint8_t texel[]{200, 100, 0, 51};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_one_texel({200, 100, 0, 51});
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_SHADER_NV);
@@ -140,9 +144,7 @@ TEST(LayerEnvironments, DecalBlendsByTheTexelsAlpha) {
 // The environment is read when it has changed, and not before combiners are disabled.
 TEST(LayerEnvironments, CombinersComeFirst) {
   NINEBIT_GL_CONTEXT(context);
-  const std::uint8_t texel[]{50, 60, 70, 80};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_one_texel({50, 60, 70, 80});
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_SHADER_NV);
@@ -165,9 +167,7 @@ TEST(LayerEnvironments, CombinersComeFirst) {
 // NV_texture_shader's mode GL_NONE: the unit leaves the colour as it is.
 TEST(LayerEnvironments, NoneLeavesTheColour) {
   NINEBIT_GL_CONTEXT(context);
-  const std::uint8_t texel[]{50, 60, 70, 80};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_one_texel({50, 60, 70, 80});
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_SHADER_NV);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_NONE);
@@ -219,13 +219,11 @@ TEST(LayerEnvironments, NoneFollowsTheAttributes) {
 // Each list of glCallLists gets the shader that fits when it begins, also without combiners.
 TEST(LayerEnvironments, ListsHaveShadersOfTheirOwn) {
   NINEBIT_GL_CONTEXT(context);
-  const std::uint8_t texel[]{50, 60, 70, 128};
   GLuint textures[2]{};
   glGenTextures(2, textures);
   for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) {
     glBindTexture(GL_TEXTURE_2D, textures[i]);
-    glTexImage2D(GL_TEXTURE_2D, 0, i == 0 ? GL_RGBA8 : GL_ALPHA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    set_one_texel({50, 60, 70, 128}, i == 0 ? GL_RGBA8 : GL_ALPHA8);
   }
   glNewList(1, GL_COMPILE);
   glBindTexture(GL_TEXTURE_2D, textures[1]);

@@ -74,6 +74,19 @@ TEST(SourceStages, OfNvparseAreRead) {
   EXPECT_EQ(read.state.num_general_combiners, 2) << "the combiners stay";
 }
 
+// A literal of nvparse is a program: if nothing enables or disables texture shaders, its stages count, with a note.
+TEST(SourceStages, LiteralsThatNothingEnablesCount) {
+  const std::string load = "nvparse(\"!!TS1.0\\ntexture_2d();\\ndependent_ar(tex0);\\n\");\n";
+  const ReadSource read = read_source(load);
+  EXPECT_EQ(read.faults, "");
+  EXPECT_TRUE(read.stages.enabled);
+  EXPECT_EQ(read.stages.stage[1].operation, TextureOperation::dependent_ar);
+  EXPECT_NE(read.notes.find("nothing here enables or disables GL_TEXTURE_SHADER_NV"), std::string::npos) << read.notes;
+  EXPECT_EQ(read.notes.find("!!RC1.0"), std::string::npos) << read.notes;
+  EXPECT_FALSE(read_source(load + "glDisable(GL_TEXTURE_SHADER_NV);\n").stages.enabled);
+  EXPECT_EQ(read_source(load + kEnable).notes.find("nothing here enables"), std::string::npos);
+}
+
 TEST(SourceStages, WithoutEnableTheyHaveNoEffectAndThatIsSaid) {
   const ReadSource read =
       read_source("glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_PASS_THROUGH_NV);\n" + kCombiners);

@@ -97,6 +97,10 @@ TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
   EXPECT_EQ(gl_faults(set + "GL_PREVIOUS_TEXTURE_INPUT_NV, 3);"),
             "1:1: GL_INVALID_ENUM: texture stage 0: expected a texture unit before this one, such as GL_TEXTURE0_ARB, "
             "not '3'\n");
+  EXPECT_NE(
+      gl_faults(set + "GL_SHADER_OPERATION_NV, GL_DOT_PRODUCT_TEXTURE_1D_NV);")
+          .find("'GL_DOT_PRODUCT_TEXTURE_1D_NV' is an operation of NV_texture_shader3, which the GeForce3 does not"),
+      std::string::npos);
   EXPECT_EQ(gl_faults(set + "GL_SHADER_OPERATION_NV, GL_LESS);"),
             "1:1: GL_INVALID_ENUM: expected an operation, such as GL_TEXTURE_2D or GL_DOT_PRODUCT_NV, not 'GL_LESS'\n");
   EXPECT_EQ(gl_faults(set + "GL_CULL_MODES_NV, GL_LESS);"),
@@ -224,8 +228,10 @@ TEST(ShaderTextures, RulesOfDirect3D) {
     EXPECT_NE(faults("tex t0\n" + name).find("is beyond the texture shaders of the GeForce3"), std::string::npos)
         << name;
   }
-  EXPECT_NE(faults("tex t0\ntexm3x3pad t1, t0\ntexm3x3pad t2, t0\ntexm3x3 t3, t0").find("'texm3x3' is beyond"),
-            std::string::npos);
+  EXPECT_EQ(faults("tex t0\ntexm3x3pad t1, t0\ntexm3x3pad t2, t0\ntexm3x3 t3, t0"),
+            "5:1: 'texm3x3' is beyond the texture shaders of the GeForce3, which have no such operation\n");
+  EXPECT_EQ(read_shader("ps.1.4\ntexkill t0\ntexld r0, t1\nmov r0, r0\n").faults,
+            "3:1: 'r0' needs texture stage 0, which 'texkill' has; a stage has one instruction\n");
   EXPECT_EQ(read_shader("ps.1.4\ntexld r0, t0\nphase\ntexkill r0\nmov r0, v0\n").faults,
             "4:9: 'texkill' of 'r0' tests a register's value; the texture shaders of the GeForce3 test coordinates "
             "alone\n");

@@ -144,6 +144,23 @@ TEST(PlaygroundDraw, CountsFacesAndWholeTextures) {
   EXPECT_NE(fault_of_answer(ask(engine, request)).find("have 50331648 texels"), std::string::npos);
 }
 
+TEST(PlaygroundDraw, RectanglesKeepTheirSides) {
+  Engine engine;
+  ASSERT_EQ(engine.buffer(std::size_t{3} * 5 * 4).size(), std::size_t{60});
+  ask(engine, {{"do", "put"}, {"name", "odd.png"}, {"kind", "pixels"}, {"width", 3}, {"height", 5}});
+  const auto warnings = [&](const char* source) {
+    PageJson request = draw_request();
+    request["effect"]["textures"]["squares"] = {{"source", source}};
+    const PageJson answer = ask(engine, request);
+    EXPECT_EQ(fault_of_answer(answer), "");
+    return answer["warnings"].dump();
+  };
+  EXPECT_NE(warnings("odd.png").find("3 x 5 is resampled"), std::string::npos);
+  EXPECT_EQ(warnings("rectangle:odd.png").find("resampled"), std::string::npos);
+  const PageJson words = ask({{"do", "about"}})["file_origins"];
+  EXPECT_NE(std::find(words.begin(), words.end(), "rectangle"), words.end());
+}
+
 TEST(PlaygroundDraw, NamesThePlaceOfAFaultInAProgram) {
   PageJson request = draw_request();
   request["files"]["mine.gl"] = "glEnable(GL_REGISTER_COMBINERS_NV);\nglNothing();\n";

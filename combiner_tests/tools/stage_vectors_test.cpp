@@ -49,7 +49,7 @@ TEST_F(StageVectors, RightStagesPassAndVerifyAgrees) {
   const std::string folder = pack();
   const auto [text, status] = check(folder, "");
   EXPECT_EQ(status, 0);
-  EXPECT_EQ(text, "profile nv2a: 1800 fragments, 0 differ; 25 of 25 groups pass\n");
+  EXPECT_EQ(text, "profile nv2a: 1800 fragments, 0 differ; 30 of 30 groups pass\n");
   const Outcome verdict = ninebit({"verify", results_, "--vectors", folder});
   EXPECT_EQ(verdict.code, 0) << verdict.err;
   EXPECT_EQ(verdict.out, "1800 fragments of 300 programs: 1800 agree, 0 differ\n");
@@ -91,7 +91,7 @@ TEST_F(StageVectors, AnswersAndProgramsAreThoseOfThePack) {
   EXPECT_EQ(keys_of(object),
             (Words{"command", "version", "profile", "chip", "seed", "programs", "fragments", "id", "rows", "files"}));
   EXPECT_EQ(object["programs"], 1000);
-  EXPECT_EQ(object["rows"].size(), 25U);
+  EXPECT_EQ(object["rows"].size(), 30U);
   const auto read =
       ninebit::read_stage_vector_pack(read_bytes(folder + "/vectors.txt"), "v.txt", ninebit::profiles::nv2a);
   ASSERT_TRUE(read.ok()) << read.error().text();
@@ -111,7 +111,7 @@ TEST_F(StageVectors, WhatCannotBeMadeOrJudged) {
   expect_error(ninebit({"vectors", "--texture-shader", "-o", folder_ / "b"}), 2,
                {"--texture-shader", "profile geforce2 has no texture shaders"});
   expect_error(ninebit({"vectors", "--texture-shader", "-o", folder_ / "b", "--profile", "nv2a", "--programs", "24"}),
-               2, {"--programs", "24 is too few; expected at least 25"});
+               2, {"--programs", "24 is too few; expected at least 30"});
   const std::string folder = pack();
   (void)check(folder, "");
   std::string text = read_bytes(folder + "/vectors.txt");

@@ -45,6 +45,7 @@ Result<Texture> texture_of_files(const Effect& effect, const EffectTexture& text
                                  const EffectReaders& readers) {
   std::vector<std::filesystem::path> files;
   for (const std::string& file : texture.files) files.push_back(path_in(effect, file));
+  if (texture.origin == TextureOrigin::rectangle && readers.rectangle) return readers.rectangle(files[0], profile);
   auto read = readers.texture(files, profile);
   if (!read) return read;
   auto made = made_from(*read, texture);

@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "src/effect/effect_words.h"
 #include "src/playground/texts.h"
 #include "src/playground/vocabulary.h"
 
@@ -21,6 +22,13 @@ Json titles_of(bool read) {
   return rows;
 }
 
+// The words before the file of a texture that is made from it.
+Json file_origins() {
+  Json words = Json::array();
+  for (const auto& [word, origin] : effect_detail::kFileOrigins) words.push_back(word);
+  return words;
+}
+
 }  // namespace
 
 Reply about(Request& request) {
@@ -32,6 +40,7 @@ Reply about(Request& request) {
   out["profiles"] = std::move(shipped);
   out["textures"] = kGeneratedTextures;
   out["meshes"] = kGeneratedMeshes;
+  out["file_origins"] = file_origins();
   return out;
 }
 

@@ -45,8 +45,8 @@ class ShelfReaders {
 
  private:
   Result<TextProgram> read_program(const std::string& name, const HardwareProfile& profile);
-  Result<Texture> read_texture(const std::vector<std::string>& names);
-  Result<TextureSamples> samples_of(const std::string& name, bool opaque);
+  Result<Texture> read_texture(const std::vector<std::string>& names, bool is_rectangle);
+  Result<TextureSamples> samples_of(const std::string& name, bool opaque, bool any_sides);
 
   const FileTexts& texts_;
   const Shelf& shelf_;

@@ -92,7 +92,10 @@ EffectReaders ShelfReaders::readers() {
   readers.texture = [this](std::span<const std::filesystem::path> files, const HardwareProfile&) {
     std::vector<std::string> names;
     for (const std::filesystem::path& file : files) names.push_back(file.string());
-    return read_texture(names);
+    return read_texture(names, false);
+  };
+  readers.rectangle = [this](const std::filesystem::path& file, const HardwareProfile&) {
+    return read_texture({file.string()}, true);
   };
   readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis> up) -> Result<Scene> {
     auto scene = shelf_scene(file.string(), shelf_, up);
@@ -114,7 +117,7 @@ Result<TextProgram> ShelfReaders::read_program(const std::string& name, const Ha
   return Diagnostic{.message = parsed.faults()[0].message, .file = name, .line = parsed.faults()[0].line};
 }
 
-Result<TextureSamples> ShelfReaders::samples_of(const std::string& name, bool opaque) {
+Result<TextureSamples> ShelfReaders::samples_of(const std::string& name, bool opaque, bool any_sides) {
   const PutPixels& picture = shelf_.pixels.find(name)->second;
   const std::size_t count = picture.rgba.size() / 4;
   const std::size_t planes = opaque ? 3 : 4;
@@ -124,14 +127,14 @@ Result<TextureSamples> ShelfReaders::samples_of(const std::string& name, bool op
   }
   TextureSamples out{picture.width, picture.height, std::move(samples)};
   const auto is_power = [](int side) { return std::has_single_bit(static_cast<unsigned>(side)); };
-  if (is_power(out.width) && is_power(out.height)) return out;
+  if (any_sides || (is_power(out.width) && is_power(out.height))) return out;
   warnings_.push_back(name + ": " + std::to_string(out.width) + " x " + std::to_string(out.height) +
                       " is resampled to powers of two; textures of the time have no other sizes");
   resample_to_powers_of_two(out);
   return out;
 }
 
-Result<Texture> ShelfReaders::read_texture(const std::vector<std::string>& names) {
+Result<Texture> ShelfReaders::read_texture(const std::vector<std::string>& names, bool is_rectangle) {
   bool opaque = true;
   for (const std::string& name : names) {
     const auto found = shelf_.pixels.find(name);
@@ -142,13 +145,15 @@ Result<Texture> ShelfReaders::read_texture(const std::vector<std::string>& names
   }
   std::vector<std::vector<TextureSamples>> faces;
   for (const std::string& name : names) {
-    auto samples = samples_of(name, opaque);
+    auto samples = samples_of(name, opaque, is_rectangle);
     if (!samples) return samples.error();
     faces.push_back({std::move(*samples)});
   }
-  const auto target = names.size() == 6 ? TextureTarget::cube_map : TextureTarget::texture_2d;
+  const auto target = is_rectangle        ? TextureTarget::rectangle
+                      : names.size() == 6 ? TextureTarget::cube_map
+                                          : TextureTarget::texture_2d;
   auto texture = make_texture(target, opaque ? InternalFormat::rgb8 : InternalFormat::rgba8, std::move(faces));
-  if (texture) texture = with_mipmaps(*texture);
+  if (texture && !is_rectangle) texture = with_mipmaps(*texture);
   if (texture) return texture;
   return Diagnostic{.message = texture.error().message, .file = names[0]};
 }

@@ -20,14 +20,22 @@ using TextureFilesReader =
 // process. A program with faults is reported with the first of them.
 [[nodiscard]] EffectReaders file_readers(TextureFilesReader textures);
 
-// The same with read_texture() and read_cube_texture(); a picture of any size is resampled to powers of two.
+// The same with read_texture() and read_cube_texture(); a picture of any size is resampled to powers of two, unless it
+// is a rectangle.
 [[nodiscard]] inline EffectReaders file_readers() {
-  return file_readers([](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
-    if (files.size() == 6) return read_cube_texture(profile, std::span<const std::filesystem::path, 6>(files));
+  EffectReaders readers =
+      file_readers([](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
+        if (files.size() == 6) return read_cube_texture(profile, std::span<const std::filesystem::path, 6>(files));
+        TextureReadOptions options;
+        options.any_size = true;
+        return read_texture(profile, files[0], options);
+      });
+  readers.rectangle = [](const std::filesystem::path& file, const HardwareProfile& profile) {
     TextureReadOptions options;
-    options.any_size = true;
-    return read_texture(profile, files[0], options);
-  });
+    options.rectangle = true;
+    return read_texture(profile, file, options);
+  };
+  return readers;
 }
 
 }  // namespace ninebit

@@ -35,6 +35,8 @@ struct EffectReaders {
   // One 2D texture, or six faces of a cube map in the order of CubeFace, with mip-maps.
   std::function<Result<Texture>(std::span<const std::filesystem::path> files, const HardwareProfile& profile)>
       texture{};
+  // One picture of any sides as a rectangle texture. Empty: `texture` reads it, with the sides that that gives.
+  std::function<Result<Texture>(const std::filesystem::path& file, const HardwareProfile& profile)> rectangle{};
   // A scene as read_scene() returns it with this axis as SceneReadOptions::up.
   std::function<Result<Scene>(const std::filesystem::path& file, std::optional<UpAxis> up)> scene{};
 };

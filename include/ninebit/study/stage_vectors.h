@@ -30,12 +30,12 @@ namespace NINEBIT_PUBLIC ninebit {
 
 // A texture of a pack, clamped to its edges.
 struct StagePicture {
-  StageTarget target = StageTarget::two_dimensional;  // two_dimensional, three_dimensional or cube_map
+  StageTarget target = StageTarget::two_dimensional;  // any but none
   int width = 1, height = 1;                          // texels
   int depth = 1;                                      // layers; of a cube map its six faces, +x, -x, +y, -y, +z, -z
   std::vector<Bytes4> texels;                         // red, green, blue, alpha, row by row from t = 0, then by layer
 
-  // The nearest texel at s, t, r. A coordinate that is NaN counts as 0.
+  // The nearest texel at s, t, r; s and t of a rectangle count texels. A coordinate that is NaN counts as 0.
   [[nodiscard]] const Bytes4& at(const std::array<float, 3>& place) const;
 };
 

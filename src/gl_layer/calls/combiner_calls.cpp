@@ -12,15 +12,6 @@ namespace front = ninebit::gl;
 
 namespace {
 
-// Runs a command of the front end; its error becomes the context's.
-template <class Command>
-void run(Context& context, const Command& command) {
-  const front::CurrentContext current(context.combiners);
-  command();
-  const auto error = static_cast<unsigned>(context.combiners.take_error());
-  if (error != GL_NO_ERROR) context.raise(error);
-}
-
 // A command that changes the combiners' state, and can go into a display list. What it captures must be values.
 template <class Command>
 void set(const Command& command) {
@@ -32,7 +23,7 @@ void set(const Command& command) {
     return record(*context, [command] { set(command); });
   }
   if (!context->outside_begin()) return;
-  run(*context, command);
+  context->run(command);
   context->program_stale = context->constants_stale = true;
 }
 
@@ -43,13 +34,13 @@ void set_constant(const Command& command) {
   if (context == nullptr) return;
   if (context->in_begin || context->open_list != nullptr) return set(command);
   context->touched = context->constants_stale = true;
-  run(*context, command);
+  context->run(command);
 }
 
 template <class Command>
 void get(const Command& command) {
   Context* const context = current();
-  if (context != nullptr && context->outside_begin()) run(*context, command);
+  if (context != nullptr && context->outside_begin()) context->run(command);
 }
 
 // The values behind a pointer of glCombinerParameter: four of a colour, one of a number, none of an unknown name. A

@@ -46,15 +46,11 @@ void set(const Setting& setting) {
     return record(*context, [setting] { set(setting); });
   }
   if (!context->outside_begin() || !find_active_unit(*context)) return;
-  const front::CurrentContext current(context->combiners);
-  if (setting.is_scalar) {
-    front::glTexEnvf(GL_TEXTURE_SHADER_NV, setting.pname, setting.values->front());
-  } else {
+  const bool is_set = context->run([&] {
+    if (setting.is_scalar) return front::glTexEnvf(GL_TEXTURE_SHADER_NV, setting.pname, setting.values->front());
     front::glTexEnvfv(GL_TEXTURE_SHADER_NV, setting.pname, setting.values ? setting.values->data() : nullptr);
-  }
-  if (const auto error = context->combiners.take_error(); error != ninebit::GlError::no_error) {
-    return context->raise(static_cast<GLenum>(error));
-  }
+  });
+  if (!is_set) return;
   const bool is_number = setting.pname == GL_OFFSET_TEXTURE_MATRIX_NV || setting.pname == GL_CONST_EYE_NV ||
                          setting.pname == GL_OFFSET_TEXTURE_SCALE_NV || setting.pname == GL_OFFSET_TEXTURE_BIAS_NV;
   (is_number ? context->constants_stale : context->inputs_stale) = true;
@@ -77,15 +73,13 @@ void get(GLenum pname, T* params) {
     *params = static_cast<T>(is_consistent(context, context.combiners.active_texture()) ? 1 : 0);
     return;
   }
-  const front::CurrentContext current(context.combiners);
-  if constexpr (std::is_same_v<T, GLint>) {
-    front::glGetTexEnviv(GL_TEXTURE_SHADER_NV, pname, params);
-  } else {
-    front::glGetTexEnvfv(GL_TEXTURE_SHADER_NV, pname, params);
-  }
-  if (const auto error = context.combiners.take_error(); error != ninebit::GlError::no_error) {
-    context.raise(static_cast<GLenum>(error));
-  }
+  context.run([=] {
+    if constexpr (std::is_same_v<T, GLint>) {
+      front::glGetTexEnviv(GL_TEXTURE_SHADER_NV, pname, params);
+    } else {
+      front::glGetTexEnvfv(GL_TEXTURE_SHADER_NV, pname, params);
+    }
+  });
 }
 
 // The environment mode GL_NONE, which NV_texture_shader adds; other modes end it.

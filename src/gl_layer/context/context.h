@@ -113,6 +113,16 @@ class Context {
   // After glEnd.
   void begin_has_ended();
 
+  // Runs a command of the front end, gl_nv.h; its error becomes this context's. Returns whether there was none.
+  template <class Command>
+  bool run(const Command& command) {
+    const gl::CurrentContext current(combiners);
+    command();
+    const auto error = static_cast<unsigned>(combiners.take_error());
+    if (error != 0) raise(error);
+    return error == 0;
+  }
+
   // A function that the layer executes: GL forbids it between glBegin and glEnd. Raises the error and returns false.
   bool outside_begin();
 

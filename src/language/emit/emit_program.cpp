@@ -221,6 +221,18 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   return refused_name(function);
 }
 
+std::string called_helpers(std::span<const Helper> all, const std::string& function, const std::string& lines) {
+  std::string text;
+  for (std::size_t i = all.size(); i-- > 0;) {
+    const std::string name = function + std::string(all[i].name);
+    if (lines.find(name) == std::string::npos && text.find(name) == std::string::npos) continue;
+    std::string named;
+    for (const char c : all[i].text) c == '$' ? named += function : named += c;
+    text = named + text;
+  }
+  return text;
+}
+
 std::optional<Diagnostic> refused_name(std::string_view function) {
   if (is_usable_name(function)) return std::nullopt;
   return Diagnostic{.message = "\"" + std::string(function) +

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,13 @@ V any_code(const Program& program, Graph& graph, std::string text);
 std::optional<Diagnostic> refusal(const Program& program, std::string_view function);
 // The name alone.
 std::optional<Diagnostic> refused_name(std::string_view function);
+
+// A function that emitted texture-shader stages may call: its name behind theirs, and its text, in which '$' is theirs.
+struct Helper {
+  std::string_view name, text;  // "_dot("
+};
+// The texts of the helpers that `lines` call, each after those that it calls; these stand before it in `all`.
+std::string called_helpers(std::span<const Helper> all, const std::string& function, const std::string& lines);
 
 // Comments in the emitted text: the equations of a portion and of the final combiner, in ASCII.
 

@@ -13,10 +13,6 @@ namespace {
 
 // The helpers of each rule (stage_rules.inl), in the order in which they call each other, with $ for the name of the
 // function that calls them. A statement has one rounding at most, so that no compiler contracts two of them.
-struct CHelper {
-  std::string_view name, text;
-};
-
 constexpr std::string_view kCTwelveBits = R"(
 static int32_t $_byte(float c) {
   const float scaled = c * 4096.0F;
@@ -294,7 +290,7 @@ class CStages {
   // Those that are called, each after those that it calls.
   [[nodiscard]] std::string helpers() const {
     const std::string code = code_helper();
-    const std::array<CHelper, 9> all{
+    const std::array<emit::Helper, 9> all{
         {{"_byte(", program_.choices.byte == StageByte::nearest ? kCNearest : kCTwelveBits},
          {"_s8(", kCSigned8},
          {"_code(", code},
@@ -304,15 +300,7 @@ class CStages {
          {"_hemisphere(", kCHemisphere},
          {"_reflected(", kCReflected},
          {"_rgb(", kCYuv}}};
-    std::string text;
-    for (std::size_t i = all.size(); i-- > 0;) {
-      const std::string name = call(std::string(all[i].name));
-      if (!uses(name) && text.find(name) == std::string::npos) continue;
-      std::string named;
-      for (const char c : all[i].text) c == '$' ? named += function_ : named += c;
-      text = named + text;
-    }
-    return text;
+    return emit::called_helpers(all, function_, lines_);
   }
 
   const TextureShaderProgram& program_;

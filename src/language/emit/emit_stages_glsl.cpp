@@ -10,12 +10,8 @@
 namespace ninebit {
 namespace {
 
-// The helpers of each rule (stage_rules.inl), in the order in which they call each other.
-struct Helper {
-  std::string_view name;
-  std::string_view text;  // with $ for the name of the function that calls them
-};
-
+// The helpers of each rule (stage_rules.inl), in the order in which they call each other, with $ for the name of the
+// function that calls them.
 constexpr std::string_view kTwelveBits = R"(
 int $_byte(float c) {
   int n = c > 0.0 ? int(min(c * 4096.0, 4095.0)) : 0;
@@ -27,8 +23,10 @@ int $_byte(float c) {
   return c > 0.0 ? int(min(c, 1.0) * 255.0 + 0.5) : 0;
 }
 )";
-constexpr std::string_view kSigned = R"(
+constexpr std::string_view kSigned8 = R"(
 int $_s8(int v) { return (v ^ 128) - 128; }
+)";
+constexpr std::string_view kSigned16 = R"(
 int $_s16(int v) { return (v ^ 32768) - 32768; }
 )";
 constexpr std::string_view kOffset = R"(
@@ -259,26 +257,17 @@ class GlslStages {
 
   // Those that are called, each after those that it calls.
   [[nodiscard]] std::string helpers() const {
-    const std::array<Helper, 8> all{{{"_byte(", program_.choices.byte == StageByte::nearest ? kNearest : kTwelveBits},
-                                     {"_s8(", kSigned},
-                                     {"_offset(", kOffset},
-                                     {"_scaled(", kScaled},
-                                     {"_dot(", kDot},
-                                     {"_hemisphere(", kHemisphere},
-                                     {"_reflected(", kReflected},
-                                     {"_rgb(", kYuv}}};
-    std::string text, used = lines_;
-    for (std::size_t i = all.size(); i-- > 0;) {
-      if (used.find(std::string(function_).append(all[i].name)) == std::string::npos &&
-          text.find(std::string(function_).append(all[i].name)) == std::string::npos &&
-          !(all[i].name == "_s8(" && text.find(function_ + "_s16(") != std::string::npos)) {
-        continue;
-      }
-      std::string named;
-      for (const char c : all[i].text) c == '$' ? named += function_ : named += c;
-      text = named + text;
-    }
-    return text;
+    const std::array<emit::Helper, 9> all{
+        {{"_byte(", program_.choices.byte == StageByte::nearest ? kNearest : kTwelveBits},
+         {"_s8(", kSigned8},
+         {"_s16(", kSigned16},
+         {"_offset(", kOffset},
+         {"_scaled(", kScaled},
+         {"_dot(", kDot},
+         {"_hemisphere(", kHemisphere},
+         {"_reflected(", kReflected},
+         {"_rgb(", kYuv}}};
+    return emit::called_helpers(all, function_, lines_);
   }
 
   const TextureShaderProgram& program_;

@@ -1,6 +1,7 @@
 #include "src/language/gl_calls/gl_calls_arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -16,6 +17,27 @@ using code::Token;
 
 constexpr std::size_t kReadValues = 4;     // the most that GL reads of an array
 constexpr int kMostNestedParentheses = 8;  // around one argument
+
+// Whether a name is an operation of the GeForce4 Ti, such as GL_DOT_PRODUCT_TEXTURE_1D_NV.
+bool is_of_texture_shader3(std::string_view name) {
+  constexpr std::array<std::string_view, 14> kOperations{"OFFSET_PROJECTIVE_TEXTURE_2D",
+                                                         "OFFSET_PROJECTIVE_TEXTURE_2D_SCALE",
+                                                         "OFFSET_PROJECTIVE_TEXTURE_RECTANGLE",
+                                                         "OFFSET_PROJECTIVE_TEXTURE_RECTANGLE_SCALE",
+                                                         "OFFSET_HILO_TEXTURE_2D",
+                                                         "OFFSET_HILO_TEXTURE_RECTANGLE",
+                                                         "OFFSET_HILO_PROJECTIVE_TEXTURE_2D",
+                                                         "OFFSET_HILO_PROJECTIVE_TEXTURE_RECTANGLE",
+                                                         "DEPENDENT_HILO_TEXTURE_2D",
+                                                         "DEPENDENT_RGB_TEXTURE_3D",
+                                                         "DEPENDENT_RGB_TEXTURE_CUBE_MAP",
+                                                         "DOT_PRODUCT_PASS_THROUGH",
+                                                         "DOT_PRODUCT_TEXTURE_1D",
+                                                         "DOT_PRODUCT_AFFINE_DEPTH_REPLACE"};
+  if (!name.starts_with("GL_") || !name.ends_with("_NV")) return false;
+  name = name.substr(3, name.size() - 6);
+  return std::find(kOperations.begin(), kOperations.end(), name) != kOperations.end();
+}
 
 }  // namespace
 
@@ -243,9 +265,13 @@ GlArgumentReader::Read GlArgumentReader::enumerant(GlArgument& out) {
   if (!value && reads_stage_names_) value = stage_value_of_name(name.text);
   if (!value) value = value_of_spelling(name.text, qualified);
   if (!value) {
-    faults_.add(name.offset, quoted(name.text) +
-                                 " is neither an enumerant of the register combiners nor a declared array" +
-                                 meant_enumerant(name.text));
+    faults_.add(name.offset, is_of_texture_shader3(name.text)
+                                 ? quoted(name.text) +
+                                       " is an operation of NV_texture_shader3, which the GeForce3 "
+                                       "does not have"
+                                 : quoted(name.text) +
+                                       " is neither an enumerant of the register combiners nor a declared array" +
+                                       meant_enumerant(name.text));
     return Read::unknown;
   }
   out.integer = *value;

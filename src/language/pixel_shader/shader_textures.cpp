@@ -60,7 +60,9 @@ class ShaderTextures {
     for (const ShaderInstruction& one : text_.instructions) {
       if (one.op() == ShaderOp::texture) stage(one);
     }
-    for (std::size_t place = 0; place < at_.size(); ++place) {
+    // A row of a matrix that was refused says nothing about the others.
+    const bool all_taken = faults_.count() == before;
+    for (std::size_t place = 0; place < at_.size() && all_taken; ++place) {
       if (at_[place] != nullptr) check_rows(place);
     }
     // A full list drops faults, and its count tells nothing.
@@ -101,6 +103,10 @@ class ShaderTextures {
       return faults_.add(to.offset, "'texkill' of " + quoted(to.text) +
                                         " tests a register's value; the texture shaders of "
                                         "the GeForce3 test coordinates alone");
+    }
+    if (at_[place] != nullptr && state_.stage[place].operation == cull_fragment) {
+      return faults_.add(one.offset, quoted(to.text) + " needs texture stage " + std::to_string(place) +
+                                         ", which 'texkill' has; a stage has one instruction");
     }
     if (at_[place] != nullptr) {
       return faults_.add(one.offset, quoted(to.text) + " is loaded already, by " + name_at(at_[place]));

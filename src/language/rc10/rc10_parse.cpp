@@ -244,7 +244,7 @@ Parsed<CombinerState> parse_rc10(const SourceText& source, const HardwareProfile
   if (parts && parts->ts10_at) stages = detail::read_ts10(*parts, profile, faults);
   const bool is_alone = stages.enabled && !parts->has_rc10 && without_blanks(program.text).empty();
   if (is_alone) {
-    notes.add(*parts->ts10_at, "there is no !!RC1.0; the register combiners have OpenGL's defaults");
+    notes.add(*parts->ts10_at, std::string(detail::kNoRegisterCombiners));
   } else if (!begins_with_header(program.text, faults)) {
     return {faults.take(), notes.take()};
   }

@@ -18,6 +18,10 @@
 
 namespace ninebit::detail {
 
+// The note on a text that has only !!TS1.0.
+inline constexpr std::string_view kNoRegisterCombiners =
+    "there is no !!RC1.0; the register combiners have OpenGL's defaults";
+
 enum class Rc10Suffix { none, rgb, alpha, blue };
 
 // A register as written. `one` is the register zero with a mapping that map_one changes.

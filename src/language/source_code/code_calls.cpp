@@ -305,6 +305,8 @@ void Machine::execute_call(const detail::GlSignature& signature, const Expressio
   detail::SourceFaults& faults = site.is_refused ? once : faults_;
   const std::size_t before = faults.count();
   detail::execute_gl_call(signature, arguments, e.offset, context_, faults);
+  const bool switches = enables(signature) && !arguments.empty() && arguments[0].integer == gl::GL_TEXTURE_SHADER_NV;
+  switches_stages_ = switches_stages_ || switches;
   site.is_read = true;
   site.is_refused = site.is_refused || faults.count() > before;
 }

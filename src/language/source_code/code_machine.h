@@ -310,8 +310,10 @@ class Machine {
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
   std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0, skips_ = 0;
   bool out_of_steps_ = false, set_since_drawing_ = false;
-  std::optional<Value> unknown_unit_;  // why it is not known which texture unit is active
-  bool is_thrown_ = false;             // an exception leaves functions
+  bool switches_stages_ = false;              // a call enables or disables texture shaders
+  std::optional<std::uint32_t> stages_at_{};  // of the last program in a literal that has stages
+  std::optional<Value> unknown_unit_;         // why it is not known which texture unit is active
+  bool is_thrown_ = false;                    // an exception leaves functions
   int depth_ = 0, quiet_ = 0, tries_ = 0;
   std::string jump_label_;  // of Flow::jump
 };

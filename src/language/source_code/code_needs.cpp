@@ -217,6 +217,11 @@ std::vector<std::string> Machine::needs() const {
 }
 
 void Machine::finish() {
+  if (stages_at_ && !switches_stages_) {
+    notes_.add(*stages_at_, "nothing here enables or disables GL_TEXTURE_SHADER_NV; these stages are taken as enabled");
+    context_.texture_shader().enabled = true;
+    for (WholeState& one : drawn_) one.stages.enabled = !(one.stages == TextureShaderState{});
+  }
   const auto needs = collected_needs();
   if (!needs.empty()) {
     std::string list, flags;

@@ -6,6 +6,7 @@
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/rc10.h"
 #include "src/language/pixel_shader/shader_parser.h"
+#include "src/language/rc10/rc10_parser.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_machine.h"
@@ -57,7 +58,10 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
                 : parse_rc10(program, context_.profile(), has_stages ? &stages : nullptr);
   for (const std::string& name : used_by_shaders) used_.insert(normal_path(name));
   site.is_read = true;
-  for (TextFault& fault : parsed.notes) notes_.add(std::move(fault));
+  for (TextFault& fault : parsed.notes) {
+    const bool is_half = has_stages && !has_combiners && fault.message == detail::kNoRegisterCombiners;
+    if (!is_half) notes_.add(std::move(fault));
+  }
   for (TextFault fault : parsed.faults()) {
     const TextPlace place = program_.source.place(begin);
     if (!pasted.empty()) std::tie(fault.line, fault.column) = std::tie(place.line, place.column);
@@ -67,6 +71,7 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   if (!parsed) return;
   if (has_stages) {
     stages.enabled = context_.texture_shader().enabled;  // glEnable says that
+    stages_at_ = begin;
     context_.texture_shader() = stages;
     if (!has_combiners) return;
   }

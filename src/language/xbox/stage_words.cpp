@@ -142,6 +142,13 @@ bool is_stage_word(std::string_view name) {
   return std::find(kStageWordNames.begin(), kStageWordNames.end(), name) != kStageWordNames.end();
 }
 
+TextureShaderState without_kinds(TextureShaderState state) {
+  for (TextureStage& stage : state.stage) {
+    stage.operation = operation_of(info_of(stage.operation).word).value_or(stage.operation);
+  }
+  return state;
+}
+
 Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& state) {
   const auto why = [](const std::string& what) {
     return Diagnostic{.message = "the Xbox's words cannot express this: " + what};

@@ -28,6 +28,9 @@ struct StageWords {
 // Whether a word of kOtherWordNames is one of the stages'.
 [[nodiscard]] bool is_stage_word(std::string_view name);
 
+// The same stages with 2D textures where a mode leaves the kind to the texture: for 1D textures and rectangles.
+[[nodiscard]] TextureShaderState without_kinds(TextureShaderState state);
+
 // The words of enabled stages that are not 0, in the order of kOtherWordNames, or a Diagnostic. What the application
 // sets otherwise has no place in them: see not_in_stage_words().
 [[nodiscard]] Result<std::vector<RegisterWord>> encode_stage_words(const TextureShaderState& state);

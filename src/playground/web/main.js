@@ -15,7 +15,7 @@ import { Picture } from './picture.js';
 import { ProfilesPanel } from './profiles_panel.js';
 import { ProgramPane } from './program_pane.js';
 import { ShadowPanel } from './shadow_panel.js';
-import { bytesOf, Shelf } from './shelf.js';
+import { bytesOf, setFileOrigins, Shelf } from './shelf.js';
 import { newState, passOf, stateOf, Store } from './state.js';
 import { tabs } from './tabs.js';
 import { TracePanel } from './trace_panel.js';
@@ -60,6 +60,7 @@ class Page {
   constructor(store, { engine, newEngine }, about) {
     this.store = store;
     this.engine = engine;
+    setFileOrigins(about.file_origins ?? []);
     this.shelf = new Shelf(engine, content.files);
     this.program = new ProgramPane(store, content.programs);
     this.live = new Live(store, engine, this.shelf, {

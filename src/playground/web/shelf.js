@@ -9,8 +9,13 @@ export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => char
 /** Names of mesh files. */
 export const meshEnding = /\.(gltf|glb|obj|ply|off)$/i;
 
-/** The word before the file of a texture that is made from it, as effect_words.h has them. */
-const madeFrom = /^(normals|signed-normals|hilo-normals|hilo-heights|offsets|1d|3d|rectangle):/;
+/** Matches the word before the file of a texture that is made from it. */
+let madeFrom = /^$/;
+
+/** The words, which the engine has. @param {string[]} words */
+export const setFileOrigins = (words) => {
+  madeFrom = new RegExp(`^(${words.join('|')}):`);
+};
 
 /** The file, or the six files, of a texture's source. @param {string} source */
 export const fileIn = (source) => source.replace(madeFrom, '');

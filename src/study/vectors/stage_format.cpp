@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "ninebit/study/stage_vectors.h"
 #include "src/study/vectors/stage_mistakes.h"
@@ -17,7 +18,8 @@ constexpr std::string_view kCulled = "culled";
 constexpr std::size_t kOutputDigits = std::size_t{2} * 4 * kTextureStages;
 
 std::string_view kind_name(StageTarget target) {
-  return target == StageTarget::cube_map ? "cube" : target == StageTarget::three_dimensional ? "3d" : "2d";
+  constexpr std::array<std::string_view, 6> kNames{"", "1d", "2d", "rect", "3d", "cube"};
+  return kNames[static_cast<std::size_t>(target)];
 }
 
 std::string stage_header_text(const StageVectorPack& pack) {

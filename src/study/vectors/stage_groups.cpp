@@ -25,6 +25,8 @@ void add_pictures(Maker& m, StageVectorProgram& p) {
     if (target == StageTarget::two_dimensional) p.picture[i] = static_cast<std::size_t>(m.random.below(2));
     if (target == StageTarget::three_dimensional) p.picture[i] = 2;
     if (target == StageTarget::cube_map) p.picture[i] = 3;
+    if (target == StageTarget::one_dimensional) p.picture[i] = 4;
+    if (target == StageTarget::rectangle) p.picture[i] = 5;
   }
 }
 
@@ -115,6 +117,20 @@ void diffuse(Maker& m, StageVectorProgram& p) {
   add_pictures(m, p);
 }
 
+// A matrix that moves rectangles by several texels.
+template <Op kOperation>
+void moves_rectangle(Maker& m, StageVectorProgram& p) {
+  reads_stage_0<kOperation>(m, p);
+  for (TextureStage& stage : p.state.stage) {
+    if (stage.operation != kOperation) continue;
+    for (float& entry : stage.matrix) entry *= 16.0F;
+  }
+}
+
+void dot_rectangle(Maker& m, StageVectorProgram& p) {
+  chain(m, p, 2, 2 + m.of(2), Op::dot_product_rectangle, DotMapping::zero_to_one);
+}
+
 void yuv(Maker& m, StageVectorProgram& p) {
   alone<Op::texture_2d>(m, p);
   p.state.converts_yuv = true;
@@ -199,6 +215,11 @@ constexpr StageGroup kTextureShaderGroups[] = {
      three_dots_of_any_mapping<Op::dot_product_const_eye_reflect_cube_map>},
     {"dot-product-diffuse-cube-map", "38", "stage 3's dot product, computed ahead", 8, diffuse},
     {"yuv", "40", "colours from Y, U and V", 4, yuv},
+    {"texture-1d", "", "a 1D texture at s / q", 4, alone<Op::texture_1d>},
+    {"texture-rectangle", "", "a rectangle at s / q, t / q, which count texels", 4, alone<Op::texture_rectangle>},
+    {"offset-rectangle", "34", "a rectangle, moved by texels", 4, moves_rectangle<Op::offset_rectangle>},
+    {"offset-rectangle-scale", "34, 35", "the same, times a luminance", 4, moves_rectangle<Op::offset_rectangle_scale>},
+    {"dot-product-rectangle", "36", "two dot products, which count a rectangle's texels", 4, dot_rectangle},
     {"combined", "", "several operations", 40, combined},
 };
 
@@ -217,10 +238,10 @@ TextureShaderState stage_state() {
 }
 
 std::vector<StagePicture> stage_pictures(std::uint64_t seed) {
-  std::vector<StagePicture> pictures{{StageTarget::two_dimensional, 64, 64, 1, {}},
-                                     {StageTarget::two_dimensional, 64, 32, 1, {}},
-                                     {StageTarget::three_dimensional, 16, 8, 8, {}},
-                                     {StageTarget::cube_map, 32, 32, 6, {}}};
+  std::vector<StagePicture> pictures{
+      {StageTarget::two_dimensional, 64, 64, 1, {}},  {StageTarget::two_dimensional, 64, 32, 1, {}},
+      {StageTarget::three_dimensional, 16, 8, 8, {}}, {StageTarget::cube_map, 32, 32, 6, {}},
+      {StageTarget::one_dimensional, 64, 1, 1, {}},   {StageTarget::rectangle, 48, 20, 1, {}}};
   constexpr std::array kEdges{0, 1, 127, 128, 129, 254, 255, 64};
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     StagePicture& picture = pictures[i];
@@ -250,11 +271,13 @@ std::array<float, 4> coordinates_of(VectorRandom& random, const TextureShaderSta
   };
   fill(-1.0F, 1.0F);
   switch (stage.operation) {
+    case Op::texture_1d:
     case Op::texture_2d:
+    case Op::texture_rectangle:
     case Op::texture_3d: {
       constexpr std::array kDivisors{1.0F, 1.0F, 0.5F, 2.0F, 3.25F, -1.5F};
       const float q = kDivisors[static_cast<std::size_t>(random.below(6))];
-      fill(0.0F, 1.0F);
+      fill(0.0F, stage.operation == Op::texture_rectangle ? 48.0F : 1.0F);
       at = {at[0] * q, at[1] * q, at[2] * q, q};
       break;
     }
@@ -276,9 +299,17 @@ std::array<float, 4> coordinates_of(VectorRandom& random, const TextureShaderSta
       fill(0.3F, 0.7F);
       at[3] = 1.0F;
       break;
+    case Op::offset_rectangle:
+    case Op::offset_rectangle_scale:
+      fill(5.0F, 15.0F);
+      at[3] = 1.0F;
+      break;
     case Op::dot_product_2d:
     case Op::dot_product_3d:
       fill(0.0F, 0.5F);
+      break;
+    case Op::dot_product_rectangle:
+      fill(0.0F, 15.0F);
       break;
     case Op::dot_product: {
       // The chain's last operation says what is wanted.
@@ -286,6 +317,7 @@ std::array<float, 4> coordinates_of(VectorRandom& random, const TextureShaderSta
       while (last + 1 < state.stage.size() && state.stage[last].operation == Op::dot_product) ++last;
       const Op of = state.stage[last].operation;
       if (of == Op::dot_product_2d || of == Op::dot_product_3d) fill(0.0F, 0.5F);
+      if (of == Op::dot_product_rectangle) fill(0.0F, 15.0F);
       if (of == Op::dot_product_depth_replace) fill(0.0F, 20000.0F);
       break;
     }

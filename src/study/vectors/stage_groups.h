@@ -21,8 +21,8 @@ struct StageGroup {
 // Stages by the NV2A's rules, all of them off.
 [[nodiscard]] TextureShaderState stage_state();
 
-// The textures of all packs: two 2D ones, a 3D one, a cube map. The first one's red and green are different for each
-// texel.
+// The textures of all packs: two 2D ones, a 3D one, a cube map, a 1D one, a rectangle. The first one's red and green
+// are different for each texel.
 [[nodiscard]] std::vector<StagePicture> stage_pictures(std::uint64_t seed);
 
 // Coordinates at which the stages show what they do.

@@ -21,7 +21,12 @@ class MistakenFragment : public one_fragment::Fragment {
       : Fragment(program, inputs, fetch, result), broken_(broken) {}
 
   [[nodiscard]] At projected(int i) const {
-    At place = broken_ == Broken::not_projected ? Fragment::coordinates(i) : Fragment::projected(i);
+    const TextureOperation operation = program_.stage[static_cast<std::size_t>(i)].state.operation;
+    const bool keeps_q =
+        broken_ == Broken::not_projected ||
+        (broken_ == Broken::line_not_projected && operation == TextureOperation::texture_1d) ||
+        (broken_ == Broken::rectangle_not_projected && operation == TextureOperation::texture_rectangle);
+    At place = keeps_q ? Fragment::coordinates(i) : Fragment::projected(i);
     if (broken_ == Broken::third_is_zero) place.at[2] = 0.0F;
     return place;
   }
@@ -270,6 +275,10 @@ const StageEdit kStageEdits[] = {
        change_stage_operation(s, Op::dot_product_const_eye_reflect_cube_map, Op::dot_product_reflect_cube_map);
      }},
     {"no conversion from YUV", "40", "yuv", [](TextureShaderState& s) { s.converts_yuv = false; }},
+    {"rectangles are not moved", "34", "offset-rectangle",
+     [](TextureShaderState& s) { change_stage_operation(s, Op::offset_rectangle, Op::texture_rectangle); }},
+    {"the luminance is ignored on rectangles", "35", "offset-rectangle-scale",
+     [](TextureShaderState& s) { change_stage_operation(s, Op::offset_rectangle_scale, Op::offset_rectangle); }},
 };
 
 struct NamedStageRule {
@@ -311,6 +320,11 @@ const NamedStageRule kBrokenStageRules[] = {
     {"the reflection has the other sign", "38", "dot-product-reflect-cube-map", Broken::eye_negated},
     {"the third dot product of a diffuse cube map is 0", "38", "dot-product-diffuse-cube-map", Broken::ahead_is_zero},
     {"YUV by (298 C + 409 E + 128) >> 8 and its like", "40", "yuv", Broken::yuv_rounded},
+    {"a 1D texture's s is not divided by q", "", "texture-1d", Broken::line_not_projected},
+    {"a rectangle's s and t are not divided by q", "", "texture-rectangle", Broken::rectangle_not_projected},
+    {"coordinates of rectangles are from 0 to 1", "", "texture-rectangle", Broken::rectangles_of_unit_sides},
+    {"dot products as coordinates of rectangles are from 0 to 1", "36", "dot-product-rectangle",
+     Broken::dots_of_unit_sides},
 };
 
 // The group that shows a field of profiles; empty: no picture decides it, and no group of one operation depends on it.
@@ -330,10 +344,19 @@ StageOutput output_of(const TextureShaderProgram& compiled, const TextureShaderR
   return output;
 }
 
-FetchTexel fetch_of(const std::vector<StagePicture>& pictures, const StageVectorProgram& program) {
-  return [&](int unit, const TexturePlace& place) {
-    const auto picture = program.picture[static_cast<std::size_t>(unit)];
-    return picture ? pictures[*picture].at(place.at) : Bytes4{};
+FetchTexel fetch_of(const std::vector<StagePicture>& pictures, const StageVectorProgram& program,
+                    Broken broken = Broken::none) {
+  return [&, broken](int unit, const TexturePlace& place) {
+    const auto i = static_cast<std::size_t>(unit);
+    if (!program.picture[i]) return Bytes4{};
+    const StagePicture& picture = pictures[*program.picture[i]];
+    const bool is_dot = program.state.stage[i].operation == TextureOperation::dot_product_rectangle;
+    const bool has_unit_sides =
+        picture.target == StageTarget::rectangle &&
+        (broken == Broken::rectangles_of_unit_sides || (broken == Broken::dots_of_unit_sides && is_dot));
+    if (!has_unit_sides) return picture.at(place.at);
+    return picture.at({place.at[0] * static_cast<float>(picture.width),
+                       place.at[1] * static_cast<float>(picture.height), place.at[2]});
   };
 }
 
@@ -384,7 +407,7 @@ std::vector<StageOutput> run_stage_mistake(const StageMistake& mistake, const St
   TextureShaderState state = program.state;
   if (mistake.edit != nullptr) mistake.edit(state);
   const TextureShaderProgram compiled = compiled_stages(mistake.profile, pack.pictures, program, state);
-  const FetchTexel fetch = fetch_of(pack.pictures, program);
+  const FetchTexel fetch = fetch_of(pack.pictures, program, mistake.broken);
   std::vector<StageOutput> outputs;
   for (const StageCoordinates& at : program.at) {
     const StageInputs inputs{at, at, at};

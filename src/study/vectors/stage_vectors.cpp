@@ -16,9 +16,9 @@ namespace {
 using vectors::Maker;
 using vectors::StageGroup;
 
-// The texel of a coordinate that counts `size` texels.
-int texel_at(float coordinate, int size) {
-  const float place = coordinate * static_cast<float>(size);
+// The texel of a coordinate of 0 to 1, or, of a rectangle, of 0 to `size`.
+int texel_at(float coordinate, int size, bool is_rectangle) {
+  const float place = is_rectangle ? coordinate : coordinate * static_cast<float>(size);
   if (!(place > 0.0F)) return 0;
   return place < static_cast<float>(size) ? static_cast<int>(place) : size - 1;
 }
@@ -103,7 +103,7 @@ Status set_words(const StageVectorPack& pack, StageVectorProgram& program) {
     const auto at = std::find(pack.word_names.begin(), pack.word_names.end(), word.name);
     program.words[static_cast<std::size_t>(at - pack.word_names.begin())] = word.value;
   };
-  const auto words = xbox::encode_stage_words(program.state);
+  const auto words = xbox::encode_stage_words(xbox::without_kinds(program.state));
   if (!words) return words.error();
   for (const RegisterWord& word : *words) put(word);
   for (const RegisterWord& word : xbox::encode_stage_numbers(program.state)) put(word);
@@ -134,9 +134,11 @@ const Bytes4& StagePicture::at(const std::array<float, 3>& place) const {
     t = on.t;
     layer = on.face;
   } else if (target == StageTarget::three_dimensional) {
-    layer = texel_at(place[2], depth);
+    layer = texel_at(place[2], depth, false);
   }
-  return texels[static_cast<std::size_t>((layer * height + texel_at(t, height)) * width + texel_at(s, width))];
+  const bool is_rectangle = target == StageTarget::rectangle;
+  return texels[static_cast<std::size_t>((layer * height + texel_at(t, height, is_rectangle)) * width +
+                                         texel_at(s, width, is_rectangle))];
 }
 
 int least_stage_vector_programs() {
@@ -149,8 +151,6 @@ Result<StageVectorPack> make_stage_vector_pack(const HardwareProfile& profile, c
     return Diagnostic{.message = "profile " + std::string(profile.name) + " has no texture shaders"};
   }
   const auto groups = vectors::stage_groups_of_packs();
-  std::vector<int> weights;
-  for (const StageGroup& group : groups) weights.push_back(group.weight);
   if (Status checked = vectors::check_settings(settings, groups.size(), profile); !checked) return checked.error();
   StageVectorPack pack;
   pack.profile = profile;
@@ -158,25 +158,8 @@ Result<StageVectorPack> make_stage_vector_pack(const HardwareProfile& profile, c
   pack.fragments = static_cast<std::size_t>(settings.fragments);
   pack.word_names = stage_word_names();
   pack.pictures = vectors::stage_pictures(settings.seed);
-  const std::vector<std::size_t> counts =
-      vectors::programs_by_group(weights, static_cast<std::size_t>(settings.programs));
-  std::vector<std::size_t> numbers;  // by program: of it in its group
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    pack.groups.push_back({groups[g].name, groups[g].rules, groups[g].what});
-    for (std::size_t i = 0; i < counts[g]; ++i) {
-      pack.programs.emplace_back().group = g;
-      numbers.push_back(i);
-    }
-  }
-  std::vector<Status> made(pack.programs.size());
-  const bool all = vectors::in_blocks(pack.programs.size(), go_on, [&](std::size_t i) {
-    StageVectorProgram& program = pack.programs[i];
-    made[i] = make_stage_program(pack, groups[program.group], i, numbers[i], program);
-  });
-  if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-  for (const Status& status : made) {
-    if (!status) return status.error();
-  }
+  if (Status made = vectors::make_programs(pack, groups, settings, go_on, &make_stage_program); !made)
+    return made.error();
   return pack;
 }
 

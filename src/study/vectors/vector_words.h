@@ -43,6 +43,32 @@ template <class Body>
   return true;
 }
 
+// Adds the groups and their programs to a pack, and makes each program by `make`(pack, group, index of the program, its
+// number in its group, program).
+template <class Pack, class Groups, class Make>
+[[nodiscard]] Status make_programs(Pack& pack, const Groups& groups, const VectorSettings& settings,
+                                   const VectorProgress& go_on, const Make& make) {
+  std::vector<int> weights;
+  for (const auto& group : groups) weights.push_back(group.weight);
+  const std::vector<std::size_t> counts = programs_by_group(weights, static_cast<std::size_t>(settings.programs));
+  std::vector<std::size_t> numbers;  // by program: of it in its group
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    pack.groups.push_back({groups[g].name, groups[g].rules, groups[g].what});
+    for (std::size_t i = 0; i < counts[g]; ++i) {
+      pack.programs.emplace_back().group = g;
+      numbers.push_back(i);
+    }
+  }
+  std::vector<Status> made(pack.programs.size());
+  const bool all = in_blocks(pack.programs.size(), go_on, [&](std::size_t i) {
+    auto& program = pack.programs[i];
+    made[i] = make(pack, groups[program.group], i, numbers[i], program);
+  });
+  if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  const auto fault = std::find_if(made.begin(), made.end(), [](const Status& one) { return !one; });
+  return fault == made.end() ? Status{} : *fault;
+}
+
 // The registers that fragments of a pack start with.
 
 // Rows with codes from 0 come first. NV20 class chips have as many rows with signed texels after them.

@@ -57,27 +57,7 @@ Result<VectorPack> make_vector_pack(const HardwareProfile& profile, const Vector
   pack.fragments = static_cast<std::size_t>(settings.fragments);
   pack.word_names = vectors::word_names(pack.chip);
   pack.inputs = vectors::vector_inputs(profile, settings.seed);
-  std::vector<int> weights;
-  for (const Group& group : groups) weights.push_back(group.weight);
-  const std::vector<std::size_t> counts =
-      vectors::programs_by_group(weights, static_cast<std::size_t>(settings.programs));
-  std::vector<std::size_t> numbers;  // by program: of it in its group
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    pack.groups.push_back({groups[g].name, groups[g].rules, groups[g].what});
-    for (std::size_t i = 0; i < counts[g]; ++i) {
-      pack.programs.emplace_back().group = g;
-      numbers.push_back(i);
-    }
-  }
-  std::vector<Status> made(pack.programs.size());
-  const bool all = vectors::in_blocks(pack.programs.size(), go_on, [&](std::size_t i) {
-    VectorProgram& program = pack.programs[i];
-    made[i] = make_program(pack, groups[program.group], i, numbers[i], program);
-  });
-  if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-  for (const Status& status : made) {
-    if (!status) return status.error();
-  }
+  if (Status made = vectors::make_programs(pack, groups, settings, go_on, &make_program); !made) return made.error();
   return pack;
 }
 

@@ -108,6 +108,11 @@ EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>&
   readers.texture = [&warnings](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
     return read_texture_files(files, profile, warnings);
   };
+  readers.rectangle = [](const std::filesystem::path& file, const HardwareProfile& profile) {
+    TextureReadOptions options{.rectangle = true, .isolated = true, .go_on = &go_on};
+    auto texture = image_detail::read_texture(profile, file, options, image_detail::kPictureModule);
+    return texture ? texture : explained_by_kind(texture.error(), texture.error().file, FileRole::picture);
+  };
   readers.scene = [allow_outside, &warnings](const std::filesystem::path& file, std::optional<UpAxis> up) {
     auto scene = read_scene(file, {.allow_outside = allow_outside, .up = up, .isolated = true, .go_on = &go_on});
     if (!scene) scene = explained_by_kind(scene.error(), file.string(), FileRole::scene);

@@ -25,7 +25,7 @@ typedef struct {
 void shade(const uint32_t words[], float at[4][4], StageResult *result);
 
 /* The emulator may call this one: the nearest texel of a unit's texture at s, t, r, as red, green, blue, alpha. Textures
-   are clamped to their edges. */
+   are clamped to their edges. The kind of texture is not in the words: s and t of a rectangle count texels. */
 void read_texel(int unit, const float at[3], uint8_t rgba[4]);
 
 enum { MOST_WORDS = 64, MOST_TEXTURES = 16, MOST_FRAGMENTS = 256, MOST_GROUPS = 256, DIGITS = 32 };
@@ -36,7 +36,7 @@ typedef struct {
 } Group;
 
 typedef struct {
-  char kind[8]; /* 2d, 3d, cube */
+  char kind[8]; /* 1d, 2d, rect, 3d, cube */
   int width, height, depth;
   uint8_t (*texels)[4];
   size_t count;
@@ -58,8 +58,9 @@ static int fail(const char *message) {
   return 2;
 }
 
-static int texel_at(float coordinate, int size) {
-  const float place = coordinate * (float)size;
+/* The texel of a coordinate of 0 to 1, or, of a rectangle, of 0 to size. */
+static int texel_at(float coordinate, int size, int is_rectangle) {
+  const float place = is_rectangle ? coordinate : coordinate * (float)size;
   if (!(place > 0.0f)) return 0;
   return place < (float)size ? (int)place : size - 1;
 }
@@ -67,11 +68,11 @@ static int texel_at(float coordinate, int size) {
 void read_texel(int unit, const float place[3], uint8_t rgba[4]) {
   const Texture *texture;
   float s = place[0], t = place[1];
-  int layer = 0;
+  int layer = 0, is_rectangle;
   memset(rgba, 0, 4);
   if (unit < 0 || unit > 3 || units[unit] < 0) return;
   texture = &textures[units[unit]];
-  if (strcmp(texture->kind, "3d") == 0) layer = texel_at(place[2], texture->depth);
+  if (strcmp(texture->kind, "3d") == 0) layer = texel_at(place[2], texture->depth, 0);
   if (strcmp(texture->kind, "cube") == 0) {
     const float x = place[0], y = place[1], z = place[2], ax = fabsf(x), ay = fabsf(y), az = fabsf(z);
     float major;
@@ -85,8 +86,9 @@ void read_texel(int unit, const float place[3], uint8_t rgba[4]) {
     s = (s / major + 1.0f) * 0.5f;
     t = (t / major + 1.0f) * 0.5f;
   }
-  layer = (layer * texture->height + texel_at(t, texture->height)) * texture->width + texel_at(s, texture->width);
-  memcpy(rgba, texture->texels[layer], 4);
+  is_rectangle = strcmp(texture->kind, "rect") == 0;
+  layer = layer * texture->height + texel_at(t, texture->height, is_rectangle);
+  memcpy(rgba, texture->texels[layer * texture->width + texel_at(s, texture->width, is_rectangle)], 4);
 }
 
 /* A result as packs write it. */
