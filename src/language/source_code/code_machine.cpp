@@ -293,16 +293,13 @@ Machine::Flow Machine::each(const Statement& s) {
   if (declared.type->is(TypeKind::unknown)) one.type = element;
   const std::size_t step = known ? std::max<std::size_t>(cells_of(element), 1) : 1;
   const std::size_t size = known ? object_at(range.object).cells.size() / step : 0;
-  const auto bind = [&](const Place& from) {
-    if (declared.is_reference) {
-      frames_.back().variables.push_back({declared.name, from});
-      return;
-    }
+  const auto bind_one = [&](const Place& from) {
+    if (declared.is_reference) return bind(declared.name, from);
     const Place at = new_variable(one.type, declared.name);
     if (known) store(at, load(from));
   };
   for (std::size_t i = 0; i < size && flow == Flow::normal && spend(); ++i) {
-    bind(deref(range, integer_value(static_cast<std::int64_t>(i)), std::string(declared.name)));
+    bind_one(deref(range, integer_value(static_cast<std::int64_t>(i)), std::string(declared.name)));
     flow = execute(s.body);
     frames_.back().variables.resize(variables);
     if (flow == Flow::next) flow = Flow::normal;
@@ -315,11 +312,7 @@ Machine::Flow Machine::each(const Statement& s) {
     body.kind = StatementKind::loop;
     body.body = s.body;
     body.value = s.value;
-    if (declared.is_reference) {
-      bind({.path = std::string(declared.name)});
-    } else {
-      bind({});
-    }
+    bind_one({.path = std::string(declared.name)});
     widen(body, why);
   }
   if (flow == Flow::leave) flow = Flow::normal;

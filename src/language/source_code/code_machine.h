@@ -165,7 +165,9 @@ class Machine {
   [[nodiscard]] bool leaves(const std::vector<Statement>& statements);
   bool execute_body(const std::vector<Statement>& body, bool sets);
   void declare(const Declared& declared);
+  void construct(const Declared& declared);
   void initialize(const Place& place, const Declared& declared);
+  std::optional<std::size_t> designated(const Expression& part, const Type& type);
   int first_value(const Declared& declared, bool changes);
   const Type* sized_type(const Declared& declared);
   std::int64_t open_count(const Expression& list);
@@ -189,6 +191,8 @@ class Machine {
   int new_object(const Type* type, const std::string& name);
   [[nodiscard]] Place place_of(int object) const;
   Place new_variable(const Type* type, std::string_view name);
+  Place static_variable(const Declared& declared, bool changes, bool is_global);
+  void bind(std::string_view name, const Place& place) { frames_.back().variables.push_back({name, place}); }
   [[nodiscard]] const Value& cell(const CellKey& key) const;
   void set_cell(const CellKey& key, Value value);
   Value load(const Place& place);
@@ -292,8 +296,8 @@ class Machine {
   std::vector<Guard> guards_;
   std::vector<Exit> exits_;
   std::unordered_map<std::string, Value> definitions_;
-  std::map<std::string, int> globals_;  // objects
-  std::map<const void*, int> statics_;  // of declarations: objects
+  std::map<const Declared*, int> statics_;   // objects
+  std::map<std::string, int> given_arrays_;  // objects of definitions, by their names and types
   std::map<std::uint32_t, CallSite> sites_;
   std::map<std::string, std::set<std::uint32_t>> needs_;                      // where each is used
   std::set<std::string> used_;                                                // definitions that were looked at

@@ -49,9 +49,8 @@ Place Machine::place_of(int object) const {
 
 // A variable of the function that is executed.
 Place Machine::new_variable(const Type* type, std::string_view name) {
-  Place at = place_of(new_object(type, std::string(name)));
-  frames_.back().variables.push_back({name, at});
-  return at;
+  bind(name, place_of(new_object(type, std::string(name))));
+  return frames_.back().variables.back().place;
 }
 
 const Value& Machine::cell(const CellKey& key) const {

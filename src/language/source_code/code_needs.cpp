@@ -127,7 +127,7 @@ Value Machine::definition_for(const Value& given, const Type* type, const std::s
   const Type* element = has_elements ? type->of : unknown;
   if (!element->is(TypeKind::number)) element = unknown;
   const std::string key = name + (element->is(TypeKind::number) ? "/" + std::to_string(element->kinds) : "");
-  const auto [known, is_new] = globals_.try_emplace("--define " + key, -1);
+  const auto [known, is_new] = given_arrays_.try_emplace(key, -1);
   if (is_new) {
     const int object = new_object(element, name);
     Object& made = object_at(object);
