@@ -41,7 +41,7 @@ Value Machine::evaluate(const Expression& e) {
   Value out = evaluate_once(e);
   --depth_;
   if (out.is_known() || definitions_.empty()) return out;
-  const std::string path = normal_path(text_of(e));
+  const std::string path = path_of(e);
   const Value* const given = defined(path);
   return given != nullptr ? definition_for(*given, out.type, path) : out;
 }
@@ -87,7 +87,7 @@ Value Machine::evaluate_once(const Expression& e) {
           (from == ExpressionKind::call || from == ExpressionKind::conditional || from == ExpressionKind::make)) {
         const Value object = evaluate(e.parts[0]);
         if (object.is(ValueKind::record)) return part_of(object, e.text);
-        return needed_value(normal_path(text_of(e)));
+        return needed_value(path_of(e));
       }
       const Place at = place(e);
       if (at.kind != PlaceKind::cell) {
@@ -172,7 +172,7 @@ Value Machine::evaluate_unary(const Expression& e) {
   if (e.text == "*") {
     const Value pointer = evaluate(operand);
     if (pointer.is(ValueKind::function) || pointer.is(ValueKind::entry_point)) return pointer;
-    return read(deref(pointer, integer_value(0), normal_path(text_of(e))));
+    return read(deref(pointer, integer_value(0), path_of(e)));
   }
   const bool steps = e.text == "++" || e.text == "--" || e.text == "post++" || e.text == "post--";
   if (steps) {
@@ -385,7 +385,7 @@ Value Machine::evaluate_size(const Expression& e) {
     }
   }
   const std::int64_t bytes = type == nullptr ? 0 : bytes_of(type);
-  if (bytes == 0) return needed_value(normal_path(text_of(e)), kUint32 | kUint64);
+  if (bytes == 0) return needed_value(path_of(e), kUint32 | kUint64);
   return number_value(int_number(bytes, kUint32 | kUint64));
 }
 
@@ -396,7 +396,7 @@ Value Machine::evaluate_make(const Expression& e) {
     if (list.parts.size() == 1) return cast(evaluate(list.parts[0]), type, text_of(e));
     if (list.parts.empty() && type->is(TypeKind::number)) return number_value(*convert(int_number(0), type->kinds));
     for (const Expression& one : list.parts) forget_pointed(evaluate(one));
-    return needed_value(normal_path(text_of(e)));
+    return needed_value(path_of(e));
   }
   if (type->is(TypeKind::array) && type->count == Type::kOpen) {
     type = program_.parser->array_of(type->of, static_cast<std::int64_t>(list.parts.size()));
@@ -411,7 +411,7 @@ Value Machine::evaluate_make(const Expression& e) {
     for (const Expression& one : list.parts) forget_pointed(evaluate(one));
     if (type->is(TypeKind::structure)) forget_shared();
   }
-  if (e.is_new && type->is(TypeKind::unknown)) return needed_value(normal_path(text_of(e)));
+  if (e.is_new && type->is(TypeKind::unknown)) return needed_value(path_of(e));
   if (!e.is_new) return load(at);
   return pointer_value(at.object, 0, type->is(TypeKind::array) ? type->of : type);
 }

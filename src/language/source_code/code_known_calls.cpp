@@ -247,7 +247,7 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
     const bool units = e.parts[1].text.find("MAX_TEXTURE_UNITS") != std::string_view::npos ||
                        (known && what.number.integer == kMaxTextureUnits);
     if (!combiners && !units) return std::nullopt;
-    store(deref(evaluate(e.parts[2]), integer_value(0), normal_path(text_of(e.parts[2]))),
+    store(deref(evaluate(e.parts[2]), integer_value(0), path_of(e.parts[2])),
           integer_value(combiners ? profile.general_combiners.value : profile.texture_units.value));
     return Value{};
   }

@@ -202,6 +202,7 @@ class Machine {
   [[nodiscard]] Value converted(Value value, const Type* type, const std::string& path) const;
   [[nodiscard]] bool is_inside(const Place& place) const;
   void forget_object(int object);
+  void escape(int object);
   void forget_pointed(const Value& value);
   void forget_outside(const std::string& prefix = {});
   void forget_shared();
@@ -237,7 +238,9 @@ class Machine {
   }
   Place place(const Expression& e);
   std::optional<Value> constant(const Expression& e) const;
-  std::string text_of(const Expression& e) const;
+  Place object_of_member(const Expression& member);
+  [[nodiscard]] std::string text_of(const Expression& e) const;
+  [[nodiscard]] std::string path_of(const Expression& e) const { return normal_path(text_of(e)); }
   void assume_unchanged(const Place& at, std::string_view function, const Expression& e);
   [[nodiscard]] bool is_c_or_java() const { return program_.source.file.ends_with(".c") || is_java(); }
   [[nodiscard]] bool is_java() const { return program_.source.file.ends_with(".java"); }
@@ -263,8 +266,11 @@ class Machine {
   Value call_unknown(const Expression& e, std::string_view name);
   void call_combiner(const detail::GlSignature& signature, const Expression& e);
   bool call_stage(const detail::GlSignature& signature, const Expression& e);
+  std::optional<std::vector<detail::GlArgument>> arguments(const detail::GlSignature& signature, const Expression& e,
+                                                           bool of_stages);
   void execute_call(const detail::GlSignature& signature, const Expression& e,
-                    const std::vector<detail::GlArgument>& arguments, bool known);
+                    const std::optional<std::vector<detail::GlArgument>>& arguments);
+  void select_unit(const Value& unit);
   Value call_nvparse(const Expression& e);
   std::optional<Value> call_known(std::string_view name, const Expression& e);
   std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
@@ -312,7 +318,7 @@ class Machine {
   std::vector<WholeState> drawn_;                   // programs with which something was drawn
   std::uint32_t first_skipped_ = 0, last_skipped_ = 0;
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
-  std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0, skips_ = 0;
+  std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0;
   bool out_of_steps_ = false, set_since_drawing_ = false;
   std::optional<Value> unknown_unit_;  // why it is not known which texture unit is active
   bool is_thrown_ = false;             // an exception leaves functions

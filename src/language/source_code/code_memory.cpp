@@ -218,6 +218,13 @@ void Machine::forget_object(int object) {
   }
 }
 
+// Of an object, if there is one, functions of other files have the address from now on.
+void Machine::escape(int object) {
+  if (object < 0) return;
+  forget_object(object);
+  object_at(object).is_escaped = true;
+}
+
 // Forgets what a function of another file may change through a value that it is given, now or later.
 void Machine::forget_pointed(const Value& value) {
   if (value.cells) {

@@ -158,7 +158,7 @@ void Machine::use(const Value& value) {
 // Notes that a value is needed. Without a name that could be defined, its own text is one.
 void Machine::need(const Value& value, const Expression& e) {
   if (quiet_ > 0) return;
-  const Names own{normal_path(text_of(e))};
+  const Names own{path_of(e)};
   for (const std::string& name : value.needs ? *value.needs : own) need(name, e.offset);
 }
 

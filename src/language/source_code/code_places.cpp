@@ -90,9 +90,14 @@ std::optional<Value> Machine::constant(const Expression& e) const {
   return std::nullopt;
 }
 
+// The object of OBJECT.MEMBER or OBJECT->MEMBER.
+Place Machine::object_of_member(const Expression& e) {
+  return e.is_arrow ? deref(evaluate(e.parts[0]), integer_value(0), "") : place(e.parts[0]);
+}
+
 // Where an expression's value is stored.
 Place Machine::place(const Expression& e) {
-  Place out{.path = normal_path(text_of(e))};
+  Place out{.path = path_of(e)};
   if (++depth_ > kMostChained) {
     --depth_;
     return out;
@@ -104,13 +109,13 @@ Place Machine::place(const Expression& e) {
     case ExpressionKind::index: {
       const Value base = evaluate(e.parts[0]), index = evaluate(e.parts[1]);
       const Expression& array = e.parts[0];
-      std::string path = normal_path(text_of(array));
+      std::string path = path_of(array);
       if (array.kind == ExpressionKind::index || array.kind == ExpressionKind::member) {
         path = quietly([&] { return place(array).path; });
       }
       path += "[" +
               (index.is_number() && !index.number.may_be_real() ? std::to_string(index.number.integer)
-                                                                : normal_path(text_of(e.parts[1]))) +
+                                                                : path_of(e.parts[1])) +
               "]";
       out = deref(base, index, path);
       break;
@@ -126,7 +131,7 @@ Place Machine::place(const Expression& e) {
         break;
       }
       Place whole;
-      const std::string path = is_self ? "" : normal_path(text_of(object));
+      const std::string path = is_self ? "" : path_of(object);
       if (e.is_arrow || is_self) {
         whole = deref(evaluate(object), integer_value(0), path);
       } else {

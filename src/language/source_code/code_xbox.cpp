@@ -79,7 +79,7 @@ std::string Machine::object_of(const Expression& e) {
       value.is(ValueKind::pointer) ? deref(value, integer_value(0), "") : quietly([&] { return place(e); });
   if (at.object >= 0) return "#" + std::to_string(at.object) + ":" + std::to_string(at.at);
   const std::string outside = value.name.empty() ? at.outside : value.name;
-  return outside.empty() ? normal_path(text_of(e)) : outside;
+  return outside.empty() ? path_of(e) : outside;
 }
 
 // The word that an expression names, by its number; reports a wrong index.
@@ -118,7 +118,7 @@ Value Machine::assign_word(const NamedWord& word, const Expression& e) {
     FilledDefinition& filled = filled_[object_of(*word.object)];
     if (filled.offsets.empty()) {
       filled.offset = e.offset;
-      filled.name = normal_path(text_of(*word.object));
+      filled.name = path_of(*word.object);
     }
     std::uint32_t& stored_word = filled.definition.words[*at];
     if (e.text != "=") {
