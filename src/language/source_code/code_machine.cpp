@@ -52,15 +52,16 @@ std::string Machine::too_many_steps() const {
                              : "the functions run for too long; a source's take at most 2,000,000 steps together";
 }
 
-void Machine::run(const Function& function) {
-  frames_.assign(1, Frame{.function = &function});
+void Machine::run(const Function* function) {
+  frames_.assign(1, Frame{.function = function});
   frames_[0].mark = log_.size();
   exits_.clear();
-  for (const Declared& parameter : function.parameters) {
+  static const std::vector<Declared> kNone;
+  for (const Declared& parameter : function == nullptr ? kNone : function->parameters) {
     if (parameter.name.empty()) continue;
     const std::string name(parameter.name);
     const Place at = new_variable(parameter.type, parameter.name);
-    if (at.type->is(TypeKind::array) || at.type->is(TypeKind::structure) || at.type->is(TypeKind::opaque)) continue;
+    if (is_whole(at.type) || at.type->is(TypeKind::opaque)) continue;
     Value value = needed_value(name, parameter.type->kinds);
     if (const Value* const given = defined(name)) {
       value = definition_for(*given, parameter.type, name);
@@ -74,17 +75,8 @@ void Machine::run(const Function& function) {
     store(at, std::move(value));
   }
   frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
-  need_conditions(&function);
-  (void)execute_body(program_.body_of(function), true);
-  frames_.clear();
-}
-
-void Machine::run_code() {
-  frames_.assign(1, Frame{});
-  frames_[0].mark = log_.size();
-  frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
-  need_conditions(nullptr);
-  (void)execute_body(program_.outline.code, true);
+  need_conditions(function);
+  (void)execute_body(function != nullptr ? program_.body_of(*function) : program_.outline.code, true);
   frames_.clear();
 }
 

@@ -87,10 +87,8 @@ class Machine {
   Machine(Program& program, const std::vector<Definition>& definitions, const HardwareProfile& profile,
           detail::SourceFaults& faults, detail::SourceFaults& notes);
 
-  // Executes a function on the context, as the first one or after others.
-  void run(const Function& function);
-  // Executes the code outside of functions.
-  void run_code();
+  // Executes a function on the context, as the first one or after others; nullptr: the code outside of functions.
+  void run(const Function* function);
   // Loads a program in string literals, as a call of nvparse does; `offset` is that of the call. `pasted`: the
   // literals, if macros made them.
   void load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset, const std::string& pasted = {});

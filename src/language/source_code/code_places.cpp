@@ -152,26 +152,10 @@ Place Machine::place(const Expression& e) {
     case ExpressionKind::unary:
       if (e.text == "*") {
         out = deref(evaluate(e.parts[0]), integer_value(0), out.path);
-      } else if (e.text == "++" || e.text == "--") {
+      } else {
         (void)evaluate(e);
-        out = place(e.parts[0]);
       }
       break;
-    case ExpressionKind::assignment:
-      (void)evaluate(e);
-      out = quietly([&] { return place(e.parts[0]); });
-      break;
-    case ExpressionKind::comma:
-      (void)evaluate(e.parts[0]);
-      out = place(e.parts[1]);
-      break;
-    case ExpressionKind::cast: {
-      // (float)x = …, of old; a reference is not cast.
-      const Place inner = place(e.parts[0]);
-      out.kind = inner.object >= 0 ? PlaceKind::somewhere : PlaceKind::nowhere;
-      out.object = inner.object;
-      break;
-    }
     case ExpressionKind::make: {
       const Value made = evaluate(e);
       if (made.is(ValueKind::pointer)) out = deref(made, integer_value(0), out.path);
