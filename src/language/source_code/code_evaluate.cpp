@@ -96,7 +96,7 @@ Value Machine::evaluate_once(const Expression& e) {
       return read(at);
     }
     case ExpressionKind::list:
-      return converted_list(e, program_.parser->unknown_type());
+      return list_value(e);
     case ExpressionKind::cast:
       return cast(evaluate(e.parts[0]), e.type, text_of(e));
     case ExpressionKind::size:

@@ -268,25 +268,24 @@ void Machine::fill_part(const Place& at, const std::vector<Expression>& parts, s
 }
 
 // { … } without a type: its numbers, one after the other.
-Value Machine::converted_list(const Expression& e, const Type* type) {
-  const int object = new_object(type, text_of(e));
-  {
-    Object& made = object_at(object);
-    made.types.assign(e.parts.size(), type);
-    made.cells.assign(e.parts.size(), Value{});
-  }
+Value Machine::list_value(const Expression& e) {
+  const Type* const type = program_.parser->unknown_type();
+  const int made = new_array(type, e.parts.size(), text_of(e));
   for (std::size_t i = 0; i < e.parts.size(); ++i) {
-    const Expression& part = e.parts[i].kind == ExpressionKind::designated ? e.parts[i].parts.back() : e.parts[i];
-    Value value = evaluate(part);
-    if (e.parts[i].kind == ExpressionKind::designated) value = Value{};
-    store({.kind = PlaceKind::cell,
-           .object = object,
-           .at = static_cast<std::int64_t>(i),
-           .type = type,
-           .path = text_of(part)},
-          std::move(value));
+    const bool designates = e.parts[i].kind == ExpressionKind::designated;
+    const Expression& part = designates ? e.parts[i].parts.back() : e.parts[i];
+    Value value = converted(evaluate(part), type, text_of(part));
+    set_cell({made, static_cast<std::int64_t>(i), {}}, designates ? Value{} : std::move(value));
   }
-  return pointer_value(object, 0, type);
+  return pointer_value(made, 0, type);
+}
+
+// An object of elements that are not known.
+int Machine::new_array(const Type* element, std::size_t count, const std::string& name) {
+  const int made = new_object(element, name);
+  object_at(made).types.assign(count, element);
+  object_at(made).cells.assign(count, Value{});
+  return made;
 }
 
 }  // namespace ninebit::code

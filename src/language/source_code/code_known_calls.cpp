@@ -281,7 +281,7 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
     Expression list = e;
     list.kind = ExpressionKind::list;
     list.parts.erase(list.parts.begin());
-    return converted_list(list, program_.parser->unknown_type());
+    return list_value(list);
   }
   if (count == 0 || count > 2 || !callee.qualifier.empty()) return std::nullopt;
   const auto quiet = quietly([&] {

@@ -203,11 +203,15 @@ Machine::Flow Machine::loop(const Statement& s) {
   const std::size_t variables = frames_.back().variables.size();
   for (const Statement& one : s.first) (void)execute(one);
   frames_.back().loops.push_back({.mark = log_.size()});
-  const Flow flow = rounds(s);
+  return end_loop(rounds(s), variables);
+}
+
+// Behind a loop or a choice.
+Machine::Flow Machine::end_loop(Flow flow, std::size_t variables) {
   resolve(Flow::leave, frames_.back().loops.back().mark);
   frames_.back().loops.pop_back();
   frames_.back().variables.resize(variables);
-  return flow;
+  return flow == Flow::leave ? Flow::normal : flow;
 }
 
 Machine::Flow Machine::rounds(const Statement& s) {
@@ -276,22 +280,20 @@ void Machine::widen(const Statement& s, const Value& why) {
 Machine::Flow Machine::each(const Statement& s) {
   const Value range = evaluate(s.value[0]);
   const bool known = range.is(ValueKind::pointer) && range.at == 0 && range.type != nullptr;
+  const std::size_t step = known ? std::max<std::size_t>(cells_of(range.type), 1) : 1;
+  const std::size_t size = known ? object_at(range.object).cells.size() / step : 0;
+  const Declared& one = s.declared[0];
+  const Type* const type = known && one.type->is(TypeKind::unknown) ? range.type : one.type;
   const std::size_t variables = frames_.back().variables.size();
   frames_.back().loops.push_back({.mark = log_.size()});
-  Flow flow = Flow::normal;
-  const Declared& declared = s.declared[0];
-  const Type* const element = known ? range.type : declared.type;
-  Declared one = declared;
-  if (declared.type->is(TypeKind::unknown)) one.type = element;
-  const std::size_t step = known ? std::max<std::size_t>(cells_of(element), 1) : 1;
-  const std::size_t size = known ? object_at(range.object).cells.size() / step : 0;
-  const auto bind_one = [&](const Place& from) {
-    if (declared.is_reference) return bind(declared.name, from);
-    const Place at = new_variable(one.type, declared.name);
+  const auto take = [&](const Place& from) {
+    if (one.is_reference) return bind(one.name, from);
+    const Place at = new_variable(type, one.name);
     if (known) store(at, load(from));
   };
+  Flow flow = Flow::normal;
   for (std::size_t i = 0; i < size && flow == Flow::normal && spend(); ++i) {
-    bind_one(deref(range, integer_value(static_cast<std::int64_t>(i)), std::string(declared.name)));
+    take(deref(range, integer_value(static_cast<std::int64_t>(i)), std::string(one.name)));
     flow = execute(s.body);
     frames_.back().variables.resize(variables);
     if (flow == Flow::next) flow = Flow::normal;
@@ -299,19 +301,10 @@ Machine::Flow Machine::each(const Statement& s) {
   }
   if (!known) {
     if (program_.sets(s.body)) need(range, s.value[0]);
-    const Value why = unknown_of(range, range);
-    Statement body;
-    body.kind = StatementKind::loop;
-    body.body = s.body;
-    body.value = s.value;
-    bind_one({.path = std::string(declared.name)});
-    widen(body, why);
+    take({.path = std::string(one.name)});
+    widen(s, unknown_of(range, range));
   }
-  if (flow == Flow::leave) flow = Flow::normal;
-  resolve(Flow::leave, frames_.back().loops.back().mark);
-  frames_.back().loops.pop_back();
-  frames_.back().variables.resize(variables);
-  return flow;
+  return end_loop(flow, variables);
 }
 
 // Whether a way that ends like this leaves the function, or goes to where no calls of the combiners follow.
@@ -377,10 +370,7 @@ Machine::Flow Machine::choice(const Statement& s) {
     if (!usual) ways.emplace_back([] { return Flow::normal; });
     flow = fork(why, unknown, ways);
   }
-  if (flow == Flow::leave) flow = Flow::normal;
-  resolve(Flow::leave, frames_.back().loops.back().mark);
-  frames_.back().loops.pop_back();
-  return flow;
+  return end_loop(flow, frames_.back().variables.size());
 }
 
 }  // namespace ninebit::code

@@ -105,7 +105,6 @@ class Machine {
   [[nodiscard]] std::vector<std::string> needs() const;
   [[nodiscard]] bool is_out_of_steps() const { return out_of_steps_; }
   [[nodiscard]] std::string too_many_steps() const;
-  [[nodiscard]] std::map<std::string, std::set<std::uint32_t>> collected_needs() const;
   [[nodiscard]] const std::map<std::uint32_t, CallSite>& sites() const { return sites_; }
   // Where the string literals begin that were loaded.
   [[nodiscard]] const std::set<std::uint32_t>& loaded() const { return loaded_; }
@@ -146,6 +145,10 @@ class Machine {
     CellKey key;
     Value before;
   };
+  struct Need {
+    std::set<std::uint32_t> where{};
+    bool is_array = false;  // of four numbers
+  };
   struct Guard {
     Value why;
     const Expression* condition;
@@ -158,6 +161,7 @@ class Machine {
   Flow loop(const Statement& statement);
   Flow rounds(const Statement& statement);
   Flow each(const Statement& statement);
+  Flow end_loop(Flow flow, std::size_t variables);
   Flow choice(const Statement& statement);
   void widen(const Statement& statement, const Value& why);
   [[nodiscard]] bool leaves(const std::vector<Statement>& statements);
@@ -171,7 +175,8 @@ class Machine {
   std::int64_t open_count(const Expression& list);
   void fill(const Place& place, const Expression& list);
   void fill_part(const Place& place, const std::vector<Expression>& parts, std::size_t& next, bool has_braces);
-  Value converted_list(const Expression& e, const Type* type);
+  Value list_value(const Expression& e);
+  int new_array(const Type* element, std::size_t count, const std::string& name);
   bool spend(std::size_t steps = 1);
 
   // Ways that are not decided: code_fork.cpp
@@ -181,6 +186,7 @@ class Machine {
   void join(const Changes& changes, std::size_t mark, const Value& why);
   void add_exit(Flow flow, const Changes& last, const Value& why, const Expression* condition);
   void resolve(Flow flow, std::size_t mark, std::string_view label = {});
+  [[nodiscard]] std::map<std::string, Need> collected_needs() const;
   [[nodiscard]] bool is_conditional() const { return !guards_.empty() || !exits_.empty(); }
 
   // Memory: code_memory.cpp

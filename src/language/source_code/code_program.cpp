@@ -106,15 +106,18 @@ bool Program::sets(const Function& function) {
 bool Program::sets(const std::vector<Statement>& statements) {
   if (statements.empty()) return false;
   if (const auto known = may_set.find(&statements); known != may_set.end()) return known->second;
-  const bool found = std::any_of(statements.begin(), statements.end(), [&](const Statement& s) {
-    const auto any = [&](const std::vector<Expression>& all) {
-      return std::any_of(all.begin(), all.end(), [&](const Expression& e) { return sets(e); });
-    };
-    const bool declares =
-        std::any_of(s.declared.begin(), s.declared.end(), [&](const Declared& d) { return any(d.value); });
-    const bool unreadable = s.kind == StatementKind::unreadable && file.calls_between(s.offset, s.end);
-    return any(s.value) || any(s.step) || declares || unreadable || sets(s.first) || sets(s.body) || sets(s.otherwise);
-  });
+  bool found = false;
+  const auto look = [&](const std::vector<Expression>& all) {
+    for (const Expression& e : all) found = found || sets(e);
+  };
+  for (const Statement& s : statements) {
+    if (found) break;
+    look(s.value);
+    look(s.step);
+    for (const Declared& one : s.declared) look(one.value);
+    found = found || (s.kind == StatementKind::unreadable && file.calls_between(s.offset, s.end)) || sets(s.first) ||
+            sets(s.body) || sets(s.otherwise);
+  }
   may_set.emplace(&statements, found);
   return found;
 }
