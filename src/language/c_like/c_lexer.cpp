@@ -38,6 +38,13 @@ int precedence(const Token& token) {
   return 0;
 }
 
+bool is_assignment(const Token& token) {
+  constexpr std::array<std::string_view, 11> kAssignments{
+      "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
+  return token.kind == Token::Kind::punctuation &&
+         std::find(kAssignments.begin(), kAssignments.end(), token.text) != kAssignments.end();
+}
+
 // A comment at the current place; false: there is none.
 bool Lexer::skip_comment() {
   if (starts("//")) {

@@ -27,6 +27,8 @@ struct Token {
 
 // How closely a binary operator of C binds, from 1 for ||; 0: the token is not one.
 [[nodiscard]] int precedence(const Token& token);
+// Whether a token is = or += and the like.
+[[nodiscard]] bool is_assignment(const Token& token);
 
 class Lexer {
  public:
