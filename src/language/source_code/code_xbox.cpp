@@ -44,33 +44,6 @@ bool assigns_word(const Expression& e) {
   return e.kind == ExpressionKind::assignment && named_word(e.parts[0]).field != nullptr;
 }
 
-bool assigns_word(std::string_view text, std::size_t begin, std::size_t end) {
-  constexpr std::size_t kLongestIndex = 64;
-  std::size_t before = begin;
-  while (before > 0 && detail::is_blank(text[before - 1])) --before;
-  const bool is_pointer = text.substr(0, before).ends_with("->");
-  if (!is_pointer && !text.substr(0, before).ends_with('.')) return false;
-  // In an initializer no object stands before the point.
-  before -= is_pointer ? 2 : 1;
-  while (before > 0 && detail::is_blank(text[before - 1])) --before;
-  const char last = before > 0 ? text[before - 1] : ';';
-  if ((!detail::is_word(last) && last != ')' && last != ']') ||
-      xbox::find_field(text.substr(begin, end - begin)) == nullptr)
-    return false;
-  const auto skip = [&] {
-    while (end < text.size() && detail::is_blank(text[end])) ++end;
-  };
-  skip();
-  if (end < text.size() && text[end] == '[') {
-    const std::size_t close = text.substr(end, kLongestIndex).find(']');
-    if (close == std::string_view::npos) return false;
-    end += close + 1;
-    skip();
-  }
-  const std::string_view rest = text.substr(end);
-  return (rest.starts_with('=') && !rest.starts_with("==")) || rest.starts_with("|=") || rest.starts_with("+=");
-}
-
 // An object by the memory that it is in.
 std::string Machine::object_of(const Expression& e) {
   if (e.kind == ExpressionKind::unary && e.text == "&") return object_of(e.parts[0]);
