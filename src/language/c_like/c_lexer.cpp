@@ -165,6 +165,15 @@ Token Lexer::next() {
   return token;
 }
 
+std::vector<Token> tokens_of(std::string_view text) {
+  std::vector<Token> all;
+  Lexer lexer(text);
+  do {
+    all.push_back(lexer.next());
+  } while (all.back().kind != Token::Kind::end);
+  return all;
+}
+
 Token TokenReader::take() {
   end_of_last_ = next_.end;
   return std::exchange(next_, lexer_.next());

@@ -25,10 +25,6 @@ std::string_view own_name(const Expression& callee) {
   return is_name ? named.text : std::string_view();
 }
 
-bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts) {
-  return std::any_of(parts.begin(), parts.end(), [&](auto part) { return name.find(part) != std::string_view::npos; });
-}
-
 // Whether a call draws, by its name.
 bool draws(std::string_view name) {
   return contains_any(name, {"glBegin", "glDrawArrays", "glDrawElements", "glDrawRange", "glCallList", "glRect",
@@ -51,12 +47,21 @@ void set_number(detail::GlArgument& out, const Number& number) {
 
 }  // namespace
 
+std::string lower_case(std::string_view name) {
+  std::string out(name);
+  for (char& c : out) c = is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts) {
+  return std::any_of(parts.begin(), parts.end(), [&](auto part) { return name.find(part) != std::string_view::npos; });
+}
+
 bool names_gl_function(std::string_view name) {
   constexpr std::size_t kLongestPrefix = 6;
   const std::size_t at = name.find("gl");
   const std::string_view own = at <= kLongestPrefix ? name.substr(at + 2) : std::string_view();
-  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
-  return own.size() > 2 && is_upper(own[0]) && !is_upper(own[1]) && own[1] != '_';
+  return own.size() > 2 && is_capital(own[0]) && !is_capital(own[1]) && own[1] != '_';
 }
 
 const Expression& called_operand(const Expression& callee) {

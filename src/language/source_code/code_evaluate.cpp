@@ -22,10 +22,6 @@ bool is_address(const Value& value) {
          value.is(ValueKind::entry_point);
 }
 
-bool is_upper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 // The types that a value has or may have; 0: not a number, or any.
 Kinds kinds_of(const Value& value) {
   return value.is_number() || !value.is_known() ? value.number.kinds : Kinds{0};
@@ -225,7 +221,7 @@ Value Machine::combine(std::string_view op, const Value& left, const Value& righ
     const auto is_foreign = [](const Value& one) {
       return !one.is_known() && !one.name.empty() &&
              std::none_of(one.name.begin(), one.name.end(), [](char c) { return c >= 'a' && c <= 'z'; }) &&
-             is_upper(one.name[0]) && one.name.size() > 1;
+             is_capital(one.name[0]) && one.name.size() > 1;
     };
     Value out = unknown_of(left, right, kinds);
     if (is_comparison(op) && !left.is_known() && is_foreign(right)) out = unknown_of(left, left, kinds);

@@ -85,13 +85,10 @@ class Conditions {
  private:
   void find_groups() {
     std::vector<std::size_t> open;
-    Lexer lexer(file_.text);
-    for (Token token = lexer.next(); token.kind != Token::Kind::end;) {
-      if (!token.is("#") || !token.begins_line) {
-        token = lexer.next();
-        continue;
-      }
-      const Token directive = lexer.next();
+    const std::vector<Token> tokens = tokens_of(file_.text);
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+      if (!tokens[i].is("#") || !tokens[i].begins_line) continue;
+      const Token& directive = tokens[i + 1];
       if (opens_group(directive)) {
         groups_of_[directive.offset] = groups_.size();
         open.push_back(groups_.size());
@@ -103,7 +100,6 @@ class Conditions {
         groups_[open.back()].end = directive.offset;
         open.pop_back();
       }
-      token = directive.kind == Token::Kind::end ? directive : lexer.next();
     }
   }
 
@@ -151,11 +147,7 @@ bool names_stages(std::string_view text) {
 }
 
 std::vector<std::uint32_t> calls_of(std::string_view text, bool reads_stages) {
-  std::vector<Token> tokens;
-  Lexer lexer(text);
-  do {
-    tokens.push_back(lexer.next());
-  } while (tokens.back().kind != Token::Kind::end);
+  const std::vector<Token> tokens = tokens_of(text);
   const auto is = [&](std::size_t i, std::initializer_list<std::string_view> words) {
     return i < tokens.size() && std::any_of(words.begin(), words.end(), [&](auto one) { return tokens[i].is(one); });
   };

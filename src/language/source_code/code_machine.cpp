@@ -22,20 +22,11 @@ const Statement* find_mark(const std::vector<Statement>& statements, std::string
   return nullptr;
 }
 
-// Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
-bool is_vector_type(std::string_view word) {
-  std::string lower;
-  for (const char c : word) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  for (const std::string_view part : {"vec", "color", "colour", "rgba", "float4", "float3", "quat", "plane", "tuple"}) {
-    if (lower.find(part) != std::string::npos) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 bool names_vector(std::string_view word, std::size_t numbers) {
-  return (numbers == 3 || numbers == 4) && is_vector_type(word);
+  return (numbers == 3 || numbers == 4) && contains_any(lower_case(word), {"vec", "color", "colour", "rgba", "float4",
+                                                                           "float3", "quat", "plane", "tuple"});
 }
 
 bool Machine::spend(std::size_t steps) {

@@ -70,6 +70,13 @@ struct Program {
 [[nodiscard]] const detail::GlSignature* signature_of(const Expression& callee);
 // Whether a name is that of a GL function, also of a pointer to one: glEnable, qglEnable, pfn_glEnable.
 [[nodiscard]] bool names_gl_function(std::string_view name);
+[[nodiscard]] inline bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+[[nodiscard]] std::string lower_case(std::string_view name);
+[[nodiscard]] bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts);
+// Whether a name or a text says that an extension of the combiners is there; empty: it does not say.
+[[nodiscard]] std::optional<bool> says_extension(std::string_view name, const HardwareProfile& profile);
 // Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
 [[nodiscard]] bool names_vector(std::string_view word, std::size_t numbers);
 // A name without blanks and without this., with . for ->.

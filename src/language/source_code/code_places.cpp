@@ -9,10 +9,6 @@
 namespace ninebit::code {
 namespace {
 
-bool is_capital(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 // Whether a qualifier or an object's name may have OpenGL's names: vtkgl::, GL., NvRegisterCombiners.
 bool may_qualify(const Expression& e) {
   if (!e.qualifier.empty()) return true;
@@ -22,19 +18,17 @@ bool may_qualify(const Expression& e) {
   return is_capital(object.text[0]) || object.text.starts_with("gl");
 }
 
+}  // namespace
+
 // Whether a name or a text says that an extension of the combiners is there; empty: it does not say.
 std::optional<bool> says_extension(std::string_view name, const HardwareProfile& profile) {
-  std::string plain;
-  for (const char c : name) {
-    if (c != '_') plain += is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  std::string plain = lower_case(name);
+  plain.erase(std::remove(plain.begin(), plain.end(), '_'), plain.end());
   const std::size_t at = plain.find("registercombiners");
   if (at == std::string::npos) return std::nullopt;
   const bool second = plain.substr(at).starts_with("registercombiners2");
   return !second || profile.per_stage_constants.value;
 }
-
-}  // namespace
 
 std::string Machine::text_of(const Expression& e) const {
   constexpr std::size_t kLongest = 200;

@@ -390,12 +390,9 @@ namespace {
 
 // Whether a token shows that a text is more than a sequence of calls.
 bool shows_structure(const code::Token& token) {
-  if (token.is("#") && token.begins_line) return true;
-  for (const std::string_view word : {"if", "for", "while", "switch", "return", "void", "class", "struct", "namespace",
-                                      "public", "private", "else", "do", "import", "using"}) {
-    if (token.is(word)) return true;
-  }
-  return false;
+  return (token.is("#") && token.begins_line) ||
+         code::is_one_of(token, {"if", "for", "while", "switch", "return", "void", "class", "struct", "namespace",
+                                 "public", "private", "else", "do", "import", "using"});
 }
 
 bool is_page(std::string_view text) {
@@ -411,8 +408,7 @@ bool is_gl_source_code(std::string_view text) {
   std::vector<bool> open;
   bool closed_parameters = false;
   std::string_view last;
-  code::Lexer lexer(text);
-  for (code::Token token = lexer.next(); token.kind != code::Token::Kind::end; token = lexer.next()) {
+  for (const code::Token& token : code::tokens_of(text)) {
     if (token.is("(")) {
       open.push_back(is_name);
       calls_gl = calls_gl || (is_name && code::names_gl_function(last));
@@ -436,11 +432,8 @@ bool is_source_code(std::string_view text) {
   const std::vector<std::uint32_t> calls = code::calls_of(text, code::names_stages(text));
   if (calls.empty()) return false;
   if (text.substr(calls[0]).starts_with("nvparse")) return true;
-  code::Lexer lexer(text);
-  for (code::Token token = lexer.next(); token.kind != code::Token::Kind::end; token = lexer.next()) {
-    if (shows_structure(token)) return true;
-  }
-  return false;
+  const std::vector<code::Token> tokens = code::tokens_of(text);
+  return std::any_of(tokens.begin(), tokens.end(), shows_structure);
 }
 
 std::vector<SourceFunction> find_source_functions(const SourceText& source, const std::vector<Definition>& definitions,
