@@ -13,17 +13,13 @@
 namespace ninebit::code {
 namespace {
 
-std::vector<Token> tokens_of(std::string_view text) {
-  std::vector<Token> all;
-  Lexer lexer(text);
-  for (Token one = lexer.next(); one.kind != Token::Kind::end; one = lexer.next()) all.push_back(one);
-  return all;
-}
-
 // The value with macros.
 ConditionValue value_with(const std::string& expression, const std::map<std::string, std::string>& bodies = {}) {
   Macros macros;
-  for (const auto& [name, body] : bodies) macros.all[name].body = tokens_of(body);
+  for (const auto& [name, body] : bodies) {
+    macros.all[name].body = tokens_of(body);
+    macros.all[name].body.pop_back();
+  }
   std::vector<Token> tokens = tokens_of(expression);
   for (std::size_t i = 1; i < tokens.size(); ++i) {
     tokens[i].is_final = tokens[i - 1].is("defined") || (i > 1 && tokens[i - 2].is("defined"));

@@ -38,6 +38,13 @@ int precedence(const Token& token) {
   return 0;
 }
 
+bool is_assignment(const Token& token) {
+  constexpr std::array<std::string_view, 11> kAssignments{
+      "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
+  return token.kind == Token::Kind::punctuation &&
+         std::find(kAssignments.begin(), kAssignments.end(), token.text) != kAssignments.end();
+}
+
 // A comment at the current place; false: there is none.
 bool Lexer::skip_comment() {
   if (starts("//")) {
@@ -156,6 +163,15 @@ Token Lexer::next() {
   at_ = end;
   token.end = static_cast<std::uint32_t>(at_);
   return token;
+}
+
+std::vector<Token> tokens_of(std::string_view text) {
+  std::vector<Token> all;
+  Lexer lexer(text);
+  do {
+    all.push_back(lexer.next());
+  } while (all.back().kind != Token::Kind::end);
+  return all;
 }
 
 Token TokenReader::take() {

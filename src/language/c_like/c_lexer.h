@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace ninebit::code {
 
@@ -27,6 +28,8 @@ struct Token {
 
 // How closely a binary operator of C binds, from 1 for ||; 0: the token is not one.
 [[nodiscard]] int precedence(const Token& token);
+// Whether a token is = or += and the like.
+[[nodiscard]] bool is_assignment(const Token& token);
 
 class Lexer {
  public:
@@ -52,6 +55,9 @@ class Lexer {
   bool line_begins_ = true;
   std::optional<std::size_t> unterminated_{};
 };
+
+// All tokens of a text; the last is Kind::end.
+[[nodiscard]] std::vector<Token> tokens_of(std::string_view text);
 
 // A lexer with one token of lookahead; a copy goes on from the same place.
 class TokenReader {

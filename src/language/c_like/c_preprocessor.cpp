@@ -157,10 +157,7 @@ Answer Preprocessor::answer(const Token& directive, const std::vector<Token>& li
     const bool is_used = expression[i].is_name() && !expression[i].is_final && !expression[i].is("defined");
     const auto value = is_used ? value_of(expression[i].text) : std::nullopt;
     if (!value) continue;
-    std::vector<Token> body;
-    Lexer lexer(*value);
-    for (Token one = lexer.next(); one.kind != Token::Kind::end; one = lexer.next()) body.push_back(one);
-    body = expand_tokens(macros_, body);
+    const std::vector<Token> body = expand_tokens(macros_, tokens_of(*value));
     const auto at = expression.erase(expression.begin() + static_cast<std::ptrdiff_t>(i));
     expression.insert(at, body.begin(), body.end());
     ++replaced;

@@ -29,10 +29,6 @@ bool enables(const detail::GlSignature& signature) {
   return signature.command == GlCommand::enable || signature.command == GlCommand::disable;
 }
 
-bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts) {
-  return std::any_of(parts.begin(), parts.end(), [&](auto part) { return name.find(part) != std::string_view::npos; });
-}
-
 // Whether a call draws, by its name.
 bool draws(std::string_view name) {
   return contains_any(name, {"glBegin", "glDrawArrays", "glDrawElements", "glDrawRange", "glCallList", "glRect",
@@ -47,14 +43,29 @@ bool changes_nothing(std::string_view name) {
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
+void set_number(detail::GlArgument& out, const Number& number) {
+  out.is_integer = (number.kinds & ~kReals) != 0;
+  out.integer = number.integer;
+  out.real = number.value();
+}
+
 }  // namespace
+
+std::string lower_case(std::string_view name) {
+  std::string out(name);
+  for (char& c : out) c = is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts) {
+  return std::any_of(parts.begin(), parts.end(), [&](auto part) { return name.find(part) != std::string_view::npos; });
+}
 
 bool names_gl_function(std::string_view name) {
   constexpr std::size_t kLongestPrefix = 6;
   const std::size_t at = name.find("gl");
   const std::string_view own = at <= kLongestPrefix ? name.substr(at + 2) : std::string_view();
-  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
-  return own.size() > 2 && is_upper(own[0]) && !is_upper(own[1]) && own[1] != '_';
+  return own.size() > 2 && is_capital(own[0]) && !is_capital(own[1]) && own[1] != '_';
 }
 
 const Expression& called_operand(const Expression& callee) {
@@ -76,8 +87,7 @@ const detail::GlSignature* signature_of(const Expression& callee) {
 Value Machine::call(const Expression& e) {
   const Expression& callee = e.parts[0];
   const std::string_view name = own_name(callee);
-  const Function* const inside = frames_.back().function;
-  const Function* function = program_.function_of(callee, e.parts.size() - 1, inside);
+  const Function* function = program_.function_of(callee, e.parts.size() - 1, frames_.back().function);
   // A variable that holds a function.
   const Expression& named = called_operand(callee);
   if (function == nullptr && detail::find_gl_call(name) == nullptr) {
@@ -86,15 +96,12 @@ Value Machine::call(const Expression& e) {
     const Value held = is_variable ? evaluate(callee) : Value{};
     if (held.is(ValueKind::function)) function = held.function;
   }
-  if (function != nullptr && quiet_ > 0) return needed_value({}, function->result->kinds);
   if (function != nullptr) {
+    if (quiet_ > 0) return needed_value({}, function->result->kinds);
     Value self = named.kind == ExpressionKind::name && !function->scope.empty() ? frames_.back().self : Value{};
     if (named.kind == ExpressionKind::member) {
-      const Place object =
-          named.is_arrow ? deref(evaluate(named.parts[0]), integer_value(0), "") : place(named.parts[0]);
-      if (object.kind == PlaceKind::cell) {
-        self = pointer_value(object.object, object.at, object.type);
-      }
+      const Place object = object_of_member(named);
+      if (object.kind == PlaceKind::cell) self = pointer_value(object.object, object.at, object.type);
     }
     return call_function(*function, e, self);
   }
@@ -113,39 +120,31 @@ Value Machine::call(const Expression& e) {
 
 // A function whose body is not known may change what it is given by address, and what other code can change.
 Value Machine::call_unknown(const Expression& e, std::string_view name) {
-  const std::string path = normal_path(text_of(e));
   const Expression& callee = e.parts[0];
   const auto declared = program_.prototypes.find(name);
   const Function* const prototype = declared != program_.prototypes.end() ? declared->second[0] : nullptr;
-  Value out = needed_value(path, prototype != nullptr ? prototype->result->kinds : Kinds{0});
+  Value out = needed_value(path_of(e), prototype != nullptr ? prototype->result->kinds : Kinds{0});
   if (prototype != nullptr && prototype->result->is(TypeKind::pointer)) out.type = prototype->result->of;
   if (quiet_ > 0) return out;
   look_for_misspelling(name, e);
-  const auto same_name = program_.by_name.find(name);
-  for (const Function* const one :
-       same_name == program_.by_name.end() ? std::vector<const Function*>{} : same_name->second) {
-    const bool may_be_it = callee.kind != ExpressionKind::member || one->parameters.size() == e.parts.size() - 1;
-    if (!may_be_it || one == frames_.back().function || !program_.sets(*one)) continue;
-    report(e.offset, quoted(name) + " sets combiners, and which function of this name is called is not known");
+  const bool is_member = callee.kind == ExpressionKind::member;
+  if (const auto found = program_.by_name.find(name); found != program_.by_name.end()) {
+    for (const Function* const one : found->second) {
+      const bool may_be_it = !is_member || one->parameters.size() == e.parts.size() - 1;
+      if (!may_be_it || one == frames_.back().function || !program_.sets(*one)) continue;
+      report(e.offset, quoted(name) + " sets combiners, and which function of this name is called is not known");
+    }
   }
   std::vector<Value> given;
   if (callee.kind == ExpressionKind::call || callee.kind == ExpressionKind::index) given.push_back(evaluate(callee));
+  const bool is_gl = names_gl_function(name) || (is_member && callee.parts[0].text.starts_with("gl") &&
+                                                 detail::is_word(name.empty() ? ' ' : name[0]));
   // A class's own function may change the object.
-  const bool is_gl =
-      names_gl_function(name) || (callee.kind == ExpressionKind::member && callee.parts[0].text.starts_with("gl") &&
-                                  detail::is_word(name.empty() ? ' ' : name[0]));
-  if (callee.kind == ExpressionKind::member && !is_gl) {
-    const Place object =
-        callee.is_arrow ? deref(evaluate(callee.parts[0]), integer_value(0), "") : place(callee.parts[0]);
-    if (object.object >= 0) {
-      forget_object(object.object);
-      object_at(object.object).is_escaped = true;
-    }
-  }
+  if (is_member && !is_gl) escape(object_of_member(callee).object);
   for (std::size_t i = 1; i < e.parts.size(); ++i) {
+    given.push_back(evaluate(e.parts[i]));
     const bool by_reference =
         prototype != nullptr && i <= prototype->parameters.size() && prototype->parameters[i - 1].is_reference;
-    given.push_back(evaluate(e.parts[i]));
     const ExpressionKind kind = e.parts[i].kind;
     const bool is_place =
         kind == ExpressionKind::name || kind == ExpressionKind::index || kind == ExpressionKind::member;
@@ -154,11 +153,8 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
     const Place at = quietly([&] { return place(e.parts[i]); });
     if (!by_reference && callee.qualifier != "std" && name != "swap") {
       assume_unchanged(at, name, e.parts[i]);
-      continue;
-    }
-    if (at.object >= 0) {
-      forget_object(at.object);
-      object_at(at.object).is_escaped = true;
+    } else if (at.object >= 0) {
+      escape(at.object);
     } else {
       forget_outside();
     }
@@ -175,7 +171,7 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
   }
   if (wraps || name.empty()) return out;
   note_drawing(name);
-  if (skips_++ == 0) first_skipped_ = e.offset;
+  if (skipped_.empty()) first_skipped_ = e.offset;
   last_skipped_ = e.offset;
   constexpr std::size_t kMostNames = 1000;
   if (skipped_.size() < kMostNames) skipped_.insert(std::string(name));
@@ -218,23 +214,20 @@ void Machine::look_for_misspelling(std::string_view name, const Expression& e) {
 }
 
 Value Machine::call_function(const Function& function, const Expression& e, const Value& self) {
-  const std::string path = normal_path(text_of(e));
+  const std::string path = path_of(e);
   Frame frame{.function = &function, .self = self};
   for (std::size_t i = 0; i < std::max(function.parameters.size(), e.parts.size() - 1); ++i) {
-    const bool is_given = i + 1 < e.parts.size(), is_named = i < function.parameters.size();
-    if (!is_named) {
-      (void)evaluate(e.parts[i + 1]);
+    const Expression* given = i + 1 < e.parts.size() ? &e.parts[i + 1] : nullptr;
+    if (i >= function.parameters.size()) {
+      (void)evaluate(*given);
       continue;
     }
     const Declared& parameter = function.parameters[i];
-    const Expression* const given = is_given                  ? &e.parts[i + 1]
-                                    : parameter.value.empty() ? nullptr
-                                                              : &parameter.value[0];
-    const bool binds = parameter.is_reference && is_given && given->kind != ExpressionKind::number;
-    if (binds) {
+    if (parameter.is_reference && given != nullptr && given->kind != ExpressionKind::number) {
       frame.variables.push_back({parameter.name, place(*given)});
       continue;
     }
+    if (given == nullptr && !parameter.value.empty()) given = &parameter.value[0];
     Value value = given != nullptr ? evaluate(*given) : Value{};
     if (!value.is_known() && !value.needs && value.object < 0) value.needs = needed_value(path).needs;
     const Place at = place_of(new_object(parameter.type, std::string(parameter.name)));
@@ -267,36 +260,43 @@ Value Machine::call_function(const Function& function, const Expression& e, cons
   return out;
 }
 
-void Machine::call_combiner(const detail::GlSignature& signature, const Expression& e) {
-  const bool switches = enables(signature);
-  std::vector<detail::GlArgument> arguments;
+// The arguments of a call; empty: some are not known.
+std::optional<std::vector<detail::GlArgument>> Machine::arguments(const detail::GlSignature& signature,
+                                                                  const Expression& e, bool of_stages) {
+  std::vector<detail::GlArgument> all;
   bool known = true;
   for (std::size_t i = 1; i < e.parts.size(); ++i) {
-    detail::GlArgument one;
-    if (switches) {
-      const Value capability = evaluate(e.parts[i]);
-      const auto is = [&](gl::GLenum wanted) { return capability.is_number() && capability.number.integer == wanted; };
-      const bool is_ours = is(gl::GL_REGISTER_COMBINERS_NV) || is(gl::GL_PER_STAGE_CONSTANTS_NV) ||
-                           (program_.file.reads_stages && is(gl::GL_TEXTURE_SHADER_NV));
-      if (!is_ours) return;
-    }
-    const char kind = i <= signature.parameters.size() ? signature.parameters[i - 1] : ' ';
-    known = argument(e.parts[i], signature.name == "CombinerParameterNV" ? 'A' : kind, one) && known;
-    arguments.push_back(std::move(one));
+    char kind = i <= signature.parameters.size() ? signature.parameters[i - 1] : ' ';
+    if (signature.name == "CombinerParameterNV") kind = 'A';
+    if (of_stages) kind = kind == 'F' ? kExactFloats : kind == 'I' ? kExactIntegers : kind;
+    known = argument(e.parts[i], kind, all.emplace_back()) && known;
   }
+  return known ? std::optional(std::move(all)) : std::nullopt;
+}
+
+void Machine::call_combiner(const detail::GlSignature& signature, const Expression& e) {
+  const bool switches = enables(signature);
+  for (std::size_t i = 1; switches && i < e.parts.size(); ++i) {
+    const Value capability = evaluate(e.parts[i]);
+    const auto is = [&](gl::GLenum wanted) { return capability.is_number() && capability.number.integer == wanted; };
+    const bool is_ours = is(gl::GL_REGISTER_COMBINERS_NV) || is(gl::GL_PER_STAGE_CONSTANTS_NV) ||
+                         (program_.file.reads_stages && is(gl::GL_TEXTURE_SHADER_NV));
+    if (!is_ours) return;
+  }
+  const auto given = arguments(signature, e, false);
   need_guards(e);
   if (!switches) {
     ++calls_made_;
     ++calls_made_on_context_;
   }
-  execute_call(signature, e, arguments, known);
+  execute_call(signature, e, given);
 }
 
 void Machine::execute_call(const detail::GlSignature& signature, const Expression& e,
-                           const std::vector<detail::GlArgument>& arguments, bool known) {
+                           const std::optional<std::vector<detail::GlArgument>>& arguments) {
   set_since_drawing_ = true;
   CallSite& site = sites_[e.offset];
-  if (!known) {
+  if (!arguments) {
     site.is_unknown = true;
     return;
   }
@@ -304,46 +304,46 @@ void Machine::execute_call(const detail::GlSignature& signature, const Expressio
   detail::SourceFaults once(program_.source);
   detail::SourceFaults& faults = site.is_refused ? once : faults_;
   const std::size_t before = faults.count();
-  detail::execute_gl_call(signature, arguments, e.offset, context_, faults);
-  const bool switches = enables(signature) && !arguments.empty() && arguments[0].integer == gl::GL_TEXTURE_SHADER_NV;
+  detail::execute_gl_call(signature, *arguments, e.offset, context_, faults);
+  const bool switches =
+      enables(signature) && !arguments->empty() && arguments->front().integer == gl::GL_TEXTURE_SHADER_NV;
   switches_stages_ = switches_stages_ || switches;
   site.is_read = true;
   site.is_refused = site.is_refused || faults.count() > before;
 }
 
+void Machine::select_unit(const Value& unit) {
+  const bool is_stage = unit.is_number() && unit.number.integer >= gl::GL_TEXTURE0_ARB &&
+                        unit.number.integer < gl::GL_TEXTURE0_ARB + kTextureStages;
+  unknown_unit_.reset();
+  if (is_conditional()) unknown_unit_ = guards_.empty() ? exits_.back().why : guards_.back().why;
+  if (!is_stage) unknown_unit_ = unit;
+  if (is_stage) context_.set_active_texture(static_cast<int>(unit.number.integer - gl::GL_TEXTURE0_ARB));
+}
+
 // A call of glTexEnv with the target of texture shaders, or of glActiveTexture. False: it has another target.
 bool Machine::call_stage(const detail::GlSignature& signature, const Expression& e) {
   if (e.parts.size() != signature.parameters.size() + 1) return false;
-  const bool selects = signature.command == GlCommand::active_texture;
   const Value first = quietly([&] { return evaluate(e.parts[1]); });
-  if (selects) {
-    const bool is_stage = first.is_number() && first.number.integer >= gl::GL_TEXTURE0_ARB &&
-                          first.number.integer < gl::GL_TEXTURE0_ARB + kTextureStages;
-    unknown_unit_.reset();
-    if (is_conditional()) unknown_unit_ = guards_.empty() ? exits_.back().why : guards_.back().why;
-    if (!is_stage) unknown_unit_ = first;
-    if (is_stage) context_.set_active_texture(static_cast<int>(first.number.integer - gl::GL_TEXTURE0_ARB));
+  if (signature.command == GlCommand::active_texture) {
+    select_unit(first);
     return true;
   }
   if (first.is_number() && first.number.integer != gl::GL_TEXTURE_SHADER_NV) return false;
-  std::vector<detail::GlArgument> arguments;
-  bool known = true;
-  for (std::size_t i = 1; i < e.parts.size(); ++i) {
-    const char kind = signature.parameters[i - 1];
-    detail::GlArgument one;
-    known = argument(e.parts[i], kind == 'F' ? kExactFloats : kind == 'I' ? kExactIntegers : kind, one) && known;
-    arguments.push_back(std::move(one));
-  }
+  auto given = arguments(signature, e, true);
   need_guards(e);
   if (unknown_unit_ && unknown_unit_->is_number()) {
     report(e.offset,
            "the active texture unit has no texture-shader stage; there are " + std::to_string(kTextureStages));
     return true;
   }
-  if (unknown_unit_) need(*unknown_unit_, e);
+  if (unknown_unit_) {
+    need(*unknown_unit_, e);
+    given.reset();
+  }
   ++calls_made_;
   ++calls_made_on_context_;
-  execute_call(signature, e, arguments, known && !unknown_unit_);
+  execute_call(signature, e, given);
   return true;
 }
 
@@ -353,28 +353,22 @@ bool Machine::argument(const Expression& e, char kind, detail::GlArgument& out) 
   use(value);
   out.offset = e.offset;
   out.text = program_.source.text.substr(e.offset, e.end - e.offset);
-  const bool is_exact = kind == kExactFloats || kind == kExactIntegers;
-  const bool is_array = kind == 'F' || kind == 'I' || is_exact || (kind == 'A' && !value.is_number());
   if (value.is_number()) {
-    out.is_integer = (value.number.kinds & ~kReals) != 0;
-    out.integer = value.number.integer;
-    out.real = value.number.value();
+    set_number(out, value.number);
     return true;
   }
+  const bool is_array = std::string_view("AFIGJ").find(kind) != std::string_view::npos;
   if (is_array && (value.is(ValueKind::pointer) || !value.is_known())) {
     return array_argument(std::move(value), e, kind == 'A' ? 'F' : kind, out);
   }
   if (value.is_known()) {
     faults_.add(e.offset, quoted(out.text) + " cannot be passed here; expected a number or an enumerant");
-    return false;
-  }
-  const bool is_gls_name = e.kind == ExpressionKind::name && e.text.starts_with("GL_") && value.name == e.text;
-  if (is_gls_name) {
+  } else if (e.kind == ExpressionKind::name && e.text.starts_with("GL_") && value.name == e.text) {
     report(e.offset,
            quoted(e.text) + " is not an enumerant of the register combiners" + detail::meant_enumerant(e.text));
-    return false;
+  } else {
+    need(value, e);
   }
-  need(value, e);
   return false;
 }
 
@@ -383,57 +377,45 @@ bool Machine::array_argument(Value value, const Expression& e, char kind, detail
   constexpr std::int64_t kRead = 4;  // the most that GL reads of an array
   out.is_array = true;
   const Type* const element = program_.parser->number_type(kind == 'I' || kind == kExactIntegers ? kInt32 : kFloat32);
-  std::int64_t size = kRead;
-  if (value.is(ValueKind::pointer)) {
-    const Object& object = object_at(value.object);
-    size = static_cast<std::int64_t>(object.cells.size()) - value.at;
-    if (value.type != nullptr && value.type->is(TypeKind::array)) value.type = value.type->of;
-  }
+  const bool is_pointer = value.is(ValueKind::pointer);
+  const std::int64_t size =
+      is_pointer ? std::max<std::int64_t>(static_cast<std::int64_t>(object_at(value.object).cells.size()) - value.at, 0)
+                 : kRead;
   value.type = element;
   Value missing;
   bool misses = false;
-  const std::string path = normal_path(text_of(e));
+  const std::string path = path_of(e);
   for (std::int64_t i = 0; i < std::min(size, kRead); ++i) {
     const Value one = read(deref(value, integer_value(i), path + "[" + std::to_string(i) + "]"));
     use(one);
     const auto number = one.is_number() ? convert(one.number, element->kinds) : std::nullopt;
+    misses = misses || !number;
     if (!number) {
-      misses = true;
       missing = unknown_of(missing, one);
       continue;
     }
     detail::GlArgument& made = out.values.emplace_back();
     made.offset = out.offset;
     made.text = out.text;
-    made.is_integer = (number->kinds & ~kReals) != 0;
-    made.integer = number->integer;
-    made.real = number->value();
+    set_number(made, *number);
   }
-  const bool pads = kind == 'F' || kind == 'I';
-  if (!misses && pads && value.is(ValueKind::pointer) && size == kRead - 1) {
+  if (!misses && (kind == 'F' || kind == 'I') && is_pointer && size == kRead - 1) {
     // An array of three numbers was good enough where nothing read the fourth.
     notes_.add(e.offset, quoted(out.text) + " has 3 values; took 0 for the fourth, which OpenGL reads, too");
     out.values.push_back(out.values[0]);
-    out.values.back().is_integer = true;
-    out.values.back().integer = 0;
-    out.values.back().real = 0;
+    set_number(out.values.back(), int_number(0));
   }
-  out.count = value.is(ValueKind::pointer)
-                  ? std::max(out.values.size(), static_cast<std::size_t>(std::max<std::int64_t>(size, 0)))
-                  : out.values.size();
+  out.count = is_pointer ? std::max(out.values.size(), static_cast<std::size_t>(size)) : out.values.size();
   if (!misses) return true;
   // A pointer that is not known, and the elements of one array, are the array.
-  const bool is_pointer = !value.is_known() && value.needs;
-  std::string array = is_pointer ? *value.needs->begin() : std::string();
-  Names own;
-  for (const std::string& one : missing.needs ? *missing.needs : Names{}) {
-    const std::size_t open = one.rfind('[');
-    own.insert(one.ends_with(']') && open != std::string::npos && one.starts_with(path + "[") ? path : one);
+  const bool is_needed = !is_pointer && value.needs;
+  Names own = is_needed ? *value.needs : Names{};
+  for (const std::string& one : !is_needed && missing.needs ? *missing.needs : Names{}) {
+    own.insert(one.starts_with(path + "[") && one.ends_with(']') ? path : one);
   }
-  if (is_pointer) own = *value.needs;
   if (own.empty()) own.insert(path);
   if (own.count(path) != 0) arrays_.insert(path);
-  if (own.size() == 1 && is_pointer) arrays_.insert(*own.begin());
+  if (own.size() == 1 && is_needed) arrays_.insert(*own.begin());
   missing.needs = std::make_shared<const Names>(std::move(own));
   need(missing, e);
   return false;

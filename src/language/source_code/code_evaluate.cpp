@@ -22,10 +22,6 @@ bool is_address(const Value& value) {
          value.is(ValueKind::entry_point);
 }
 
-bool is_upper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 // The types that a value has or may have; 0: not a number, or any.
 Kinds kinds_of(const Value& value) {
   return value.is_number() || !value.is_known() ? value.number.kinds : Kinds{0};
@@ -41,7 +37,7 @@ Value Machine::evaluate(const Expression& e) {
   Value out = evaluate_once(e);
   --depth_;
   if (out.is_known() || definitions_.empty()) return out;
-  const std::string path = normal_path(text_of(e));
+  const std::string path = path_of(e);
   const Value* const given = defined(path);
   return given != nullptr ? definition_for(*given, out.type, path) : out;
 }
@@ -87,7 +83,7 @@ Value Machine::evaluate_once(const Expression& e) {
           (from == ExpressionKind::call || from == ExpressionKind::conditional || from == ExpressionKind::make)) {
         const Value object = evaluate(e.parts[0]);
         if (object.is(ValueKind::record)) return part_of(object, e.text);
-        return needed_value(normal_path(text_of(e)));
+        return needed_value(path_of(e));
       }
       const Place at = place(e);
       if (at.kind != PlaceKind::cell) {
@@ -96,7 +92,7 @@ Value Machine::evaluate_once(const Expression& e) {
       return read(at);
     }
     case ExpressionKind::list:
-      return converted_list(e, program_.parser->unknown_type());
+      return list_value(e);
     case ExpressionKind::cast:
       return cast(evaluate(e.parts[0]), e.type, text_of(e));
     case ExpressionKind::size:
@@ -172,7 +168,7 @@ Value Machine::evaluate_unary(const Expression& e) {
   if (e.text == "*") {
     const Value pointer = evaluate(operand);
     if (pointer.is(ValueKind::function) || pointer.is(ValueKind::entry_point)) return pointer;
-    return read(deref(pointer, integer_value(0), normal_path(text_of(e))));
+    return read(deref(pointer, integer_value(0), path_of(e)));
   }
   const bool steps = e.text == "++" || e.text == "--" || e.text == "post++" || e.text == "post--";
   if (steps) {
@@ -225,7 +221,7 @@ Value Machine::combine(std::string_view op, const Value& left, const Value& righ
     const auto is_foreign = [](const Value& one) {
       return !one.is_known() && !one.name.empty() &&
              std::none_of(one.name.begin(), one.name.end(), [](char c) { return c >= 'a' && c <= 'z'; }) &&
-             is_upper(one.name[0]) && one.name.size() > 1;
+             is_capital(one.name[0]) && one.name.size() > 1;
     };
     Value out = unknown_of(left, right, kinds);
     if (is_comparison(op) && !left.is_known() && is_foreign(right)) out = unknown_of(left, left, kinds);
@@ -385,7 +381,7 @@ Value Machine::evaluate_size(const Expression& e) {
     }
   }
   const std::int64_t bytes = type == nullptr ? 0 : bytes_of(type);
-  if (bytes == 0) return needed_value(normal_path(text_of(e)), kUint32 | kUint64);
+  if (bytes == 0) return needed_value(path_of(e), kUint32 | kUint64);
   return number_value(int_number(bytes, kUint32 | kUint64));
 }
 
@@ -396,7 +392,7 @@ Value Machine::evaluate_make(const Expression& e) {
     if (list.parts.size() == 1) return cast(evaluate(list.parts[0]), type, text_of(e));
     if (list.parts.empty() && type->is(TypeKind::number)) return number_value(*convert(int_number(0), type->kinds));
     for (const Expression& one : list.parts) forget_pointed(evaluate(one));
-    return needed_value(normal_path(text_of(e)));
+    return needed_value(path_of(e));
   }
   if (type->is(TypeKind::array) && type->count == Type::kOpen) {
     type = program_.parser->array_of(type->of, static_cast<std::int64_t>(list.parts.size()));
@@ -411,7 +407,7 @@ Value Machine::evaluate_make(const Expression& e) {
     for (const Expression& one : list.parts) forget_pointed(evaluate(one));
     if (type->is(TypeKind::structure)) forget_shared();
   }
-  if (e.is_new && type->is(TypeKind::unknown)) return needed_value(normal_path(text_of(e)));
+  if (e.is_new && type->is(TypeKind::unknown)) return needed_value(path_of(e));
   if (!e.is_new) return load(at);
   return pointer_value(at.object, 0, type->is(TypeKind::array) ? type->of : type);
 }

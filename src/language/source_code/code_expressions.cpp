@@ -1,14 +1,10 @@
 // Expressions: C's operators and precedence, with casts, `new` and named casts of C++ and Java.
-#include <array>
 #include <utility>
 
 #include "src/language/source_code/code_parser.h"
 
 namespace ninebit::code {
 namespace {
-
-constexpr std::array<std::string_view, 11> kAssignments{
-    "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
 
 Expression at_token(ExpressionKind kind, const Token& token) {
   Expression out;
@@ -68,8 +64,7 @@ Expression Parser::assignment() {
     left.parts.push_back(std::move(no));
   }
   const Token op = peek();
-  if (op.kind == Token::Kind::punctuation &&
-      std::find(kAssignments.begin(), kAssignments.end(), op.text) != kAssignments.end()) {
+  if (is_assignment(op)) {
     take();
     Expression value = braces_or_assignment();
     left = joined(ExpressionKind::assignment, op.text, std::move(left), std::move(value));

@@ -12,19 +12,6 @@
 namespace ninebit::code {
 namespace {
 
-// Whether a name that ends here is called: "(" follows, or ")(".
-bool is_called(std::string_view text, std::size_t end) {
-  const auto skip = [&] {
-    while (end < text.size() && detail::is_blank(text[end])) ++end;
-  };
-  skip();
-  if (end < text.size() && text[end] == ')') {
-    ++end;
-    skip();
-  }
-  return end < text.size() && text[end] == '(';
-}
-
 // A brace also closes what was left open inside of it; a stray bracket closes nothing. What is never closed ends with
 // the file.
 std::vector<std::uint32_t> closing_brackets(const std::vector<Token>& tokens) {
@@ -98,13 +85,10 @@ class Conditions {
  private:
   void find_groups() {
     std::vector<std::size_t> open;
-    Lexer lexer(file_.text);
-    for (Token token = lexer.next(); token.kind != Token::Kind::end;) {
-      if (!token.is("#") || !token.begins_line) {
-        token = lexer.next();
-        continue;
-      }
-      const Token directive = lexer.next();
+    const std::vector<Token> tokens = tokens_of(file_.text);
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+      if (!tokens[i].is("#") || !tokens[i].begins_line) continue;
+      const Token& directive = tokens[i + 1];
       if (opens_group(directive)) {
         groups_of_[directive.offset] = groups_.size();
         open.push_back(groups_.size());
@@ -116,7 +100,6 @@ class Conditions {
         groups_[open.back()].end = directive.offset;
         open.pop_back();
       }
-      token = directive.kind == Token::Kind::end ? directive : lexer.next();
     }
   }
 
@@ -150,15 +133,6 @@ class Conditions {
   std::unordered_map<std::uint32_t, std::size_t> groups_of_;  // by the places of their branches
 };
 
-// Whether the call of a name may set texture shaders: another target of glTexEnv is an enumerant of its own.
-bool may_set_stage(std::string_view text, std::size_t begin, std::size_t end) {
-  if (detail::find_stage_call(text.substr(begin, end - begin)) == nullptr) return false;
-  const std::size_t open = text.find('(', end), comma = std::min(text.find(',', end), text.size());
-  if (open >= comma) return false;
-  const std::string_view target = text.substr(open + 1, comma - open - 1);
-  return names_stages(target) || target.find("GL_") == std::string_view::npos;
-}
-
 // Headers of the time define the names of calls as function pointers; such a macro says nothing.
 bool is_pointer_of_call(std::string_view name, const Macro& macro) {
   if (macro.has_parameters || detail::find_gl_call(name) == nullptr) return false;
@@ -173,25 +147,36 @@ bool names_stages(std::string_view text) {
 }
 
 std::vector<std::uint32_t> calls_of(std::string_view text, bool reads_stages) {
-  constexpr std::string_view kPart = "ombiner", kStagePart = "TexEnv";
-  std::vector<std::uint32_t> found;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool starts = text[at] == 'o' && text.substr(at).starts_with(kPart);
-    const bool parses = text[at] == 'n' && text.substr(at).starts_with("nvparse");
-    const bool is_word = text[at] == 'P' && text.substr(at).starts_with("PS");
-    const bool sets_stage = reads_stages && text[at] == 'T' && text.substr(at).starts_with(kStagePart);
-    if (!starts && !parses && !is_word && !sets_stage) continue;
-    std::size_t begin = at, end = at;
-    while (begin > 0 && detail::is_word(text[begin - 1]) && at - begin < 64) --begin;
-    while (end < text.size() && detail::is_word(text[end]) && end - at < 64) ++end;
-    if (is_word && begin == at && assigns_word(text, begin, end)) found.push_back(static_cast<std::uint32_t>(begin));
-    const bool names = text.substr(begin, end - begin) == "nvparse" ||
-                       detail::find_gl_call(text.substr(begin, end - begin)) != nullptr ||
-                       (sets_stage && may_set_stage(text, begin, end));
-    if (names && is_called(text, end)) {
-      found.push_back(static_cast<std::uint32_t>(begin));
+  const std::vector<Token> tokens = tokens_of(text);
+  const auto is = [&](std::size_t i, std::initializer_list<std::string_view> words) {
+    return i < tokens.size() && std::any_of(words.begin(), words.end(), [&](auto one) { return tokens[i].is(one); });
+  };
+  const auto is_call = [&](std::size_t i) {
+    std::size_t open = i + 1;
+    if (is(open, {")"})) ++open;  // (*f)(…)
+    if (!is(open, {"("})) return false;
+    const std::string_view name = tokens[i].text;
+    if (name.find("ombiner") != std::string_view::npos && detail::find_gl_call(name) != nullptr) return true;
+    if (!reads_stages || detail::find_stage_call(name) == nullptr) return name == "nvparse";
+    // Another target of glTexEnv is an enumerant of its own.
+    std::size_t comma = open;
+    while (comma + 1 < tokens.size() && !is(comma, {","})) ++comma;
+    const std::string_view target = text.substr(tokens[open].end, tokens[comma].offset - tokens[open].end);
+    return names_stages(target) || target.find("GL_") == std::string_view::npos;
+  };
+  const auto is_word = [&](std::size_t i) {
+    const bool is_member = i > 1 && is(i - 1, {".", "->"}) && (tokens[i - 2].is_name() || is(i - 2, {")", "]"}));
+    if (!is_member || xbox::find_field(tokens[i].text) == nullptr) return false;
+    std::size_t next = i + 1;
+    if (is(next, {"["})) {
+      while (next < tokens.size() && !is(next, {"]"})) ++next;
+      ++next;
     }
-    at = end - 1;
+    return is(next, {"=", "|=", "+="});
+  };
+  std::vector<std::uint32_t> found;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].is_name() && (is_call(i) || is_word(i))) found.push_back(tokens[i].offset);
   }
   return found;
 }

@@ -38,7 +38,7 @@ struct File {
 };
 
 // The places of all names that mean calls of combiners or of nvparse and are called, and of the members of an Xbox's
-// definition that are assigned to; with `reads_stages` also of calls that may set texture shaders; also in comments.
+// definition that are assigned to; with `reads_stages` also of calls that may set texture shaders.
 [[nodiscard]] std::vector<std::uint32_t> calls_of(std::string_view text, bool reads_stages);
 
 // Whether a text names the target of glTexEnv that sets texture shaders. Texts that do not have no calls of them.

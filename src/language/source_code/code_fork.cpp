@@ -59,30 +59,16 @@ Machine::Flow Machine::fork(const Value& why, const Expression* condition,
   for (const Way& one : all) {
     if (one.flow < first->flow) first = &one;
   }
-  Changes joined;
-  std::vector<const Way*> going;
+  const auto goes_on = [&](const Way& one) { return one.flow == first->flow && one.label == first->label; };
   for (const Way& one : all) {
-    if (one.flow != first->flow || one.label != first->label) {
-      add_exit(one.flow, one.changes, why, condition);
-      exits_.back().label = one.label;
-      continue;
-    }
-    going.push_back(&one);
-    for (const auto& [key, value] : one.changes) joined.try_emplace(key, Value{});
+    if (goes_on(one)) continue;
+    add_exit(one.flow, one.changes, why, condition);
+    exits_.back().label = one.label;
   }
-  for (auto& [key, value] : joined) {
-    const auto value_in = [&, &at = key](const Way& way) -> const Value& {
-      const auto found = way.changes.find(at);
-      return found == way.changes.end() ? cell(at) : found->second;
-    };
-    value = value_in(*going[0]);
-    for (const Way* const one : going) {
-      const Value& other = value_in(*one);
-      if (same(value, other)) continue;
-      value = unknown_of(why, value.is_known() ? other : value, value.number.kinds);
-    }
+  for (const auto& [key, value] : first->changes) set_cell(key, value);
+  for (const Way& one : all) {
+    if (&one != first && goes_on(one)) join(one.changes, base, why);
   }
-  for (auto& [key, value] : joined) set_cell(key, std::move(value));
   jump_label_ = first->label;
   if (throws) {  // where it is caught is not known, nor what is still executed
     forget_all();

@@ -50,19 +50,6 @@ std::optional<Number> real_result(const RealFunction& known, bool is_single, con
   return argument.kinds == kFloat32 ? either(single, whole) : std::optional(whole);
 }
 
-bool asks_for_extension(std::string_view lower) {
-  for (const std::string_view part : {"support", "ext", "strstr", "has", "init", "check", "find", "avail"}) {
-    if (lower.find(part) != std::string_view::npos) return true;
-  }
-  return false;
-}
-
-std::string lower_name(std::string_view name) {
-  std::string out;
-  for (const char c : name) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return out;
-}
-
 }  // namespace
 
 // A function of numbers alone.
@@ -234,7 +221,7 @@ std::optional<Value> Machine::call_buffer(std::string_view name, const Expressio
 
 // Empty: nobody knows what the function does.
 std::optional<Value> Machine::call_known(std::string_view name, const Expression& e) {
-  const std::string lower = lower_name(name);
+  const std::string lower = lower_case(name);
   if (lower.ends_with("glgeterror")) return integer_value(0);
   const std::size_t count = e.parts.size() - 1;
   const Expression& callee = e.parts[0];
@@ -247,7 +234,7 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
     const bool units = e.parts[1].text.find("MAX_TEXTURE_UNITS") != std::string_view::npos ||
                        (known && what.number.integer == kMaxTextureUnits);
     if (!combiners && !units) return std::nullopt;
-    store(deref(evaluate(e.parts[2]), integer_value(0), normal_path(text_of(e.parts[2]))),
+    store(deref(evaluate(e.parts[2]), integer_value(0), path_of(e.parts[2])),
           integer_value(combiners ? profile.general_combiners.value : profile.texture_units.value));
     return Value{};
   }
@@ -255,18 +242,17 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
   for (std::size_t i = 1; i <= count; ++i) {
     if (e.parts[i].kind != ExpressionKind::text) continue;
     const std::string_view text = program_.source.text.substr(e.parts[i].offset, e.parts[i].end - e.parts[i].offset);
-    if (!asks_for_extension(lower) || text.find("GL_NV_register_combiners") == std::string_view::npos) continue;
-    const bool second = text.find("GL_NV_register_combiners2") != std::string_view::npos;
-    return integer_value(!second || context_.profile().per_stage_constants ? 1 : 0);
+    const auto there = contains_any(lower, {"support", "ext", "strstr", "has", "init", "check", "find", "avail"})
+                           ? says_extension(text, context_.profile())
+                           : std::nullopt;
+    if (there) return integer_value(*there ? 1 : 0);
   }
   if (auto of_xbox = call_of_xbox(name, e)) return of_xbox;
   if (auto memory = call_of_memory(name, e)) return memory;
   if (auto buffer = call_buffer(name, e)) return buffer;
   if (callee.kind == ExpressionKind::member && count == 0) {
     // A vector's own function gives its numbers.
-    const bool gives = lower.find("ptr") != std::string::npos || lower.find("data") != std::string::npos ||
-                       lower.find("array") != std::string::npos || lower.find("value") != std::string::npos ||
-                       lower == "c_str";
+    const bool gives = contains_any(lower, {"ptr", "data", "array", "value", "c_str"});
     const Value object = gives ? evaluate(callee.parts[0]) : Value{};
     if (object.is(ValueKind::text) || (object.is(ValueKind::pointer) && callee.parts[0].kind == ExpressionKind::name)) {
       return object;
@@ -281,7 +267,7 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
     Expression list = e;
     list.kind = ExpressionKind::list;
     list.parts.erase(list.parts.begin());
-    return converted_list(list, program_.parser->unknown_type());
+    return list_value(list);
   }
   if (count == 0 || count > 2 || !callee.qualifier.empty()) return std::nullopt;
   const auto quiet = quietly([&] {

@@ -22,20 +22,11 @@ const Statement* find_mark(const std::vector<Statement>& statements, std::string
   return nullptr;
 }
 
-// Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
-bool is_vector_type(std::string_view word) {
-  std::string lower;
-  for (const char c : word) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  for (const std::string_view part : {"vec", "color", "colour", "rgba", "float4", "float3", "quat", "plane", "tuple"}) {
-    if (lower.find(part) != std::string::npos) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 bool names_vector(std::string_view word, std::size_t numbers) {
-  return (numbers == 3 || numbers == 4) && is_vector_type(word);
+  return (numbers == 3 || numbers == 4) && contains_any(lower_case(word), {"vec", "color", "colour", "rgba", "float4",
+                                                                           "float3", "quat", "plane", "tuple"});
 }
 
 bool Machine::spend(std::size_t steps) {
@@ -52,15 +43,16 @@ std::string Machine::too_many_steps() const {
                              : "the functions run for too long; a source's take at most 2,000,000 steps together";
 }
 
-void Machine::run(const Function& function) {
-  frames_.assign(1, Frame{.function = &function});
+void Machine::run(const Function* function) {
+  frames_.assign(1, Frame{.function = function});
   frames_[0].mark = log_.size();
   exits_.clear();
-  for (const Declared& parameter : function.parameters) {
+  static const std::vector<Declared> kNone;
+  for (const Declared& parameter : function == nullptr ? kNone : function->parameters) {
     if (parameter.name.empty()) continue;
     const std::string name(parameter.name);
     const Place at = new_variable(parameter.type, parameter.name);
-    if (at.type->is(TypeKind::array) || at.type->is(TypeKind::structure) || at.type->is(TypeKind::opaque)) continue;
+    if (is_whole(at.type) || at.type->is(TypeKind::opaque)) continue;
     Value value = needed_value(name, parameter.type->kinds);
     if (const Value* const given = defined(name)) {
       value = definition_for(*given, parameter.type, name);
@@ -74,17 +66,8 @@ void Machine::run(const Function& function) {
     store(at, std::move(value));
   }
   frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
-  need_conditions(&function);
-  (void)execute_body(program_.body_of(function), true);
-  frames_.clear();
-}
-
-void Machine::run_code() {
-  frames_.assign(1, Frame{});
-  frames_[0].mark = log_.size();
-  frames_[0].result = place_of(new_object(program_.parser->unknown_type(), "the result"));
-  need_conditions(nullptr);
-  (void)execute_body(program_.outline.code, true);
+  need_conditions(function);
+  (void)execute_body(function != nullptr ? program_.body_of(*function) : program_.outline.code, true);
   frames_.clear();
 }
 
@@ -211,11 +194,15 @@ Machine::Flow Machine::loop(const Statement& s) {
   const std::size_t variables = frames_.back().variables.size();
   for (const Statement& one : s.first) (void)execute(one);
   frames_.back().loops.push_back({.mark = log_.size()});
-  const Flow flow = rounds(s);
+  return end_loop(rounds(s), variables);
+}
+
+// Behind a loop or a choice.
+Machine::Flow Machine::end_loop(Flow flow, std::size_t variables) {
   resolve(Flow::leave, frames_.back().loops.back().mark);
   frames_.back().loops.pop_back();
   frames_.back().variables.resize(variables);
-  return flow;
+  return flow == Flow::leave ? Flow::normal : flow;
 }
 
 Machine::Flow Machine::rounds(const Statement& s) {
@@ -284,25 +271,20 @@ void Machine::widen(const Statement& s, const Value& why) {
 Machine::Flow Machine::each(const Statement& s) {
   const Value range = evaluate(s.value[0]);
   const bool known = range.is(ValueKind::pointer) && range.at == 0 && range.type != nullptr;
+  const std::size_t step = known ? std::max<std::size_t>(cells_of(range.type), 1) : 1;
+  const std::size_t size = known ? object_at(range.object).cells.size() / step : 0;
+  const Declared& one = s.declared[0];
+  const Type* const type = known && one.type->is(TypeKind::unknown) ? range.type : one.type;
   const std::size_t variables = frames_.back().variables.size();
   frames_.back().loops.push_back({.mark = log_.size()});
-  Flow flow = Flow::normal;
-  const Declared& declared = s.declared[0];
-  const Type* const element = known ? range.type : declared.type;
-  Declared one = declared;
-  if (declared.type->is(TypeKind::unknown)) one.type = element;
-  const std::size_t step = known ? std::max<std::size_t>(cells_of(element), 1) : 1;
-  const std::size_t size = known ? object_at(range.object).cells.size() / step : 0;
-  const auto bind = [&](const Place& from) {
-    if (declared.is_reference) {
-      frames_.back().variables.push_back({declared.name, from});
-      return;
-    }
-    const Place at = new_variable(one.type, declared.name);
+  const auto take = [&](const Place& from) {
+    if (one.is_reference) return bind(one.name, from);
+    const Place at = new_variable(type, one.name);
     if (known) store(at, load(from));
   };
+  Flow flow = Flow::normal;
   for (std::size_t i = 0; i < size && flow == Flow::normal && spend(); ++i) {
-    bind(deref(range, integer_value(static_cast<std::int64_t>(i)), std::string(declared.name)));
+    take(deref(range, integer_value(static_cast<std::int64_t>(i)), std::string(one.name)));
     flow = execute(s.body);
     frames_.back().variables.resize(variables);
     if (flow == Flow::next) flow = Flow::normal;
@@ -310,23 +292,10 @@ Machine::Flow Machine::each(const Statement& s) {
   }
   if (!known) {
     if (program_.sets(s.body)) need(range, s.value[0]);
-    const Value why = unknown_of(range, range);
-    Statement body;
-    body.kind = StatementKind::loop;
-    body.body = s.body;
-    body.value = s.value;
-    if (declared.is_reference) {
-      bind({.path = std::string(declared.name)});
-    } else {
-      bind({});
-    }
-    widen(body, why);
+    take({.path = std::string(one.name)});
+    widen(s, unknown_of(range, range));
   }
-  if (flow == Flow::leave) flow = Flow::normal;
-  resolve(Flow::leave, frames_.back().loops.back().mark);
-  frames_.back().loops.pop_back();
-  frames_.back().variables.resize(variables);
-  return flow;
+  return end_loop(flow, variables);
 }
 
 // Whether a way that ends like this leaves the function, or goes to where no calls of the combiners follow.
@@ -392,10 +361,7 @@ Machine::Flow Machine::choice(const Statement& s) {
     if (!usual) ways.emplace_back([] { return Flow::normal; });
     flow = fork(why, unknown, ways);
   }
-  if (flow == Flow::leave) flow = Flow::normal;
-  resolve(Flow::leave, frames_.back().loops.back().mark);
-  frames_.back().loops.pop_back();
-  return flow;
+  return end_loop(flow, frames_.back().variables.size());
 }
 
 }  // namespace ninebit::code

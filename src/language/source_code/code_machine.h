@@ -70,6 +70,13 @@ struct Program {
 [[nodiscard]] const detail::GlSignature* signature_of(const Expression& callee);
 // Whether a name is that of a GL function, also of a pointer to one: glEnable, qglEnable, pfn_glEnable.
 [[nodiscard]] bool names_gl_function(std::string_view name);
+[[nodiscard]] inline bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+[[nodiscard]] std::string lower_case(std::string_view name);
+[[nodiscard]] bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts);
+// Whether a name or a text says that an extension of the combiners is there; empty: it does not say.
+[[nodiscard]] std::optional<bool> says_extension(std::string_view name, const HardwareProfile& profile);
 // Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
 [[nodiscard]] bool names_vector(std::string_view word, std::size_t numbers);
 // A name without blanks and without this., with . for ->.
@@ -87,10 +94,8 @@ class Machine {
   Machine(Program& program, const std::vector<Definition>& definitions, const HardwareProfile& profile,
           detail::SourceFaults& faults, detail::SourceFaults& notes);
 
-  // Executes a function on the context, as the first one or after others.
-  void run(const Function& function);
-  // Executes the code outside of functions.
-  void run_code();
+  // Executes a function on the context, as the first one or after others; nullptr: the code outside of functions.
+  void run(const Function* function);
   // Loads a program in string literals, as a call of nvparse does; `offset` is that of the call. `pasted`: the
   // literals, if macros made them.
   void load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset, const std::string& pasted = {});
@@ -107,7 +112,6 @@ class Machine {
   [[nodiscard]] std::vector<std::string> needs() const;
   [[nodiscard]] bool is_out_of_steps() const { return out_of_steps_; }
   [[nodiscard]] std::string too_many_steps() const;
-  [[nodiscard]] std::map<std::string, std::set<std::uint32_t>> collected_needs() const;
   [[nodiscard]] const std::map<std::uint32_t, CallSite>& sites() const { return sites_; }
   // Where the string literals begin that were loaded.
   [[nodiscard]] const std::set<std::uint32_t>& loaded() const { return loaded_; }
@@ -148,6 +152,10 @@ class Machine {
     CellKey key;
     Value before;
   };
+  struct Need {
+    std::set<std::uint32_t> where{};
+    bool is_array = false;  // of four numbers
+  };
   struct Guard {
     Value why;
     const Expression* condition;
@@ -160,18 +168,22 @@ class Machine {
   Flow loop(const Statement& statement);
   Flow rounds(const Statement& statement);
   Flow each(const Statement& statement);
+  Flow end_loop(Flow flow, std::size_t variables);
   Flow choice(const Statement& statement);
   void widen(const Statement& statement, const Value& why);
   [[nodiscard]] bool leaves(const std::vector<Statement>& statements);
   bool execute_body(const std::vector<Statement>& body, bool sets);
   void declare(const Declared& declared);
+  void construct(const Declared& declared);
   void initialize(const Place& place, const Declared& declared);
+  std::optional<std::size_t> designated(const Expression& part, const Type& type);
   int first_value(const Declared& declared, bool changes);
   const Type* sized_type(const Declared& declared);
   std::int64_t open_count(const Expression& list);
   void fill(const Place& place, const Expression& list);
   void fill_part(const Place& place, const std::vector<Expression>& parts, std::size_t& next, bool has_braces);
-  Value converted_list(const Expression& e, const Type* type);
+  Value list_value(const Expression& e);
+  int new_array(const Type* element, std::size_t count, const std::string& name);
   bool spend(std::size_t steps = 1);
 
   // Ways that are not decided: code_fork.cpp
@@ -181,6 +193,7 @@ class Machine {
   void join(const Changes& changes, std::size_t mark, const Value& why);
   void add_exit(Flow flow, const Changes& last, const Value& why, const Expression* condition);
   void resolve(Flow flow, std::size_t mark, std::string_view label = {});
+  [[nodiscard]] std::map<std::string, Need> collected_needs() const;
   [[nodiscard]] bool is_conditional() const { return !guards_.empty() || !exits_.empty(); }
 
   // Memory: code_memory.cpp
@@ -189,6 +202,8 @@ class Machine {
   int new_object(const Type* type, const std::string& name);
   [[nodiscard]] Place place_of(int object) const;
   Place new_variable(const Type* type, std::string_view name);
+  Place static_variable(const Declared& declared, bool changes, bool is_global);
+  void bind(std::string_view name, const Place& place) { frames_.back().variables.push_back({name, place}); }
   [[nodiscard]] const Value& cell(const CellKey& key) const;
   void set_cell(const CellKey& key, Value value);
   Value load(const Place& place);
@@ -198,6 +213,7 @@ class Machine {
   [[nodiscard]] Value converted(Value value, const Type* type, const std::string& path) const;
   [[nodiscard]] bool is_inside(const Place& place) const;
   void forget_object(int object);
+  void escape(int object);
   void forget_pointed(const Value& value);
   void forget_outside(const std::string& prefix = {});
   void forget_shared();
@@ -233,7 +249,9 @@ class Machine {
   }
   Place place(const Expression& e);
   std::optional<Value> constant(const Expression& e) const;
-  std::string text_of(const Expression& e) const;
+  Place object_of_member(const Expression& member);
+  [[nodiscard]] std::string text_of(const Expression& e) const;
+  [[nodiscard]] std::string path_of(const Expression& e) const { return normal_path(text_of(e)); }
   void assume_unchanged(const Place& at, std::string_view function, const Expression& e);
   [[nodiscard]] bool is_c_or_java() const { return program_.source.file.ends_with(".c") || is_java(); }
   [[nodiscard]] bool is_java() const { return program_.source.file.ends_with(".java"); }
@@ -259,8 +277,11 @@ class Machine {
   Value call_unknown(const Expression& e, std::string_view name);
   void call_combiner(const detail::GlSignature& signature, const Expression& e);
   bool call_stage(const detail::GlSignature& signature, const Expression& e);
+  std::optional<std::vector<detail::GlArgument>> arguments(const detail::GlSignature& signature, const Expression& e,
+                                                           bool of_stages);
   void execute_call(const detail::GlSignature& signature, const Expression& e,
-                    const std::vector<detail::GlArgument>& arguments, bool known);
+                    const std::optional<std::vector<detail::GlArgument>>& arguments);
+  void select_unit(const Value& unit);
   Value call_nvparse(const Expression& e);
   std::optional<Value> call_known(std::string_view name, const Expression& e);
   std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
@@ -292,8 +313,8 @@ class Machine {
   std::vector<Guard> guards_;
   std::vector<Exit> exits_;
   std::unordered_map<std::string, Value> definitions_;
-  std::map<std::string, int> globals_;  // objects
-  std::map<const void*, int> statics_;  // of declarations: objects
+  std::map<const Declared*, int> statics_;   // objects
+  std::map<std::string, int> given_arrays_;  // objects of definitions, by their names and types
   std::map<std::uint32_t, CallSite> sites_;
   std::map<std::string, std::set<std::uint32_t>> needs_;                      // where each is used
   std::set<std::string> used_;                                                // definitions that were looked at
@@ -308,7 +329,7 @@ class Machine {
   std::vector<WholeState> drawn_;                   // programs with which something was drawn
   std::uint32_t first_skipped_ = 0, last_skipped_ = 0;
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
-  std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0, skips_ = 0;
+  std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0;
   bool out_of_steps_ = false, set_since_drawing_ = false;
   bool switches_stages_ = false;              // a call enables or disables texture shaders
   std::optional<std::uint32_t> stages_at_{};  // of the last program in a literal that has stages

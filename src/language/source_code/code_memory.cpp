@@ -49,9 +49,8 @@ Place Machine::place_of(int object) const {
 
 // A variable of the function that is executed.
 Place Machine::new_variable(const Type* type, std::string_view name) {
-  Place at = place_of(new_object(type, std::string(name)));
-  frames_.back().variables.push_back({name, at});
-  return at;
+  bind(name, place_of(new_object(type, std::string(name))));
+  return frames_.back().variables.back().place;
 }
 
 const Value& Machine::cell(const CellKey& key) const {
@@ -217,6 +216,13 @@ void Machine::forget_object(int object) {
     }
     if (one.types[i]->is(TypeKind::unknown)) forget_outside(name_in(object, static_cast<std::int64_t>(i)));
   }
+}
+
+// Of an object, if there is one, functions of other files have the address from now on.
+void Machine::escape(int object) {
+  if (object < 0) return;
+  forget_object(object);
+  object_at(object).is_escaped = true;
 }
 
 // Forgets what a function of another file may change through a value that it is given, now or later.

@@ -127,15 +127,12 @@ Value Machine::definition_for(const Value& given, const Type* type, const std::s
   const Type* element = has_elements ? type->of : unknown;
   if (!element->is(TypeKind::number)) element = unknown;
   const std::string key = name + (element->is(TypeKind::number) ? "/" + std::to_string(element->kinds) : "");
-  const auto [known, is_new] = globals_.try_emplace("--define " + key, -1);
+  const auto [known, is_new] = given_arrays_.try_emplace(key, -1);
   if (is_new) {
-    const int object = new_object(element, name);
-    Object& made = object_at(object);
-    made.cells.clear();
-    made.types.assign(given.cells->size(), element);
-    for (const Value& one : *given.cells) made.cells.push_back(converted(one, element, name));
+    known->second = new_array(element, given.cells->size(), name);
+    Object& made = object_at(known->second);
+    for (std::size_t i = 0; i < made.cells.size(); ++i) made.cells[i] = converted((*given.cells)[i], element, name);
     made.is_constant = true;
-    known->second = object;
   }
   return pointer_value(known->second, 0, element);
 }
@@ -158,7 +155,7 @@ void Machine::use(const Value& value) {
 // Notes that a value is needed. Without a name that could be defined, its own text is one.
 void Machine::need(const Value& value, const Expression& e) {
   if (quiet_ > 0) return;
-  const Names own{normal_path(text_of(e))};
+  const Names own{path_of(e)};
   for (const std::string& name : value.needs ? *value.needs : own) need(name, e.offset);
 }
 
@@ -193,26 +190,28 @@ void Machine::need_guards(const Expression& e) {
 }
 
 // The values that are needed; several elements of an array are the array.
-std::map<std::string, std::set<std::uint32_t>> Machine::collected_needs() const {
-  std::map<std::string, std::size_t> arrays;
+std::map<std::string, Machine::Need> Machine::collected_needs() const {
+  std::map<std::string, std::size_t> elements;  // of arrays
   const auto array_of = [](const std::string& name) {
     const std::size_t open = name.rfind('[');
     return open == std::string::npos || !name.ends_with(']') ? std::string() : name.substr(0, open);
   };
-  for (const auto& [name, where] : needs_) ++arrays[array_of(name)];
-  std::map<std::string, std::set<std::uint32_t>> all;
+  for (const auto& [name, where] : needs_) ++elements[array_of(name)];
+  std::map<std::string, Need> all;
   for (const auto& [name, where] : needs_) {
     const std::string array = array_of(name);
-    const bool several = !array.empty() && (arrays[array] > 1 || needs_.count(array) != 0);
+    const bool several = !array.empty() && (elements[array] > 1 || needs_.count(array) != 0);
     const bool whole = several && arrays_.count(name) == 0;
-    all[whole ? array : name].insert(where.begin(), where.end());
+    Need& one = all[whole ? array : name];
+    one.where.insert(where.begin(), where.end());
+    one.is_array = one.is_array || whole || arrays_.count(name) != 0;
   }
   return all;
 }
 
 std::vector<std::string> Machine::needs() const {
   std::vector<std::string> names;
-  for (const auto& [name, where] : collected_needs()) names.push_back(name);
+  for (const auto& [name, need] : collected_needs()) names.push_back(name);
   return names;
 }
 
@@ -227,19 +226,16 @@ void Machine::finish() {
     std::string list, flags;
     constexpr std::size_t kMostExamples = 3;
     std::size_t count = 0;
-    std::uint32_t first = *needs.begin()->second.begin();
-    for (const auto& [name, where] : needs) {
-      first = std::min(first, *where.begin());
-      const std::string element = name + '[';
-      const auto next = needs_.lower_bound(element);
-      const bool collapsed = next != needs_.end() && next->first.starts_with(element);
-      const bool array = arrays_.count(name) != 0 || collapsed;
-      list += (list.empty() ? "'" : ", '") + name + "' (" + lines_of(program_.source, where) +
-              (array ? ", 4 numbers)" : ")");
-      if (++count <= kMostExamples) flags += " --define '" + name + (array ? "=0,0,0,1'" : "=…'");
+    std::uint32_t first = *needs.begin()->second.where.begin();
+    for (const auto& [name, need] : needs) {
+      first = std::min(first, *need.where.begin());
+      list += (list.empty() ? "'" : ", '") + name + "' (" + lines_of(program_.source, need.where) +
+              (need.is_array ? ", 4 numbers)" : ")");
+      if (++count <= kMostExamples) flags += " --define '" + name + (need.is_array ? "=0,0,0,1'" : "=…'");
     }
-    faults_.add(first, std::string(needs.size() == 1 ? "a value is" : std::to_string(needs.size()) + " values are") +
-                           " not known: " + list + "; give " + (needs.size() == 1 ? "it" : "each") + " as in" + flags);
+    const bool one = needs.size() == 1;
+    faults_.add(first, (one ? "a value is" : std::to_string(needs.size()) + " values are") + " not known: " + list +
+                           "; give " + (one ? "it" : "each") + " as in" + flags);
   }
   const bool only_skipped = !sites_.empty() && std::all_of(sites_.begin(), sites_.end(),
                                                            [](const auto& one) { return one.second.is_skipped; });
@@ -259,11 +255,7 @@ void Machine::finish() {
   std::string names;
   std::size_t shown = 0;
   for (const std::string& name : skipped_) {
-    if (shown++ == kMostNames) {
-      names += ", …";
-      break;
-    }
-    names += (names.empty() ? "" : ", ") + name;
+    if (++shown <= kMostNames + 1) names += (names.empty() ? "" : ", ") + (shown > kMostNames ? "…" : name);
   }
   notes_.add(first_skipped_, "skipped calls that set no combiners, " +
                                  lines_of(program_.source, {first_skipped_, last_skipped_}) + ": " + names);

@@ -9,10 +9,6 @@
 namespace ninebit::code {
 namespace {
 
-bool is_capital(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 // Whether a qualifier or an object's name may have OpenGL's names: vtkgl::, GL., NvRegisterCombiners.
 bool may_qualify(const Expression& e) {
   if (!e.qualifier.empty()) return true;
@@ -22,19 +18,17 @@ bool may_qualify(const Expression& e) {
   return is_capital(object.text[0]) || object.text.starts_with("gl");
 }
 
+}  // namespace
+
 // Whether a name or a text says that an extension of the combiners is there; empty: it does not say.
 std::optional<bool> says_extension(std::string_view name, const HardwareProfile& profile) {
-  std::string plain;
-  for (const char c : name) {
-    if (c != '_') plain += is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  std::string plain = lower_case(name);
+  plain.erase(std::remove(plain.begin(), plain.end(), '_'), plain.end());
   const std::size_t at = plain.find("registercombiners");
   if (at == std::string::npos) return std::nullopt;
   const bool second = plain.substr(at).starts_with("registercombiners2");
   return !second || profile.per_stage_constants.value;
 }
-
-}  // namespace
 
 std::string Machine::text_of(const Expression& e) const {
   constexpr std::size_t kLongest = 200;
@@ -90,9 +84,14 @@ std::optional<Value> Machine::constant(const Expression& e) const {
   return std::nullopt;
 }
 
+// The object of OBJECT.MEMBER or OBJECT->MEMBER.
+Place Machine::object_of_member(const Expression& e) {
+  return e.is_arrow ? deref(evaluate(e.parts[0]), integer_value(0), "") : place(e.parts[0]);
+}
+
 // Where an expression's value is stored.
 Place Machine::place(const Expression& e) {
-  Place out{.path = normal_path(text_of(e))};
+  Place out{.path = path_of(e)};
   if (++depth_ > kMostChained) {
     --depth_;
     return out;
@@ -104,13 +103,13 @@ Place Machine::place(const Expression& e) {
     case ExpressionKind::index: {
       const Value base = evaluate(e.parts[0]), index = evaluate(e.parts[1]);
       const Expression& array = e.parts[0];
-      std::string path = normal_path(text_of(array));
+      std::string path = path_of(array);
       if (array.kind == ExpressionKind::index || array.kind == ExpressionKind::member) {
         path = quietly([&] { return place(array).path; });
       }
       path += "[" +
               (index.is_number() && !index.number.may_be_real() ? std::to_string(index.number.integer)
-                                                                : normal_path(text_of(e.parts[1]))) +
+                                                                : path_of(e.parts[1])) +
               "]";
       out = deref(base, index, path);
       break;
@@ -126,7 +125,7 @@ Place Machine::place(const Expression& e) {
         break;
       }
       Place whole;
-      const std::string path = is_self ? "" : normal_path(text_of(object));
+      const std::string path = is_self ? "" : path_of(object);
       if (e.is_arrow || is_self) {
         whole = deref(evaluate(object), integer_value(0), path);
       } else {
@@ -147,26 +146,10 @@ Place Machine::place(const Expression& e) {
     case ExpressionKind::unary:
       if (e.text == "*") {
         out = deref(evaluate(e.parts[0]), integer_value(0), out.path);
-      } else if (e.text == "++" || e.text == "--") {
+      } else {
         (void)evaluate(e);
-        out = place(e.parts[0]);
       }
       break;
-    case ExpressionKind::assignment:
-      (void)evaluate(e);
-      out = quietly([&] { return place(e.parts[0]); });
-      break;
-    case ExpressionKind::comma:
-      (void)evaluate(e.parts[0]);
-      out = place(e.parts[1]);
-      break;
-    case ExpressionKind::cast: {
-      // (float)x = …, of old; a reference is not cast.
-      const Place inner = place(e.parts[0]);
-      out.kind = inner.object >= 0 ? PlaceKind::somewhere : PlaceKind::nowhere;
-      out.object = inner.object;
-      break;
-    }
     case ExpressionKind::make: {
       const Value made = evaluate(e);
       if (made.is(ValueKind::pointer)) out = deref(made, integer_value(0), out.path);

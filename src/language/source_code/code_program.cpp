@@ -7,51 +7,32 @@
 namespace ninebit::code {
 namespace {
 
-bool changes(const Token& token) {
-  for (const std::string_view op : {"=", "+=", "-=", "*=", "/=", "|=", "&=", "^=", "%=", "<<=", ">>=", "++", "--"}) {
-    if (token.is(op)) return true;
-  }
-  return false;
-}
-
-// The names that functions may change: assigned to, alone or a part of them; or given away by address.
+// The names that functions may change: assigned to, alone or a part of them; or given away by address, as arrays are.
 void find_assigned(Program& program) {
   const std::vector<Token>& tokens = program.file.tokens;
+  const auto is_step = [](const Token& token) { return token.is("++") || token.is("--"); };
   for (const Function& function : program.outline.functions) {
     std::vector<std::size_t> calls;  // the tokens before the parentheses that are open
     for (std::size_t i = function.first; i < function.last; ++i) {
       if (tokens[i].is("(")) calls.push_back(i - 1);
       if (tokens[i].is(")") && !calls.empty()) calls.pop_back();
       if (!tokens[i].is_name()) continue;
-      const Token& before = tokens[i - 1];
+      const Token &before = tokens[i - 1], &operand = tokens[i - 2];
       std::size_t next = i + 1;
-      while (next < function.last) {
-        if (tokens[next].is("[")) {
-          next = program.file.closing[next] + std::size_t{1};
-        } else if ((tokens[next].is(".") || tokens[next].is("->")) && next + 1 < function.last) {
-          next += 2;
-        } else {
-          break;
-        }
+      while (next < function.last && (tokens[next].is("[") || tokens[next].is(".") || tokens[next].is("->"))) {
+        next = tokens[next].is("[") ? program.file.closing[next] + std::size_t{1} : next + 2;
       }
-      const bool steps = before.is("++") || before.is("--");
-      const bool address = before.is("&") && !tokens[i - 2].is_name() && tokens[i - 2].kind != Token::Kind::number &&
-                           !tokens[i - 2].is(")") && !tokens[i - 2].is("]");
-      // A whole array that a call gets, or a pointer.
-      const bool whole = next == i + 1 && (tokens[next].is(",") || tokens[next].is(")") || tokens[next].is(";") ||
-                                           tokens[next].is("+") || tokens[next].is("-"));
+      const bool changed =
+          is_step(before) || (next < function.last && (is_step(tokens[next]) || is_assignment(tokens[next])));
+      const bool address = before.is("&") && !operand.is_name() && operand.kind != Token::Kind::number &&
+                           !operand.is(")") && !operand.is("]");
+      const auto global = program.globals.find(std::string(tokens[i].text));
+      const bool is_array = global != program.globals.end() && !global->second->type->is(TypeKind::number) &&
+                            !global->second->type->is(TypeKind::pointer);
       const bool to_gl =
           !calls.empty() && tokens[calls.back()].is_name() && names_gl_function(tokens[calls.back()].text);
-      const bool binds = before.is("=") && whole;
-      const bool given = whole && !calls.empty() && !to_gl && !before.is("=");
-      const bool is_array = [&] {
-        const auto found = program.globals.find(std::string(tokens[i].text));
-        return found != program.globals.end() && !found->second->type->is(TypeKind::number) &&
-               !found->second->type->is(TypeKind::pointer);
-      }();
-      const bool by_address = address && !to_gl;
-      const bool changed = next < function.last && changes(tokens[next]);
-      if (steps || by_address || changed || (is_array && (binds || given))) program.assigned.insert(tokens[i].text);
+      const bool given = (address || (is_array && next == i + 1)) && !to_gl;
+      if (changed || given) program.assigned.insert(tokens[i].text);
     }
   }
 }
@@ -106,15 +87,18 @@ bool Program::sets(const Function& function) {
 bool Program::sets(const std::vector<Statement>& statements) {
   if (statements.empty()) return false;
   if (const auto known = may_set.find(&statements); known != may_set.end()) return known->second;
-  const bool found = std::any_of(statements.begin(), statements.end(), [&](const Statement& s) {
-    const auto any = [&](const std::vector<Expression>& all) {
-      return std::any_of(all.begin(), all.end(), [&](const Expression& e) { return sets(e); });
-    };
-    const bool declares =
-        std::any_of(s.declared.begin(), s.declared.end(), [&](const Declared& d) { return any(d.value); });
-    const bool unreadable = s.kind == StatementKind::unreadable && file.calls_between(s.offset, s.end);
-    return any(s.value) || any(s.step) || declares || unreadable || sets(s.first) || sets(s.body) || sets(s.otherwise);
-  });
+  bool found = false;
+  const auto look = [&](const std::vector<Expression>& all) {
+    for (const Expression& e : all) found = found || sets(e);
+  };
+  for (const Statement& s : statements) {
+    if (found) break;
+    look(s.value);
+    look(s.step);
+    for (const Declared& one : s.declared) look(one.value);
+    found = found || (s.kind == StatementKind::unreadable && file.calls_between(s.offset, s.end)) || sets(s.first) ||
+            sets(s.body) || sets(s.otherwise);
+  }
   may_set.emplace(&statements, found);
   return found;
 }

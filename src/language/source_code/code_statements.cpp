@@ -120,11 +120,6 @@ Statement Parser::controlled(const Token& keyword) {
     if (peek().is("{")) skip_brackets();
     return empty_at(keyword, StatementKind::nothing);
   }
-  if ((word("finally") || word("__finally") || word("synchronized")) && (peek(1).is("{") || peek(1).is("("))) {
-    take();
-    if (peek().is("(")) skip_brackets();
-    return statement();
-  }
   if (word("goto") && peek(1).is_name()) {
     take();
     Statement out = empty_at(keyword, StatementKind::jump);

@@ -211,10 +211,6 @@ const Type* Parser::structure(Specifiers& out) {
     enumeration(out);
     return out.type;
   }
-  while (is_one_of(peek(), {"__attribute__", "__declspec", "alignas"})) {
-    take();
-    if (peek().is("(")) skip_brackets();
-  }
   std::string_view name;
   // The last name before the body is the class's; those before it are macros.
   while (peek().is_name() && !is_one_of(peek(), {"final", "extends", "implements"})) {
@@ -308,11 +304,6 @@ void Parser::enumeration(Specifiers& out) {
   takes("struct");
   std::string_view name = peek().is_name() ? take().text : std::string_view();
   out.type = number_type(kEnumeration);
-  if (peek().is(":")) {
-    take();
-    Specifiers base;
-    if (specifiers(base, true)) out.type = base.type;
-  }
   if (!peek().is("{")) {
     if (const Type* const known = known_type(name)) out.type = known;
     return;

@@ -96,6 +96,9 @@ using PlaceKind = Place::Kind;
 using CellKey = std::tuple<int, std::int64_t, std::string>;
 using Changes = std::map<CellKey, Value>;
 
+[[nodiscard]] inline bool is_whole(const Type* type) {
+  return type->is(TypeKind::array) || type->is(TypeKind::structure);
+}
 void add_cell_types(const Type* type, std::vector<const Type*>& out);
 // The bytes of a type; 0: not known.
 [[nodiscard]] std::int64_t bytes_of(const Type* type);

@@ -44,33 +44,6 @@ bool assigns_word(const Expression& e) {
   return e.kind == ExpressionKind::assignment && named_word(e.parts[0]).field != nullptr;
 }
 
-bool assigns_word(std::string_view text, std::size_t begin, std::size_t end) {
-  constexpr std::size_t kLongestIndex = 64;
-  std::size_t before = begin;
-  while (before > 0 && detail::is_blank(text[before - 1])) --before;
-  const bool is_pointer = text.substr(0, before).ends_with("->");
-  if (!is_pointer && !text.substr(0, before).ends_with('.')) return false;
-  // In an initializer no object stands before the point.
-  before -= is_pointer ? 2 : 1;
-  while (before > 0 && detail::is_blank(text[before - 1])) --before;
-  const char last = before > 0 ? text[before - 1] : ';';
-  if ((!detail::is_word(last) && last != ')' && last != ']') ||
-      xbox::find_field(text.substr(begin, end - begin)) == nullptr)
-    return false;
-  const auto skip = [&] {
-    while (end < text.size() && detail::is_blank(text[end])) ++end;
-  };
-  skip();
-  if (end < text.size() && text[end] == '[') {
-    const std::size_t close = text.substr(end, kLongestIndex).find(']');
-    if (close == std::string_view::npos) return false;
-    end += close + 1;
-    skip();
-  }
-  const std::string_view rest = text.substr(end);
-  return (rest.starts_with('=') && !rest.starts_with("==")) || rest.starts_with("|=") || rest.starts_with("+=");
-}
-
 // An object by the memory that it is in.
 std::string Machine::object_of(const Expression& e) {
   if (e.kind == ExpressionKind::unary && e.text == "&") return object_of(e.parts[0]);
@@ -79,7 +52,7 @@ std::string Machine::object_of(const Expression& e) {
       value.is(ValueKind::pointer) ? deref(value, integer_value(0), "") : quietly([&] { return place(e); });
   if (at.object >= 0) return "#" + std::to_string(at.object) + ":" + std::to_string(at.at);
   const std::string outside = value.name.empty() ? at.outside : value.name;
-  return outside.empty() ? normal_path(text_of(e)) : outside;
+  return outside.empty() ? path_of(e) : outside;
 }
 
 // The word that an expression names, by its number; reports a wrong index.
@@ -118,7 +91,7 @@ Value Machine::assign_word(const NamedWord& word, const Expression& e) {
     FilledDefinition& filled = filled_[object_of(*word.object)];
     if (filled.offsets.empty()) {
       filled.offset = e.offset;
-      filled.name = normal_path(text_of(*word.object));
+      filled.name = path_of(*word.object);
     }
     std::uint32_t& stored_word = filled.definition.words[*at];
     if (e.text != "=") {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <string_view>
 
 #include "src/language/source_code/code_tree.h"
 #include "src/language/xbox/xbox_fields.h"
@@ -21,9 +20,6 @@ struct NamedWord {
 
 // Whether an expression assigns to a member of a definition.
 [[nodiscard]] bool assigns_word(const Expression& e);
-
-// The same of a text: whether ".NAME =", "->NAME[…] |=" and the like stand around the name at [begin, end).
-[[nodiscard]] bool assigns_word(std::string_view text, std::size_t begin, std::size_t end);
 
 // The words that were assigned to one object, and where.
 struct FilledDefinition {
