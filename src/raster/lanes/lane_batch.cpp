@@ -172,7 +172,16 @@ HWY_INLINE void operate_on_places(TilePlanes& tile, const LaneFragments& f, cons
 HWY_INLINE void fill_color_register(LaneFragments& f, LaneBatch& batch, const DrawContext& context,
                                     const VertexColors& from) {
   if (!context.reads[static_cast<std::size_t>(from.reg)]) return;
-  if (context.shades_flat(from.colors)) return fill_flat_codes(f, batch, context, from);
+  if (context.shades_flat(from.colors)) {
+    return fill_flat_codes(f, batch, context, from, [&](const LaneFragments::Run& run) {
+      const std::uint32_t primitive = run.primitive->primitive;
+      return from.reg == Register::primary ? context.flat_primary(primitive) : context.flat_secondary(primitive);
+    });
+  }
+  if (have_equal_corners(f, context, from.colors)) {
+    return fill_flat_codes(f, batch, context, from,
+                           [&](const LaneFragments::Run& run) { return from.colors[run.corners->vertex[0]]; });
+  }
   find_shares(f, batch, context);
   fill_smooth_colors(f, batch, context, from.colors);
   colors_to_codes(batch, f.count, context, from);

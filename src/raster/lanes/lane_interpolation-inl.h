@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <span>
 
@@ -148,16 +147,13 @@ HWY_INLINE ShareLanes eight_bit_weights(const ShareLanes& shares) {
 // vectors that are stored might alias them.
 struct CornerColors {
   std::array<std::array<float, 3>, 4> value;  // by component and vertex
-  bool has_one_alpha, are_equal;
-  ColorBytes first;
+  bool has_one_alpha;
   HWY_INLINE CornerColors(const LaneFragments::Run& run, std::span<const ColorBytes> colors) {
     for (std::size_t n = 0; n < 3; ++n) {
       const ColorBytes color = colors[run.corners->vertex[n]];
       for (std::size_t k = 0; k < 4; ++k) value[k][n] = static_cast<float>(color[k]);
     }
     has_one_alpha = value[kAlpha][0] == value[kAlpha][1] && value[kAlpha][0] == value[kAlpha][2];
-    first = colors[run.corners->vertex[0]];
-    are_equal = first == colors[run.corners->vertex[1]] && first == colors[run.corners->vertex[2]];
   }
 };
 
@@ -165,12 +161,6 @@ struct CornerColors {
 // the range of the corners' values by at most 2^-20.
 template <bool kPlain, bool kEightBits>
 HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::size_t r, const CornerColors& corner) {
-  if (kPlain && kEightBits && corner.are_equal) {  // as weights of eight bits have the sum 1
-    std::fill(batch.color.begin() + static_cast<std::ptrdiff_t>(f.run[r].first),
-              batch.color.begin() + static_cast<std::ptrdiff_t>(f.run[r + 1].first),
-              std::bit_cast<std::uint32_t>(corner.first));
-    return;
-  }
   const VF alpha = hn::Set(kDF, corner.value[kAlpha][0]);
   // The next run overwrites what is stored beyond this one's end.
   for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
@@ -222,15 +212,24 @@ struct VertexColors {
   int components;  // that come from the colours; alpha comes last
 };
 
-// Colours that are constant over each primitive, as codes: the components that the program reads.
+// True if each run's corners have one colour, which weights of eight bits give all its fragments, as their sum is 1.
+HWY_INLINE bool have_equal_corners(const LaneFragments& f, const DrawContext& context,
+                                   std::span<const ColorBytes> colors) {
+  if (context.state.profile.color_weights.value != ColorWeights::eight_bits) return false;
+  return std::all_of(f.run.data(), f.run.data() + f.runs, [&](const LaneFragments::Run& run) {
+    const std::array<std::uint32_t, 3>& v = run.corners->vertex;
+    return run.is_plain() && colors[v[0]] == colors[v[1]] && colors[v[0]] == colors[v[2]];
+  });
+}
+
+// Colours that are constant over each run, color_of(run), as codes: the components that the program reads.
+template <class ColorOf>
 HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, const DrawContext& context,
-                                  const VertexColors& from) {
+                                  const VertexColors& from, const ColorOf& color_of) {
   constexpr hn::CappedTag<s9, 32> kCodes;
   constexpr std::size_t kLanesOfCodes = hn::MaxLanes(kCodes);
   for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::uint32_t primitive = f.run[r].primitive->primitive;
-    const ColorBytes color =
-        from.reg == Register::primary ? context.flat_primary(primitive) : context.flat_secondary(primitive);
+    const ColorBytes color = color_of(f.run[r]);
     for (int k = 0; k < from.components; ++k) {
       if (!context.program->reads().contains(from.reg, k)) continue;
       s9* const to = batch.registers(from.reg, k);
