@@ -104,6 +104,25 @@ TEST(EffectPixel, PointSpritesRunAcrossPoints) {
   EXPECT_NE(fault_of(effect, profiles::geforce2).find("has no point sprites"), std::string::npos);
 }
 
+// Each in one sentence, with the pass that asks for it.
+TEST(EffectPixel, WhatTheChipDoesNotHaveIsRefused) {
+  const auto says = [](const std::string& body) { return fault_of(effect_of_text(body), profiles::nv2a); };
+  EXPECT_EQ(says(R"("size": 4, "depth_stencil": "f16", "passes": [{"name": "p", "stencil": {"pass": "replace"}}])"),
+            "pass 'p': the stencil test is enabled, but the depth-stencil format f16 has no stencil bits");
+  EXPECT_NE(says(R"("size": 4, "depth_stencil": "w24s8", "passes": [{"name": "p", "depth": {"function": "less"}}])")
+                .find("pass 'p': the W buffer w24s8 needs a perspective view"),
+            std::string::npos);
+  EXPECT_NE(
+      says(R"("size": 4, "textures": {"t": {"source": "normalize-cube:16", "filter": "nearest", "border_texels": true}},
+                     "passes": [{"name": "p", "program": "programs/texture0.rc1", "units": [{"texture": "t"}]}])")
+          .find("pass 'p': texture unit 0: border texels need a 2D image"),
+      std::string::npos);
+  EXPECT_NE(says(R"("size": 4, "textures": {"t": {"source": "checker:16", "color_key": "rgba:FFFFFFFF"}},
+                     "passes": [{"name": "p", "program": "programs/texture0.rc1", "units": [{"texture": "t"}]}])")
+                .find("pass 'p': texture unit 0: a colour key needs the nearest texel"),
+            std::string::npos);
+}
+
 // Half of a checkerboard's texels are the key.
 TEST(EffectPixel, ColorKeysKill) {
   const std::string text =

@@ -161,6 +161,17 @@ class Draw(Folder):
         self.assertEqual(drawn["program"], "State")
         self.assertRegex(repr(drawn), "64 x 32 pixels, geforce2, 1 pass>")
 
+    def test_polygons_and_samplers(self):
+        program = effects / "programs" / "texture0.rc1"
+        black = np.zeros((8, 8, 4), np.uint8)
+        drawn = ninebit.draw(program, tex0=black + 255, filter0="nearest", size=(8, 8), polygon_stipple=["1000", "0110"])
+        self.assertEqual(drawn.color[..., 0].astype(bool).astype(int).tolist(), 4 * [[1, 0, 0, 0] * 2, [0, 1, 1, 0] * 2])
+        drawn = ninebit.draw(program, tex0=black, filter0="nearest", wrap0="clamp-to-border", border_color0=(1, 0.5, 0, 1),
+                             coord0="position", size=(8, 8))
+        self.assertEqual(drawn.color[-1, 0].tolist(), [255, 128, 0, 255])
+        with self.assertRaisesRegex(ninebit.Error, "a line width has no effect here"):
+            ninebit.draw(program, tex0=black, line_width=2, line_smooth=False)
+
     def test_an_effect(self):
         drawn = ninebit.draw(effects / "toon.json", size=(64, 48), output=self.folder / "toon.png")
         np.testing.assert_array_equal(drawn.color, pixels_of_png(self.folder / "toon.png"))
