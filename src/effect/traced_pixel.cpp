@@ -1,6 +1,8 @@
 #include "src/effect/traced_pixel.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <utility>
 
 #include "ninebit/language/trace_json.h"
@@ -35,11 +37,42 @@ bool has_written_fragment(const TracedPixel& pixel) {
   });
 }
 
+std::string text_of(float number) {
+  std::array<char, 32> digits{};
+  (void)std::snprintf(digits.data(), digits.size(), "%.6g", static_cast<double>(number));
+  return digits.data();
+}
+
+// "(1, 2, 3)".
+template <class T, std::size_t N>
+std::string listed(const std::array<T, N>& numbers) {
+  std::string text;
+  for (const T number : numbers) text += (text.empty() ? "(" : ", ") + text_of(static_cast<float>(number));
+  return text + ')';
+}
+
+}  // namespace
+
+std::string stage_text(const StageValues& stage) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (stage.coordinates != std::array<float, 4>{}) add("s, t, r, q = " + listed(stage.coordinates));
+  if (stage.dot) add("dot product " + text_of(*stage.dot) + " with " + listed(*stage.normal));
+  if (stage.at) add("texture read at " + listed(*stage.at));
+  if (stage.at && stage.fetched != stage.texel)
+    add("texel " + listed(stage.fetched) + " becomes " + listed(stage.texel));
+  if (!stage.at || stage.fetched == stage.texel) add("texel " + listed(stage.texel));
+  const bool same = std::equal(stage.codes.begin(), stage.codes.end(), stage.texel.begin());
+  return same ? text : text + ", codes " + listed(stage.codes);
+}
+
+namespace {
+
 // The texture-shader stages of a fragment, in the order of the units; keys without a value are left out.
 AnswerJson stages_answer(const TextureShaderResult& result) {
   AnswerJson stages = AnswerJson::array();
   for (const StageValues& stage : result.stage) {
-    AnswerJson one = AnswerJson::object();
+    AnswerJson one{{"text", stage_text(stage)}, {"coordinates", stage.coordinates}};
     if (stage.normal) one["normal"] = *stage.normal;
     if (stage.dot) one["dot"] = *stage.dot;
     if (stage.at) {

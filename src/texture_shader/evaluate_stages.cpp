@@ -9,6 +9,7 @@ TextureShaderResult evaluate(const TextureShaderProgram& program, const Hardware
   TextureShaderResult result;
   one_fragment::Fragment fragment(program, inputs, fetch, result);
   one_fragment::walk_stages(program, profile, fragment);
+  for (std::size_t i = 0; i < result.stage.size(); ++i) result.stage[i].coordinates = inputs.at[i];
   return result;
 }
 

@@ -37,6 +37,7 @@ using FetchTexel = std::function<Bytes4(int unit, const TexturePlace& place)>;
 
 // The values of one stage.
 struct StageValues {
+  std::array<float, 4> coordinates{};          // s, t, r, q of the unit, as given
   Bytes4 input{};                              // the texel of the previous stage, if one is read
   std::optional<std::array<float, 3>> normal;  // that texel as the factor of the dot product
   std::optional<float> dot;                    // the dot product

@@ -4,6 +4,20 @@
 import { traceDiagram } from '../../page/web/trace_diagram.js';
 import { choice } from './dom.js';
 
+/**
+ * What the texture-shader stages before the combiners did to the traced fragment, a line a stage; empty: there are none.
+ * @param {any} effect
+ */
+function stageLines(effect) {
+  const drawn = (effect.passes ?? []).find(({ name }) => name === effect.pass);
+  const stages = drawn?.fragments?.[effect.fragment]?.stages ?? [];
+  return stages.map((stage, number) => {
+    const line = document.createElement('p');
+    line.textContent = `texture stage ${number}: ${stage.text}`;
+    return line;
+  });
+}
+
 export class TracePanel {
   /**
    * @param {HTMLElement} parent
@@ -37,6 +51,7 @@ export class TracePanel {
     this.place.textContent = [where, effect.pass && `pass ${effect.pass}`, ...fragments].filter(Boolean).join(' · ');
     const names = (effect.passes ?? []).filter((drawn) => drawn.fragments?.length).map((drawn) => drawn.name);
     if (names.length > 1) this.place.append(' ', choice('Pass', names, pass ?? effect.pass ?? names[0], this.choose));
+    this.parent.append(...stageLines(effect));
     if (trace.stages) traceDiagram(this.parent, trace, {});
   }
 }

@@ -155,18 +155,7 @@ namespace {
 std::string stages_text(const ProbedFragment& f) {
   std::string text;
   for (std::size_t i = 0; f.stages && i < f.stages->stage.size(); ++i) {
-    const StageValues& stage = f.stages->stage[i];
-    text += fmt::format("  stage {}:", i);
-    if (stage.dot) {
-      const auto& [x, y, z] = *stage.normal;
-      text += fmt::format(" dot product {:.6g} with ({:.6g}, {:.6g}, {:.6g}),", *stage.dot, x, y, z);
-    }
-    if (stage.at) {
-      const auto& [s, t, r] = *stage.at;
-      text += fmt::format(" texture read at ({:.6g}, {:.6g}, {:.6g}),", s, t, r);
-    }
-    const auto& [red, green, blue, alpha] = stage.texel;
-    text += fmt::format(" texel ({}, {}, {}, {})\n", red, green, blue, alpha);
+    text += fmt::format("  stage {}: {}\n", i, stage_text(f.stages->stage[i]));
   }
   return text;
 }
