@@ -140,8 +140,7 @@ Value Machine::evaluate_unary(const Expression& e) {
     const bool is_first = operand.kind == ExpressionKind::member && (operand.text == "r" || operand.text == "x");
     if (is_first) {
       const Place whole = place(operand.parts[0]);
-      const bool is_vague = whole.type == nullptr || whole.type->is(TypeKind::unknown);
-      if (is_vague && whole.kind != PlaceKind::nowhere) {
+      if (is_vague(whole.type) && whole.kind != PlaceKind::nowhere) {
         const Value value = evaluate(operand.parts[0]);
         if (value.is(ValueKind::pointer) || !value.is_known()) return value;
       }
@@ -245,8 +244,7 @@ Value Machine::combine(std::string_view op, const Value& left, const Value& righ
   if ((op == "+" || op == "-") && moves) {
     out = left.is(ValueKind::pointer) ? left : right;
     const auto by = convert((left.is_number() ? left : right).number, kInt64);
-    const bool is_vague = out.type == nullptr || out.type->is(TypeKind::nothing);
-    if (by && !is_vague) {
+    if (by && out.type != nullptr && !out.type->is(TypeKind::nothing)) {
       out.at += (op == "+" ? by->integer : -by->integer) * static_cast<std::int64_t>(cells_of(out.type));
       return out;
     }

@@ -60,12 +60,11 @@ std::optional<std::size_t> Machine::number_of_word(const NamedWord& word, const 
   std::optional<std::int64_t> index;
   if (word.index != nullptr) {
     const Value value = evaluate(*word.index);
-    const auto whole = value.is_number() ? convert(value.number, kInt64) : std::nullopt;
-    if (!whole) {
+    index = integer_of(value);
+    if (!index) {
       need(value, *word.index);
       return std::nullopt;
     }
-    index = whole->integer;
   }
   if (const std::string fault = index_fault(*word.field, index); !fault.empty()) {
     report(e.offset, fault);
@@ -163,9 +162,9 @@ std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expressi
       continue;
     }
     use(value);
-    const auto whole = convert(value.number, kInt64);
-    if (whole && accepts(macro->arguments[i], whole->integer)) {
-      bits |= bits_of(macro->arguments[i], whole->integer);
+    const auto whole = integer_of(value);
+    if (whole && accepts(macro->arguments[i], *whole)) {
+      bits |= bits_of(macro->arguments[i], *whole);
     } else {
       report(e.parts[i + 1].offset, fault_of_range(*macro, i));
     }
