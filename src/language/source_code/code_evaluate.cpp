@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/source/nearest_name.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/xbox/xbox_expression.h"
 
 namespace ninebit::code {
 namespace {
@@ -334,8 +334,12 @@ Value Machine::evaluate_conditional(const Expression& e) {
 }
 
 Value Machine::evaluate_assignment(const Expression& e) {
-  if (const NamedWord word = named_word(e.parts[0]); word.field != nullptr) return assign_word(word, e);
-  look_for_misspelled_member(e.parts[0]);
+  const NamedWord word = named_word(e.parts[0]);
+  if (word.field != nullptr) return assign_word(word, e);
+  const std::string meant = word.name.empty() ? "" : did_you_mean(word.name, xbox::field_names());
+  if (!meant.empty()) {
+    report(e.parts[0].offset, detail::quoted(word.name) + " is not a member of D3DPIXELSHADERDEF" + meant);
+  }
   const bool is_list = e.parts[1].kind == ExpressionKind::list;
   Value value = evaluate(e.parts[1]);
   Place at = place(e.parts[0]);

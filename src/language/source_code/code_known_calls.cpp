@@ -111,25 +111,17 @@ std::optional<Value> Machine::call_of_memory(std::string_view name, const Expres
   if (!copies && !sets && !(zeroes && count == 2)) return std::nullopt;
   const Value to = evaluate(e.parts[1]);
   const Value from = zeroes ? integer_value(0) : evaluate(e.parts[2]);
-  const Value bytes = evaluate(e.parts[count]);
-  const auto size = integer_of(bytes);
+  const auto size = integer_of(evaluate(e.parts[count]));
   const auto give_up = [&] {
-    if (to.object < 0 && to.name.empty()) {
-      forget_all();
-    } else if (to.object >= 0) {
-      forget_object(to.object);
-    } else {
-      store(deref(to, Value{}, ""), Value{});
-    }
+    to.object >= 0 ? forget_object(to.object) : forget_all();
     return to;
   };
   if (!to.is(ValueKind::pointer) || !size || *size < 0) return give_up();
   const Object& object = object_at(to.object);
   // As many cells as the bytes cover.
   std::int64_t cells = 0;
-  const Type* const whole = to.type;
-  if (whole != nullptr && bytes_of(whole) == *size && *size > 0) {
-    cells = static_cast<std::int64_t>(cells_of(whole));
+  if (to.type != nullptr && bytes_of(to.type) == *size && *size > 0) {
+    cells = static_cast<std::int64_t>(cells_of(to.type));
   } else {
     const auto first = static_cast<std::size_t>(std::max<std::int64_t>(to.at, 0));
     const std::int64_t each = first < object.types.size() ? bytes_of(object.types[first]) : 0;
@@ -153,9 +145,8 @@ std::optional<Value> Machine::call_of_memory(std::string_view name, const Expres
       if (at.kind != PlaceKind::cell || at.type != type) return give_up();
       values.push_back(load_cell(at));
     } else {
-      const bool number = type->is(TypeKind::number) || type->is(TypeKind::pointer);
-      const auto zero = number && type->kinds != 0 ? convert(int_number(0), type->kinds) : std::optional(int_number(0));
-      values.push_back(number && zero ? number_value(*zero) : Value{});
+      const bool has_zero = type->is(TypeKind::number) || type->is(TypeKind::pointer);
+      values.push_back(has_zero ? converted(integer_value(0), type, "") : Value{});
     }
   }
   for (std::int64_t i = 0; i < cells; ++i) {

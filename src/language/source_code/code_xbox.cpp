@@ -1,5 +1,4 @@
-#include "src/language/source_code/code_xbox.h"
-
+// The Xbox's pixel shader definition, D3DPIXELSHADERDEF, as code fills it: assignments to its members.
 #include <algorithm>
 #include <utility>
 
@@ -37,7 +36,7 @@ NamedWord named_word(const Expression& whole) {
   const bool is_element = e.kind == ExpressionKind::index && e.parts.size() == 2;
   const Expression& member = is_element ? without_cast(e.parts[0]) : e;
   if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return {};
-  return {xbox::find_field(member.text), &member.parts[0], is_element ? &e.parts[1] : nullptr};
+  return {member.text, &member.parts[0], is_element ? &e.parts[1] : nullptr, xbox::find_field(member.text)};
 }
 
 bool assigns_word(const Expression& e) {
@@ -126,15 +125,6 @@ std::optional<Value> Machine::assigned_word(const Expression& e) {
   if (filled == filled_.end()) return std::nullopt;
   const std::optional<std::size_t> at = number_of_word(word, e);
   return at ? integer_value(filled->second.definition.words[*at]) : Value{};
-}
-
-// A member's name with a wrong letter.
-void Machine::look_for_misspelled_member(const Expression& target) {
-  const Expression& e = without_cast(target);
-  const Expression& member = e.kind == ExpressionKind::index ? without_cast(e.parts[0]) : e;
-  if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return;
-  const std::string meant = did_you_mean(member.text, xbox::field_names());
-  if (!meant.empty()) report(target.offset, quoted(member.text) + " is not a member of D3DPIXELSHADERDEF" + meant);
 }
 
 // The macros of the Xbox's headers, and what clears a definition.
