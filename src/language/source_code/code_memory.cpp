@@ -300,19 +300,17 @@ Place Machine::member(const Place& object, std::string_view name) {
   out.path += "." + std::string(name);
   out.type = nullptr;
   const Type* const type = object.type;
-  const bool is_vague = type == nullptr || type->is(TypeKind::unknown);
   if (type != nullptr && type->is(TypeKind::structure)) {
-    for (const Member& one : type->structure->members) {
-      if (one.name != name) continue;
-      out.type = one.type;
-      out.at += static_cast<std::int64_t>(one.cell);
+    const auto& all = type->structure->members;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Member& one) { return one.name == name; });
+    if (found == all.end()) {
+      out.kind = PlaceKind::nowhere;
+    } else {
+      out.type = found->type;
+      out.at += static_cast<std::int64_t>(found->cell);
     }
-    if (out.type == nullptr) out.kind = PlaceKind::nowhere;
-  } else if (object.kind != PlaceKind::outside && !(object.kind == PlaceKind::cell && is_vague)) {
-    out.kind = object.kind == PlaceKind::somewhere ? PlaceKind::somewhere : PlaceKind::nowhere;
-    // A part of what is not modelled.
-    if (object.kind == PlaceKind::cell && type != nullptr && type->is(TypeKind::opaque))
-      out.kind = PlaceKind::somewhere;
+  } else if (object.kind == PlaceKind::cell && type != nullptr && !type->is(TypeKind::unknown)) {
+    out.kind = type->is(TypeKind::opaque) ? PlaceKind::somewhere : PlaceKind::nowhere;
   } else if (object.kind == PlaceKind::cell) {
     out.kind = PlaceKind::outside;
     out.outside = name_in(object.object, object.at);
