@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/source/nearest_name.h"
 #include "src/language/source_code/code_machine.h"
-#include "src/language/xbox/xbox_expression.h"
 
 namespace ninebit::code {
 namespace {
@@ -140,8 +140,7 @@ Value Machine::evaluate_unary(const Expression& e) {
     const bool is_first = operand.kind == ExpressionKind::member && (operand.text == "r" || operand.text == "x");
     if (is_first) {
       const Place whole = place(operand.parts[0]);
-      const bool is_vague = whole.type == nullptr || whole.type->is(TypeKind::unknown);
-      if (is_vague && whole.kind != PlaceKind::nowhere) {
+      if (is_vague(whole.type) && whole.kind != PlaceKind::nowhere) {
         const Value value = evaluate(operand.parts[0]);
         if (value.is(ValueKind::pointer) || !value.is_known()) return value;
       }
@@ -245,8 +244,7 @@ Value Machine::combine(std::string_view op, const Value& left, const Value& righ
   if ((op == "+" || op == "-") && moves) {
     out = left.is(ValueKind::pointer) ? left : right;
     const auto by = convert((left.is_number() ? left : right).number, kInt64);
-    const bool is_vague = out.type == nullptr || out.type->is(TypeKind::nothing);
-    if (by && !is_vague) {
+    if (by && out.type != nullptr && !out.type->is(TypeKind::nothing)) {
       out.at += (op == "+" ? by->integer : -by->integer) * static_cast<std::int64_t>(cells_of(out.type));
       return out;
     }
@@ -336,8 +334,12 @@ Value Machine::evaluate_conditional(const Expression& e) {
 }
 
 Value Machine::evaluate_assignment(const Expression& e) {
-  if (const NamedWord word = named_word(e.parts[0]); word.field != nullptr) return assign_word(word, e);
-  look_for_misspelled_member(e.parts[0]);
+  const NamedWord word = named_word(e.parts[0]);
+  if (word.field != nullptr) return assign_word(word, e);
+  const std::string meant = word.name.empty() ? "" : did_you_mean(word.name, xbox::field_names());
+  if (!meant.empty()) {
+    report(e.parts[0].offset, detail::quoted(word.name) + " is not a member of D3DPIXELSHADERDEF" + meant);
+  }
   const bool is_list = e.parts[1].kind == ExpressionKind::list;
   Value value = evaluate(e.parts[1]);
   Place at = place(e.parts[0]);

@@ -7,7 +7,7 @@
 
 #include "src/language/c_like/c_preprocessor.h"
 #include "src/language/gl_calls/gl_calls_names.h"
-#include "src/language/source_code/code_xbox.h"
+#include "src/language/xbox/xbox_fields.h"
 
 namespace ninebit::code {
 namespace {

@@ -91,9 +91,9 @@ std::int64_t Machine::open_count(const Expression& list) {
   std::int64_t next = 0, most = 0;
   for (const Expression& one : list.parts) {
     if (one.kind == ExpressionKind::designated && one.parts.size() == 2) {
-      const Value index = evaluate(one.parts[0]);
-      if (!index.is_number() || index.number.may_be_real()) return -2;
-      next = index.number.integer;
+      const auto index = integer_of(evaluate(one.parts[0]));
+      if (!index) return -2;
+      next = *index;
     }
     most = std::max(most, ++next);
   }
@@ -221,9 +221,8 @@ std::optional<std::size_t> Machine::designated(const Expression& part, const Typ
   const bool has_index = part.parts.size() == 2;
   if (type.is(TypeKind::array) != has_index) return std::nullopt;
   if (has_index) {
-    const Value index = evaluate(part.parts[0]);
-    const bool good = index.is_number() && !index.number.may_be_real() && index.number.integer >= 0;
-    return good ? std::optional(static_cast<std::size_t>(index.number.integer)) : std::nullopt;
+    const auto index = integer_of(evaluate(part.parts[0]));
+    return index && *index >= 0 ? std::optional(static_cast<std::size_t>(*index)) : std::nullopt;
   }
   const auto& members = type.structure->members;
   const auto found = std::find_if(members.begin(), members.end(), [&](const Member& m) { return m.name == part.text; });

@@ -111,30 +111,22 @@ std::optional<Value> Machine::call_of_memory(std::string_view name, const Expres
   if (!copies && !sets && !(zeroes && count == 2)) return std::nullopt;
   const Value to = evaluate(e.parts[1]);
   const Value from = zeroes ? integer_value(0) : evaluate(e.parts[2]);
-  const Value bytes = evaluate(e.parts[count]);
-  const auto size = bytes.is_number() ? convert(bytes.number, kInt64) : std::nullopt;
+  const auto size = integer_of(evaluate(e.parts[count]));
   const auto give_up = [&] {
-    if (to.object < 0 && to.name.empty()) {
-      forget_all();
-    } else if (to.object >= 0) {
-      forget_object(to.object);
-    } else {
-      store(deref(to, Value{}, ""), Value{});
-    }
+    to.object >= 0 ? forget_object(to.object) : forget_all();
     return to;
   };
-  if (!to.is(ValueKind::pointer) || !size || size->integer < 0) return give_up();
+  if (!to.is(ValueKind::pointer) || !size || *size < 0) return give_up();
   const Object& object = object_at(to.object);
   // As many cells as the bytes cover.
   std::int64_t cells = 0;
-  const Type* const whole = to.type;
-  if (whole != nullptr && bytes_of(whole) == size->integer && size->integer > 0) {
-    cells = static_cast<std::int64_t>(cells_of(whole));
+  if (to.type != nullptr && bytes_of(to.type) == *size && *size > 0) {
+    cells = static_cast<std::int64_t>(cells_of(to.type));
   } else {
     const auto first = static_cast<std::size_t>(std::max<std::int64_t>(to.at, 0));
     const std::int64_t each = first < object.types.size() ? bytes_of(object.types[first]) : 0;
-    if (each == 0 || size->integer % each != 0) return give_up();
-    cells = size->integer / each;
+    if (each == 0 || *size % each != 0) return give_up();
+    cells = *size / each;
     for (std::int64_t i = 0; i < cells; ++i) {
       const auto at = static_cast<std::size_t>(to.at + i);
       if (to.at + i < 0 || at >= object.types.size() || bytes_of(object.types[at]) != each) return give_up();
@@ -153,9 +145,8 @@ std::optional<Value> Machine::call_of_memory(std::string_view name, const Expres
       if (at.kind != PlaceKind::cell || at.type != type) return give_up();
       values.push_back(load_cell(at));
     } else {
-      const bool number = type->is(TypeKind::number) || type->is(TypeKind::pointer);
-      const auto zero = number && type->kinds != 0 ? convert(int_number(0), type->kinds) : std::optional(int_number(0));
-      values.push_back(number && zero ? number_value(*zero) : Value{});
+      const bool has_zero = type->is(TypeKind::number) || type->is(TypeKind::pointer);
+      values.push_back(has_zero ? converted(integer_value(0), type, "") : Value{});
     }
   }
   for (std::int64_t i = 0; i < cells; ++i) {
@@ -173,11 +164,10 @@ std::optional<Value> Machine::call_buffer(std::string_view name, const Expressio
   const bool makes = name.ends_with("FloatBuffer") || name.ends_with("IntBuffer") || name == "allocate";
   if (makes && count == 0 && callee.kind == ExpressionKind::member) return evaluate(callee.parts[0]);
   if ((makes || name == "allocateDirect") && count == 1) {
-    const Value size = evaluate(e.parts[1]);
+    const auto size = integer_of(evaluate(e.parts[1]));
     constexpr std::int64_t kMost = 4096;
-    if (!size.is_number() || size.number.may_be_real()) return std::nullopt;
-    if (size.number.integer < 0 || size.number.integer > kMost) return std::nullopt;
-    const std::int64_t numbers = size.number.integer / (name == "allocateDirect" ? 4 : 1);
+    if (!size || *size < 0 || *size > kMost) return std::nullopt;
+    const std::int64_t numbers = *size / (name == "allocateDirect" ? 4 : 1);
     const Type* const number =
         program_.parser->number_type(name.find("Int") != std::string_view::npos ? kInt32 : kFloat32);
     const int made = new_object(program_.parser->array_of(number, numbers + 1), "a buffer");

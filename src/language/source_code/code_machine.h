@@ -21,7 +21,7 @@
 #include "src/language/source_code/code_file.h"
 #include "src/language/source_code/code_parser.h"
 #include "src/language/source_code/code_value.h"
-#include "src/language/source_code/code_xbox.h"
+#include "src/language/xbox/xbox_fields.h"
 
 namespace ninebit::code {
 
@@ -81,6 +81,26 @@ struct Program {
 [[nodiscard]] bool names_vector(std::string_view word, std::size_t numbers);
 // A name without blanks and without this., with . for ->.
 [[nodiscard]] std::string normal_path(std::string_view name);
+
+// A member of the Xbox's pixel shader definition, D3DPIXELSHADERDEF, that an expression names: of
+// definition->PSRGBInputs[i] the object is definition.
+struct NamedWord {
+  std::string_view name{};  // empty: the expression cannot name one
+  const Expression* object = nullptr;
+  const Expression* index = nullptr;   // nullptr: there is none
+  const xbox::Field* field = nullptr;  // nullptr: the name is not one of a member
+};
+[[nodiscard]] NamedWord named_word(const Expression& e);
+// Whether an expression assigns to a member of a definition.
+[[nodiscard]] bool assigns_word(const Expression& e);
+
+// The words that were assigned to one object, and where.
+struct FilledDefinition {
+  xbox::Definition definition{};
+  std::map<std::size_t, std::uint32_t> offsets{};  // of the words that have a value
+  std::uint32_t offset = 0;                        // of the first
+  std::string name{};                              // of the object, as the source writes it there
+};
 
 // Both halves of a program.
 struct WholeState {
@@ -298,7 +318,6 @@ class Machine {
   Value refuse_value(const Expression& e);
   Value assign_word(const NamedWord& word, const Expression& e);
   std::optional<Value> assigned_word(const Expression& e);
-  void look_for_misspelled_member(const Expression& target);
   std::optional<Value> call_of_xbox(std::string_view name, const Expression& e);
 
   Program& program_;

@@ -274,27 +274,23 @@ Place Machine::deref(const Value& pointer, const Value& index, const std::string
   Place out{.path = path};
   if (!index.is_known()) out.needs = index.needs;
   if (!pointer.is_known() && pointer.name.empty()) out.needs = unknown_of(pointer, index).needs;
-  const bool is_index = index.is_number() && !index.number.may_be_real();
-  const auto integer = index.is_number() && index.number.may_be_real() ? convert(index.number, kInt64) : std::nullopt;
-  const bool known = is_index || (integer && (index.number.kinds & ~kReals) != 0);
-  const std::int64_t i = is_index ? index.number.integer : integer ? integer->integer : 0;
+  const auto i = integer_of(index);
   if (pointer.object >= 0) {
     out.object = pointer.object;
-    out.kind = pointer.is(ValueKind::pointer) && known ? PlaceKind::cell : PlaceKind::somewhere;
+    out.kind = pointer.is(ValueKind::pointer) && i ? PlaceKind::cell : PlaceKind::somewhere;
     out.type = pointer.type;
-    const Object& object = object_at(pointer.object);
-    const bool is_vague = out.type == nullptr || out.type->is(TypeKind::unknown) || out.type->is(TypeKind::nothing);
-    out.at = pointer.at + i * static_cast<std::int64_t>(is_vague ? 1 : cells_of(out.type));
-    if (is_vague && out.kind == PlaceKind::cell) {
-      const bool inside = out.at >= 0 && out.at < static_cast<std::int64_t>(object.types.size());
-      out.type = inside ? object.types[static_cast<std::size_t>(out.at)] : program_.parser->unknown_type();
+    const std::vector<const Type*>& types = object_at(pointer.object).types;
+    out.at = pointer.at + i.value_or(0) * static_cast<std::int64_t>(is_vague(out.type) ? 1 : cells_of(out.type));
+    if (is_vague(out.type) && out.kind == PlaceKind::cell) {
+      const bool inside = out.at >= 0 && out.at < static_cast<std::int64_t>(types.size());
+      out.type = inside ? types[static_cast<std::size_t>(out.at)] : program_.parser->unknown_type();
       if (!inside) out.kind = PlaceKind::nowhere;
     }
     return out;
   }
-  if (pointer.is_known() || pointer.name.empty() || !known) return out;
+  if (pointer.is_known() || pointer.name.empty() || !i) return out;
   out.kind = PlaceKind::outside;
-  out.outside = pointer.name + "[" + std::to_string(i) + "]";
+  out.outside = pointer.name + "[" + std::to_string(*i) + "]";
   out.type = pointer.type;
   return out;
 }
@@ -304,19 +300,17 @@ Place Machine::member(const Place& object, std::string_view name) {
   out.path += "." + std::string(name);
   out.type = nullptr;
   const Type* const type = object.type;
-  const bool is_vague = type == nullptr || type->is(TypeKind::unknown);
   if (type != nullptr && type->is(TypeKind::structure)) {
-    for (const Member& one : type->structure->members) {
-      if (one.name != name) continue;
-      out.type = one.type;
-      out.at += static_cast<std::int64_t>(one.cell);
+    const auto& all = type->structure->members;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Member& one) { return one.name == name; });
+    if (found == all.end()) {
+      out.kind = PlaceKind::nowhere;
+    } else {
+      out.type = found->type;
+      out.at += static_cast<std::int64_t>(found->cell);
     }
-    if (out.type == nullptr) out.kind = PlaceKind::nowhere;
-  } else if (object.kind != PlaceKind::outside && !(object.kind == PlaceKind::cell && is_vague)) {
-    out.kind = object.kind == PlaceKind::somewhere ? PlaceKind::somewhere : PlaceKind::nowhere;
-    // A part of what is not modelled.
-    if (object.kind == PlaceKind::cell && type != nullptr && type->is(TypeKind::opaque))
-      out.kind = PlaceKind::somewhere;
+  } else if (object.kind == PlaceKind::cell && type != nullptr && !type->is(TypeKind::unknown)) {
+    out.kind = type->is(TypeKind::opaque) ? PlaceKind::somewhere : PlaceKind::nowhere;
   } else if (object.kind == PlaceKind::cell) {
     out.kind = PlaceKind::outside;
     out.outside = name_in(object.object, object.at);

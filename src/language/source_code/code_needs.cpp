@@ -177,16 +177,12 @@ void Machine::need_conditions(const Function* function) {
 
 // The values that decide whether a call is reached at all.
 void Machine::need_guards(const Expression& e) {
-  bool is_named = true;
-  for (const Guard& one : guards_) {
-    if (one.condition != nullptr) need(one.why, *one.condition);
-    is_named = is_named && one.condition != nullptr;
-  }
-  for (const Exit& one : exits_) {
-    if (one.condition != nullptr) need(one.why, *one.condition);
-    is_named = is_named && one.condition != nullptr;
-  }
-  if (!is_named) report(e.offset, "whether this call is reached is not known: what stands before it cannot be read");
+  const auto look = [&](const Value& why, const Expression* condition) {
+    if (condition != nullptr) return need(why, *condition);
+    report(e.offset, "whether this call is reached is not known: what stands before it cannot be read");
+  };
+  for (const Guard& one : guards_) look(one.why, one.condition);
+  for (const Exit& one : exits_) look(one.why, one.condition);
 }
 
 // The values that are needed; several elements of an array are the array.

@@ -107,10 +107,8 @@ Place Machine::place(const Expression& e) {
       if (array.kind == ExpressionKind::index || array.kind == ExpressionKind::member) {
         path = quietly([&] { return place(array).path; });
       }
-      path += "[" +
-              (index.is_number() && !index.number.may_be_real() ? std::to_string(index.number.integer)
-                                                                : path_of(e.parts[1])) +
-              "]";
+      const auto known = integer_of(index);
+      path += "[" + (known ? std::to_string(*known) : path_of(e.parts[1])) + "]";
       out = deref(base, index, path);
       break;
     }

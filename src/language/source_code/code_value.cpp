@@ -118,6 +118,12 @@ std::optional<bool> truth(const Value& value) {
   }
 }
 
+std::optional<std::int64_t> integer_of(const Value& value) {
+  if (!value.is_number() || (value.number.kinds & ~kReals) == 0) return std::nullopt;
+  const auto number = convert(value.number, kInt64);
+  return number ? std::optional(number->integer) : std::nullopt;
+}
+
 void add_cell_types(const Type* type, std::vector<const Type*>& out) {
   if (type->is(TypeKind::array)) {
     for (std::int64_t i = 0; i < type->count; ++i) add_cell_types(type->of, out);

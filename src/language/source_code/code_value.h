@@ -59,6 +59,8 @@ using ValueKind = Value::Kind;
 [[nodiscard]] Value with_origins(Value value, const Value& other);
 // Whether two values are the same, also in what makes them unknown.
 [[nodiscard]] bool same(const Value& a, const Value& b);
+// The value of a number that is, or may be, of an integer type; empty: it is something else.
+[[nodiscard]] std::optional<std::int64_t> integer_of(const Value& value);
 // Whether a value is true; empty: that is not known.
 [[nodiscard]] std::optional<bool> truth(const Value& value);
 
@@ -96,6 +98,10 @@ using PlaceKind = Place::Kind;
 using CellKey = std::tuple<int, std::int64_t, std::string>;
 using Changes = std::map<CellKey, Value>;
 
+// A type that says nothing of what it has.
+[[nodiscard]] inline bool is_vague(const Type* type) {
+  return type == nullptr || type->is(TypeKind::unknown) || type->is(TypeKind::nothing);
+}
 [[nodiscard]] inline bool is_whole(const Type* type) {
   return type->is(TypeKind::array) || type->is(TypeKind::structure);
 }

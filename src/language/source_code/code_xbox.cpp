@@ -1,5 +1,4 @@
-#include "src/language/source_code/code_xbox.h"
-
+// The Xbox's pixel shader definition, D3DPIXELSHADERDEF, as code fills it: assignments to its members.
 #include <algorithm>
 #include <utility>
 
@@ -37,7 +36,7 @@ NamedWord named_word(const Expression& whole) {
   const bool is_element = e.kind == ExpressionKind::index && e.parts.size() == 2;
   const Expression& member = is_element ? without_cast(e.parts[0]) : e;
   if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return {};
-  return {xbox::find_field(member.text), &member.parts[0], is_element ? &e.parts[1] : nullptr};
+  return {member.text, &member.parts[0], is_element ? &e.parts[1] : nullptr, xbox::find_field(member.text)};
 }
 
 bool assigns_word(const Expression& e) {
@@ -60,12 +59,11 @@ std::optional<std::size_t> Machine::number_of_word(const NamedWord& word, const 
   std::optional<std::int64_t> index;
   if (word.index != nullptr) {
     const Value value = evaluate(*word.index);
-    const auto whole = value.is_number() ? convert(value.number, kInt64) : std::nullopt;
-    if (!whole) {
+    index = integer_of(value);
+    if (!index) {
       need(value, *word.index);
       return std::nullopt;
     }
-    index = whole->integer;
   }
   if (const std::string fault = index_fault(*word.field, index); !fault.empty()) {
     report(e.offset, fault);
@@ -129,15 +127,6 @@ std::optional<Value> Machine::assigned_word(const Expression& e) {
   return at ? integer_value(filled->second.definition.words[*at]) : Value{};
 }
 
-// A member's name with a wrong letter.
-void Machine::look_for_misspelled_member(const Expression& target) {
-  const Expression& e = without_cast(target);
-  const Expression& member = e.kind == ExpressionKind::index ? without_cast(e.parts[0]) : e;
-  if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return;
-  const std::string meant = did_you_mean(member.text, xbox::field_names());
-  if (!meant.empty()) report(target.offset, quoted(member.text) + " is not a member of D3DPIXELSHADERDEF" + meant);
-}
-
 // The macros of the Xbox's headers, and what clears a definition.
 std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expression& e) {
   const std::size_t count = e.parts.size() - 1;
@@ -163,9 +152,9 @@ std::optional<Value> Machine::call_of_xbox(std::string_view name, const Expressi
       continue;
     }
     use(value);
-    const auto whole = convert(value.number, kInt64);
-    if (whole && accepts(macro->arguments[i], whole->integer)) {
-      bits |= bits_of(macro->arguments[i], whole->integer);
+    const auto whole = integer_of(value);
+    if (whole && accepts(macro->arguments[i], *whole)) {
+      bits |= bits_of(macro->arguments[i], *whole);
     } else {
       report(e.parts[i + 1].offset, fault_of_range(*macro, i));
     }
