@@ -40,6 +40,7 @@ void set_environment(const char* name, const std::string& value);
 
 // Support for running out of memory safely.
 
+// Grows the stack of this thread, so that it does not grow later, when memory has run out.
 // Reserves some memory and frees it when operator new fails for the first time, before std::bad_alloc is thrown. The
 // cleanup then has memory: messages, the removal of temporary files, destructors that allocate (nlohmann-json's do).
 void keep_memory_for_errors();
