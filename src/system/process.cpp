@@ -88,26 +88,34 @@ void* map_memory(std::size_t bytes) {
   throw std::bad_alloc();
 }
 
-// The kernel gives the stack its pages when they are first used, and ends a program where it has none left.
-[[gnu::noinline]] void touch_stack() {
-  constexpr std::size_t kPage = 4096;
-  std::array<volatile char, 128 * kPage> pages;
-  for (std::size_t i = 0; i < pages.size(); i += kPage) pages[pages.size() - 1 - i] = 0;
-}
-
 }  // namespace
-
-void keep_memory_for_errors() {
-  touch_stack();
-  if (void* const older = kept.exchange(map_memory(kKept))) ::munmap(older, kKept);
-  std::set_new_handler(free_kept_and_throw);
-}
 
 bool has_room(std::uint64_t bytes) {
   void* const memory = map_memory(bytes);
   if (memory == nullptr) return false;
   ::munmap(memory, bytes);
   return true;
+}
+
+namespace {
+
+// The stack grows when a page of it is written for the first time. Where the address space is full by then, the process
+// ends without a message.
+constexpr std::size_t kStack = std::size_t{512} << 10U;
+
+[[gnu::noinline]] void grow_stack() {
+  constexpr std::size_t kPage = 4096;
+  std::array<char, kStack> room;
+  volatile char* const written = room.data();
+  for (std::size_t end = kStack; end > 0; end -= kPage) written[end - 1] = 0;
+}
+
+}  // namespace
+
+void keep_memory_for_errors() {
+  if (has_room(kStack)) grow_stack();
+  if (void* const older = kept.exchange(map_memory(kKept))) ::munmap(older, kKept);
+  std::set_new_handler(free_kept_and_throw);
 }
 
 void* load_library(const std::filesystem::path& file) {

@@ -42,7 +42,7 @@ void set_environment(const char* name, const std::string& value);
 
 // Reserves some memory and frees it when operator new fails for the first time, before std::bad_alloc is thrown. The
 // cleanup then has memory: messages, the removal of temporary files, destructors that allocate (nlohmann-json's do).
-// The caller's stack has its memory from then on, too: half a mebibyte.
+// Grows the stack of this thread by half a mebibyte, so that it does not have to grow when memory has run out.
 void keep_memory_for_errors();
 
 // True if the address space has room for `bytes` more contiguous bytes. Check this before calling a library that
