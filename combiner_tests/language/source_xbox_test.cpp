@@ -123,6 +123,21 @@ TEST(SourceXbox, FaultsNameTheirPlace) {
   expect_fault("void f() {\n  p->PSRGBInputs[i] = g();\n}", "2 values are not known");
 }
 
+// Words that are not assigned are 0 where they were 0.
+TEST(SourceXbox, WhatADefinitionHadBeforeIsNotGuessed) {
+  const std::string fills = " psd.PSCombinerCount = 1; device->CreatePixelShader(&psd, &handle); }";
+  expect_words(read_words("void f() { D3DPIXELSHADERDEF psd = {0};" + fills), "psd.PSCombinerCount = 1;");
+  for (const char* const before :
+       {"D3DPIXELSHADERDEF psd = {0, 5};", "D3DPIXELSHADERDEF psd = usual;", "D3DPIXELSHADERDEF psd; start(&psd);"}) {
+    expect_fault("void f() { " + std::string(before) + fills, "'psd' has values before");
+  }
+  const ReadWords changed = read_words("void f() {\n p->PSCombinerCount = 1;\n change(p);\n}");
+  ASSERT_TRUE(changed.program);
+  ASSERT_FALSE(changed.program.notes.empty());
+  EXPECT_EQ(changed.program.notes[0].text(),
+            "def.cpp:3:2: assumed that 'change' does not change the definition that is filled");
+}
+
 TEST(SourceXbox, OneFunctionIsOneProgram) {
   expect_fault("void f() {\n  a.PSCombinerCount = 1;\n  b.PSCombinerCount = 1;\n}",
                "several definitions are filled: 'a' (line 2), 'b' (line 3)");

@@ -161,6 +161,15 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
   }
   const bool only_reads = changes_nothing(name) ||
                           (is_gl && !contains_any(name, {"Get", "Gen", "Read", "Select", "Feedback", "Map", "Query"}));
+  const auto is_filled = [&](const Expression& one) {
+    return filled_.count(quietly([&] { return object_of(one); })) != 0;
+  };
+  const bool may_fill = !filled_.empty() && !only_reads && name.find("PixelShader") == std::string_view::npos;
+  if (may_fill &&
+      ((is_member && is_filled(callee.parts[0])) || std::any_of(e.parts.begin() + 1, e.parts.end(), is_filled)) &&
+      reported_.insert(e.offset).second) {
+    notes_.add(e.offset, "assumed that " + quoted(name) + " does not change the definition that is filled");
+  }
   const bool wraps = program_.sets(e);  // a check around a call
   if (!only_reads) {
     for (const Value& one : given) forget_pointed(one);

@@ -364,12 +364,7 @@ Value Machine::evaluate_assignment(const Expression& e) {
 }
 
 Value Machine::cast(const Value& value, const Type* type, const std::string& path) const {
-  if (type == nullptr || type->is(TypeKind::nothing)) return value;
-  if (type->is(TypeKind::pointer)) {
-    const bool is_number = value.is_number() && value.number.is_true();
-    return is_number ? needed_value({}) : converted(value, type, path);
-  }
-  return converted(value, type, path);
+  return type == nullptr || type->is(TypeKind::nothing) ? value : converted(value, type, path);
 }
 
 Value Machine::evaluate_size(const Expression& e) {

@@ -157,7 +157,8 @@ std::vector<std::uint32_t> calls_of(std::string_view text, bool reads_stages) {
     if (!is(open, {"("})) return false;
     const std::string_view name = tokens[i].text;
     if (name.find("ombiner") != std::string_view::npos && detail::find_gl_call(name) != nullptr) return true;
-    if (!reads_stages || detail::find_stage_call(name) == nullptr) return name == "nvparse";
+    const bool may_set_stage = reads_stages && name.find("TexEnv") != std::string_view::npos;
+    if (!may_set_stage || detail::find_stage_call(name) == nullptr) return name == "nvparse";
     // Another target of glTexEnv is an enumerant of its own.
     std::size_t comma = open;
     while (comma + 1 < tokens.size() && !is(comma, {","})) ++comma;

@@ -89,6 +89,7 @@ struct NamedWord {
   const Expression* object = nullptr;
   const Expression* index = nullptr;   // nullptr: there is none
   const xbox::Field* field = nullptr;  // nullptr: the name is not one of a member
+  bool is_arrow = false;
 };
 [[nodiscard]] NamedWord named_word(const Expression& e);
 // Whether an expression assigns to a member of a definition.
@@ -315,6 +316,7 @@ class Machine {
   // Definitions of the Xbox: code_xbox.cpp
   std::string object_of(const Expression& e);
   std::optional<std::size_t> number_of_word(const NamedWord& word, const Expression& e);
+  bool begins_with_zeros(const NamedWord& word);
   Value refuse_value(const Expression& e);
   Value assign_word(const NamedWord& word, const Expression& e);
   std::optional<Value> assigned_word(const Expression& e);

@@ -1,5 +1,6 @@
 // The Xbox's pixel shader definition, D3DPIXELSHADERDEF, as code fills it: assignments to its members.
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "src/language/source/nearest_name.h"
@@ -36,7 +37,8 @@ NamedWord named_word(const Expression& whole) {
   const bool is_element = e.kind == ExpressionKind::index && e.parts.size() == 2;
   const Expression& member = is_element ? without_cast(e.parts[0]) : e;
   if (member.kind != ExpressionKind::member || !looks_like_member(member.text)) return {};
-  return {member.text, &member.parts[0], is_element ? &e.parts[1] : nullptr, xbox::find_field(member.text)};
+  return {member.text, &member.parts[0], is_element ? &e.parts[1] : nullptr, xbox::find_field(member.text),
+          member.is_arrow};
 }
 
 bool assigns_word(const Expression& e) {
@@ -72,6 +74,24 @@ std::optional<std::size_t> Machine::number_of_word(const NamedWord& word, const 
   return word.field->first + static_cast<std::size_t>(index.value_or(0));
 }
 
+// Whether an object that is filled has nothing in it before: no first value but zeros, and no other function had it.
+bool Machine::begins_with_zeros(const NamedWord& word) {
+  const Place at = quietly([&] {
+    const Value value = evaluate(*word.object);
+    if (value.is(ValueKind::pointer)) return deref(value, integer_value(0), "");
+    return word.is_arrow ? Place{} : place(*word.object);
+  });
+  if (at.object < 0 || at.type == nullptr || !is_inside(at)) return true;
+  const auto is_zero = [](const Value& one) {
+    return one.is_number() ? !one.number.is_true() : !one.is_known() && !one.needs && one.name.empty();
+  };
+  const Object& object = object_at(at.object);
+  const std::span<const Value> behind = std::span(object.cells).subspan(static_cast<std::size_t>(at.at));
+  const std::size_t count = is_vague(at.type) ? behind.size() : std::min(cells_of(at.type), behind.size());
+  return !object.is_escaped &&
+         std::all_of(behind.begin(), behind.begin() + static_cast<std::ptrdiff_t>(count), is_zero);
+}
+
 Value Machine::refuse_value(const Expression& e) {
   report(e.offset, "the value is not a whole number of 32 bits");
   return {};
@@ -90,6 +110,9 @@ Value Machine::assign_word(const NamedWord& word, const Expression& e) {
     if (filled.offsets.empty()) {
       filled.offset = e.offset;
       filled.name = path_of(*word.object);
+      if (!begins_with_zeros(word)) {
+        report(e.offset, quoted(filled.name) + " has values before, which are not read; expected one that is all 0");
+      }
     }
     std::uint32_t& stored_word = filled.definition.words[*at];
     if (e.text != "=") {
