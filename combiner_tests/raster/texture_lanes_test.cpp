@@ -409,7 +409,8 @@ TEST(TextureLanes, OneChangeOfAllFragments) {
   std::set<std::array<int, 3>> levels;
   for (int round = 0; round < 200; ++round) {
     const TextureTarget target = kTargets[static_cast<std::size_t>(round) % 2];
-    const InternalFormat format = round % 3 == 0 ? InternalFormat::rgb8 : kByteFormats[static_cast<std::size_t>(random.below(6))];
+    const InternalFormat format =
+        round % 3 == 0 ? InternalFormat::rgb8 : kByteFormats[static_cast<std::size_t>(random.below(6))];
     const Texture texture = random_texture(random, target, format, 32, 32, true);
     Sampler parameters = linear(Wrap::repeat, Wrap::repeat);
     parameters.min_filter = random.pick({MinFilter::linear_mipmap_linear, MinFilter::nearest_mipmap_nearest});
