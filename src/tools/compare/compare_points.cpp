@@ -246,8 +246,9 @@ Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind lig
 
 namespace {
 
-Status judge_row(const std::string& name, const Rendering& rendering, const RenderSettings& settings,
-                 const GroundTruthScene& rays, const Progress& progress, ComparedRow& row) {
+Status judge_row(const CompareFlags& flags, const std::string& name, const Rendering& rendering,
+                 const RenderSettings& settings, const GroundTruthScene& rays, const Progress& progress,
+                 ComparedRow& row) {
   if (!rendering.evidence) return {};
   const auto truth = measure(rays, settings, rendering, progress);
   if (!truth) return truth.error();
@@ -260,6 +261,7 @@ Status judge_row(const std::string& name, const Rendering& rendering, const Rend
   if (!plane) return plane.error();
   give_picture("wrong " + name, std::move(causes));
   row.wrong = std::move(*plane);
+  if (!flags.sheet.empty()) row.error_picture = error_picture(rendering, *truth);
   row.errors = std::move(errors);
   return {};
 }
@@ -317,8 +319,8 @@ double total_ms(const PassTimes& times) {
   return times.transform + times.maps + times.camera + times.compare + times.lit + times.shadow;
 }
 
-Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene, const GroundTruthScene& rays,
-                                 const Progress& progress) {
+Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene,
+                                 const GroundTruthScene& rays, const Progress& progress) {
   ComparedRow row;
   RenderSettings settings = settings_of(point.scene, point.common);
   settings.evidence = true;
@@ -332,7 +334,9 @@ Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
       row.refused = judged.error().message;
       return row;
     }
-    if (Status done = judge_row(point.name, *judged, settings, rays, part(0.4, 0.3), row); !done) return done.error();
+    if (Status done = judge_row(flags, point.name, *judged, settings, rays, part(0.4, 0.3), row); !done) {
+      return done.error();
+    }
   }
   // Rendered again, because keeping the evidence takes time of its own.
   settings.evidence = false;
@@ -348,6 +352,7 @@ Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
   Image8 picture = color_picture(*rendering);
   auto color = encode_png(picture);
   if (!color) return color.error();
+  if (!flags.sheet.empty()) row.picture = picture;
   give_picture("color " + point.name, std::move(picture));
   row.color = std::move(*color);
   return row;

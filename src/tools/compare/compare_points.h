@@ -17,6 +17,7 @@ struct CompareFlags {
   CommonFlags common;
   SceneFlags scene;
   std::string folder;
+  std::string sheet;                        // a PNG file; empty: none
   std::vector<std::string> vary;            // each FLAG=VALUE,VALUE…
   std::vector<CLI::Option*> scene_options;  // those of add_scene_flags, and --profile
 };
@@ -77,6 +78,7 @@ struct ComparedRow {
   std::vector<std::pair<std::string, std::string>> hashes{};  // as picture_hashes
   std::string color{};                                        // the picture as PNG
   std::string wrong{};  // as PNG, grey: 0, or the number of an ErrorCause, plus 128 if the pixel is falsely lit
+  Image8 picture{}, error_picture{};  // the picture, and error_picture() of it, if the flags want a sheet
 };
 
 // Everything that a comparison found.
@@ -90,8 +92,9 @@ struct Comparison {
 };
 
 // Renders, judges and measures one point. A scene or a setting that the technique cannot draw is a row with the reason.
-[[nodiscard]] Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
-                                               const GroundTruthScene& rays, const Progress& progress);
+[[nodiscard]] Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint& point,
+                                               const Scene& scene, const GroundTruthScene& rays,
+                                               const Progress& progress);
 
 [[nodiscard]] double total_ms(const PassTimes& times);
 
