@@ -95,28 +95,10 @@ ComparedPoint parse_point(std::vector<std::string> arguments) {
   add_common_flags(verb, point.common);
   add_scene_file(verb, "scene", point.scene);
   add_scene_flags(verb, point.scene);
+  point.arguments = arguments;
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
   verb.parse(arguments);
   return point;
-}
-
-// The given flags as arguments, but for the technique and those that `reads` rejects.
-template <class Reads>
-std::vector<std::string> given_arguments(const CompareFlags& flags, const Reads& reads) {
-  std::vector<std::string> arguments;
-  for (const CLI::Option* option : flags.scene_options) {
-    const std::string name = option->get_name();
-    if (option->count() == 0 || name == "--technique" || !reads(name)) continue;
-    if (name == "--profile") {  // its text became the profile's name
-      const CommonFlags& common = flags.common;
-      arguments.push_back(name + '=' + (common.profile_file.empty() ? common.profile : common.profile_file));
-    } else if (option->get_items_expected_max() == 0) {
-      arguments.push_back(name);
-    } else {
-      arguments.push_back(name + '=' + option->results().back());
-    }
-  }
-  return arguments;
 }
 
 void complete_point(const CompareFlags& flags, const LightKinds& kinds, ComparedPoint& point) {
@@ -194,7 +176,8 @@ ComparedPoints varied_points(const CompareFlags& flags) {
                     "smaller --size",
                     fmt::join(flags.vary, " --vary "), kMostCompared, kMostComparedPixels));
   }
-  std::vector<std::string> arguments = given_arguments(flags, [](const std::string&) { return true; });
+  std::vector<std::string> arguments =
+      given_arguments(flags.common, flags.scene_options, [](const std::string&) { return true; });
   const bool names_technique =
       std::any_of(varied.begin(), varied.end(), [](const VariedFlag& flag) { return flag.flag == "technique"; });
   if (!names_technique) arguments.push_back("--technique=" + flags.scene.technique);
@@ -223,8 +206,8 @@ Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind lig
     }
     SceneFlags own = flags.scene;
     own.technique = name;
-    std::vector<std::string> arguments =
-        given_arguments(flags, [&](const std::string& flag) { return reads_flag(own, flag); });
+    std::vector<std::string> arguments = given_arguments(
+        flags.common, flags.scene_options, [&](const std::string& flag) { return reads_flag(own, flag); });
     arguments.push_back("--technique=" + name);
     try {
       all.points.push_back(parse_point(std::move(arguments)));
@@ -246,7 +229,18 @@ Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind lig
 
 namespace {
 
-Status judge_row(const CompareFlags& flags, const std::string& name, const Rendering& rendering,
+// The flags of the point, without the size; the kind of light is said, as `trace` would choose it by the technique
+// alone.
+std::vector<std::string> traced_arguments(const ComparedPoint& point, LightKind light) {
+  std::vector<std::string> arguments;
+  for (const std::string& argument : point.arguments) {
+    if (!argument.starts_with("--size=")) arguments.push_back(argument);
+  }
+  if (point.scene.light_type.empty()) arguments.push_back(fmt::format("--light-type={}", light_kind_name(light)));
+  return arguments;
+}
+
+Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene, const Rendering& rendering,
                  const RenderSettings& settings, const GroundTruthScene& rays, const Progress& progress,
                  ComparedRow& row) {
   if (!rendering.evidence) return {};
@@ -256,10 +250,11 @@ Status judge_row(const CompareFlags& flags, const std::string& name, const Rende
   for (const ErrorCause cause : causes_of(*rendering.evidence)) {
     errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
   }
+  errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0].kind), *truth);
   Image8 causes = cause_plane(*truth, settings.width, settings.height);
   auto plane = encode_png(causes);
   if (!plane) return plane.error();
-  give_picture("wrong " + name, std::move(causes));
+  give_picture("wrong " + point.name, std::move(causes));
   row.wrong = std::move(*plane);
   if (!flags.sheet.empty()) row.error_picture = error_picture(rendering, *truth);
   row.errors = std::move(errors);
@@ -272,7 +267,8 @@ Json errors_of_row(const ComparedErrors& errors) {
   return {{"wrong", errors.false_lit + errors.false_shadowed},
           {"false_lit", errors.false_lit},
           {"false_shadowed", errors.false_shadowed},
-          {"by_cause", std::move(by_cause)}};
+          {"by_cause", std::move(by_cause)},
+          {"worst", json_of(errors.worst)}};
 }
 
 // The most texture units that a pass reads which marks shadows; null if it is computed in floats, or if there is none.
@@ -334,7 +330,7 @@ Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint&
       row.refused = judged.error().message;
       return row;
     }
-    if (Status done = judge_row(flags, point.name, *judged, settings, rays, part(0.4, 0.3), row); !done) {
+    if (Status done = judge_row(flags, point, scene, *judged, settings, rays, part(0.4, 0.3), row); !done) {
       return done.error();
     }
   }

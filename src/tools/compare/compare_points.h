@@ -10,6 +10,7 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/technique.h"
 #include "src/tools/common/scene_flags.h"
+#include "src/tools/common/trace_command.h"
 
 namespace ninebit::tools {
 
@@ -28,6 +29,7 @@ struct ComparedPoint {
   std::vector<std::pair<std::string, std::string>> varied{};  // flag without dashes, value
   SceneFlags scene{};
   CommonFlags common{};
+  std::vector<std::string> arguments{};  // the flags that it was parsed from
 };
 
 // A technique that is not compared.
@@ -66,6 +68,7 @@ inline constexpr std::size_t kMostComparedPixels = std::size_t{1} << 26;
 struct ComparedErrors {
   std::uint64_t false_lit = 0, false_shadowed = 0;
   std::vector<std::pair<std::string, std::uint64_t>> by_cause{};  // the causes that are possible
+  std::vector<WrongPixelTrace> worst{};
 };
 
 struct ComparedRow {
