@@ -99,20 +99,6 @@ TEST(EffectParts, RectanglesKeepTheirSides) {
   EXPECT_EQ(kept->faces[0][0].height, 5);
 }
 
-// A texture register that a stage writes before another reads it needs no texture.
-TEST(EffectParts, WarnsOfTextureRegistersThatAreReadFirst) {
-  const auto warned = [](const std::string& program) {
-    EffectPass pass{.name = "draw"};
-    pass.program = "p";
-    std::vector<std::string> warnings;
-    EXPECT_TRUE(effect_program({}, pass, profiles::geforce2, reader_of("!!RC1.0\n" + program), warnings));
-    return warnings.size();
-  };
-  EXPECT_EQ(warned("{ rgb { tex1 = col0 * col0; } }\n{ rgb { spare0 = tex1 * col0; } }\nout.rgb = spare0;\n"), 0U);
-  EXPECT_EQ(warned("{ rgb { spare0 = tex1 * col0; } }\nout.rgb = spare0;\n"), 1U);
-  EXPECT_EQ(warned("{ rgb { spare0 = col0 * col0; } }\nout.rgb = tex1;\n"), 1U);
-}
-
 // A near square before a far one. In the left half the stencil test keeps the near one from writing its depth, so that
 // the far one is the last that passes the depth test. An alpha test that the near one fails changes nothing.
 TEST(EffectParts, ARecordHasTheFragmentsOfTheDraw) {

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <optional>
 
+#include "combiner_tests/support/stored_pictures.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
@@ -135,6 +137,93 @@ TEST(Compare, ThePageHoldsAll) {
   }
   const Json report = Json::parse(files.at("report.json"));
   EXPECT_EQ(report["rows"], object["rows"]);
+}
+
+using ninebit::Image8;
+using Place = std::optional<std::pair<int, int>>;
+
+// Where a picture stands in a sheet.
+Place place_in(const Image8& sheet, const Image8& picture) {
+  const auto row_at = [](const Image8& image, int x, int y) {
+    return image.pixels.begin() + std::ptrdiff_t{3} * (std::ptrdiff_t{y} * image.width + x);
+  };
+  for (int top = 0; top + picture.height <= sheet.height; ++top) {
+    for (int left = 0; left + picture.width <= sheet.width; ++left) {
+      int y = 0;
+      while (y < picture.height && std::equal(row_at(picture, 0, y), row_at(picture, 0, y) + 3 * picture.width,
+                                              row_at(sheet, left, top + y))) {
+        ++y;
+      }
+      if (y == picture.height) return std::pair{left, top};
+    }
+  }
+  return std::nullopt;
+}
+
+// The pixels of a rectangle of a sheet that are not paper.
+std::vector<bool> ink_in(const Image8& sheet, int left, int top, int width, int height) {
+  std::vector<bool> ink;
+  for (int y = top; y < top + height; ++y) {
+    for (int x = left; x < left + width; ++x) {
+      ink.push_back(sheet.pixels[static_cast<std::size_t>(3 * (y * sheet.width + x))] < 128);
+    }
+  }
+  return ink;
+}
+
+// The sheet has the pictures of `render`, each with its wrong pixels below it, and words that differ around them.
+TEST(Compare, TheSheetHasAllPictures) {
+  const TempFolder folder;
+  const std::string sheet = folder / "sheet.png";
+  const ManyWords size{"--size", "360x80", "--map-size", "32", "--quiet"};
+  ManyWords words{"compare", kRoom, "--sheet", sheet, "--vary", "index-step=1,2", "--json"};
+  words.insert(words.end(), size.begin(), size.end());
+  const Json object = json_of(ninebit(words));
+  EXPECT_EQ(object["files"], Json::array({sheet}));
+  const Image8 found = ninebit::test::read_png(sheet);
+  ASSERT_EQ(found.channels, 3);
+  std::vector<std::vector<bool>> names, counts;
+  for (const char* step : {"1", "2"}) {
+    ManyWords render{"render", kRoom, "-o", folder / step, "--index-step", step, "--ground-truth"};
+    render.insert(render.end(), size.begin(), size.end());
+    ASSERT_EQ(ninebit(render).code, 0);
+    const Place colors = place_in(found, ninebit::test::read_png(folder / (std::string(step) + "/color.png")));
+    const Place errors = place_in(found, ninebit::test::read_png(folder / (std::string(step) + "/error.png")));
+    ASSERT_TRUE(colors && errors) << step;
+    EXPECT_EQ(colors->first, errors->first);
+    EXPECT_GT(errors->second, colors->second + 80);
+    names.push_back(ink_in(found, colors->first, colors->second - 30, 360, 30));
+    counts.push_back(ink_in(found, errors->first, errors->second + 80, 360, 40));
+  }
+  EXPECT_NE(names[0], names[1]);
+  EXPECT_NE(counts[0], counts[1]);
+  for (const auto& part : {names[0], names[1], counts[0], counts[1]}) {
+    EXPECT_GT(std::count(part.begin(), part.end(), true), 100);
+  }
+  // The same bytes again, beside the page, with any number of threads.
+  const std::string before = read_bytes(sheet);
+  words.insert(words.end(), {"-o", folder / "page", "--threads", "2"});
+  EXPECT_EQ(json_of(ninebit(words))["files"].size(), 3U);
+  EXPECT_EQ(read_bytes(sheet), before);
+}
+
+TEST(Compare, ASheetHasAPlaceForWhatIsNotDrawn) {
+  const TempFolder folder;
+  const Json object = json_of(ninebit({"compare", kRoom, "--sheet", folder / "s.png", "--size", "64x48", "--quiet",
+                                       "--json", "--vary", "index-format=rgb,a", "--index-step", "2"}));
+  EXPECT_TRUE(object["rows"][1].contains("refused"));
+  EXPECT_EQ(ninebit::test::read_png(folder / "s.png").width, 3 * 16 + 2 * 6 * 64);  // 360 pixels wide at least
+}
+
+TEST(Compare, SheetsThatCannotBe) {
+  const TempFolder folder;
+  expect_error(ninebit({"compare", kRoom, "--quiet"}), 2, {"--output or --sheet is required"});
+  expect_error(ninebit({"compare", kRoom, "--quiet", "--sheet", folder / "s.jpg"}), 2, {"s.jpg", ".png"});
+  expect_error(ninebit({"compare", kRoom, "--quiet", "--size", "4096x8192", "--vary", "index-step=1,2", "--sheet",
+                        folder / "s.png"}),
+               2, {"--sheet", "expected at most 16384 a side", "a smaller --size"});
+  expect_error(ninebit(small_compare(kRoom, folder / "out", {"--sheet", "/proc/none/s.png"})), 4, {"/proc/none"});
+  EXPECT_TRUE(files_in(folder / "out").empty());
 }
 
 TEST(Compare, WrongUsage) {

@@ -279,6 +279,27 @@ TEST(Draw, WarnsOfWhatOneMayNotExpect) {
   const Json drawn = json_of(ninebit(draw(kSepia, folder / "p.png", {"--size", "8x8", "--json"})));
   ASSERT_EQ(drawn["warnings"].size(), 1U);
   EXPECT_NE(drawn["warnings"][0].get<std::string>().find("texture unit 0"), std::string::npos);
+  // A target has no mip-maps, so that a filter that reads them switches the unit off, as OpenGL does.
+  write_bytes(folder / "invert.rc1", "!!RC1.0\nout.rgb = unsigned_invert(tex0);\n");
+  for (const char* filter : {"linear", "trilinear"}) {
+    write_bytes(folder / "off.json",
+                std::string(R"({"ninebit": "effect", "version": 1, "size": [8, 8], "targets": {"first": {"size": 4}},
+"textures": {"t": {"source": "target:first", "filter": ")") +
+                    filter + R"("}},
+"passes": [{"name": "a", "target": "first", "draw": "rectangle"},
+{"name": "b", "draw": "rectangle", "program": "invert.rc1", "units": [{"texture": "t", "coordinates": "uv"}]}]})");
+    const Json warnings = json_of(ninebit(draw(folder / "off.json", folder / "p.png", {"--json"})))["warnings"];
+    if (std::string(filter) == "linear") {
+      EXPECT_TRUE(warnings.empty()) << warnings;
+      continue;
+    }
+    const std::string expected =
+        "pass 'b': texture unit 0 is off, because its texture is incomplete: its filter reads mip-maps, and level 1 "
+        "(2 × 2 texels) is missing";
+    EXPECT_EQ(warnings, Json::array({expected}));
+    const auto said = ninebit({"draw", folder / "off.json", "-o", folder / "p.png"});
+    EXPECT_NE(said.err.find("ninebit: warning: " + expected + "\n"), std::string::npos) << said.err;
+  }
 }
 
 }  // namespace

@@ -16,11 +16,100 @@ std::vector<std::string> judged_render(const TempFolder& folder, const std::vect
   return small_render(kRoom, folder / "out", flags);
 }
 
+// The words of a command whose words have no quotes, without the program's name.
+std::vector<std::string> words_of_command(const std::string& command) {
+  std::vector<std::string> words;
+  for (std::size_t from = 0; from < command.size();) {
+    const std::size_t end = std::min(command.find(' ', from), command.size());
+    words.push_back(command.substr(from, end - from));
+    from = end + 1;
+  }
+  EXPECT_EQ(words[0], "ninebit");
+  words.erase(words.begin());
+  return words;
+}
+
+// What a command ends with that traces a pixel says of it.
+Json truth_by(const std::string& command) {
+  std::vector<std::string> words = words_of_command(command);
+  words.insert(words.end(), {"--json", "--quiet"});
+  return json_of(ninebit(words))["truth"];
+}
+
+// Every cause that occurs has a pixel, and its command finds that cause there; samples are pixels of a larger picture.
+TEST(GroundTruthOfRender, TheWorstPixelsCanBeTraced) {
+  const TempFolder folder;
+  for (const std::vector<std::string>& flags :
+       {std::vector<std::string>{"--index-step", "1", "--supersample", "2", "--up", "y"},
+        std::vector<std::string>{"--technique", "shadow-map", "--polygon-offset", "0,0", "--profile", "nv2a"}}) {
+    std::vector<std::string> more = flags;
+    more.emplace_back("--json");
+    const Json errors = json_of(ninebit(judged_render(folder, more)))["errors"];
+    std::set<std::string> causes;
+    for (const Json& worst : errors["worst"]) {
+      EXPECT_EQ(truth_by(worst["command"])["cause"], worst["cause"]) << worst["command"];
+      causes.insert(worst["cause"]);
+    }
+    for (const auto& [cause, count] : errors["by_cause"].items()) EXPECT_EQ(causes.contains(cause), count > 0) << cause;
+    EXPECT_GE(causes.size(), 2U);
+    more.pop_back();
+    std::erase(more, "--quiet");
+    std::vector<std::string> spoken = judged_render(folder, more);
+    std::erase(spoken, "--quiet");
+    const Outcome said = ninebit(spoken);
+    for (const std::string& cause : causes) {
+      EXPECT_NE(said.err.find("\n  " + cause + ": ninebit trace --scene "), std::string::npos) << said.err;
+    }
+  }
+}
+
+TEST(GroundTruthOfRender, QuotesNamesForTheShell) {
+  const TempFolder folder;
+  const std::string file = folder / "it's a room.gltf";
+  write_bytes(file, read_bytes(kCornell));
+  const Json answer = json_of(ninebit(small_render(file, folder / "out", {"--ground-truth", "--json"})));
+  ASSERT_FALSE(answer["errors"]["worst"].empty());
+  const std::string quoted = "--scene '" + std::string(folder / "it'\\''s a room.gltf") + "' --size";
+  const std::string command = answer["errors"]["worst"][0]["command"];
+  EXPECT_NE(command.find(quoted), std::string::npos) << command;
+}
+
+// Of compared pictures, too, and of the points of a study.
+TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
+  const TempFolder folder;
+  const std::vector<std::string> size{"--size", "160x120", "--quiet"};
+  std::vector<std::string> compare{
+      "compare", kRoom, "-o", folder / "c", "--json", "--vary", "technique=index-cube,shadow-volume"};
+  compare.insert(compare.end(), size.begin(), size.end());
+  for (const Json& row : json_of(ninebit(compare))["rows"]) {
+    ASSERT_FALSE(row["errors"]["worst"].empty());
+    for (const Json& worst : row["errors"]["worst"]) {
+      EXPECT_EQ(truth_by(worst["command"])["cause"], worst["cause"]) << worst["command"];
+    }
+  }
+  std::vector<std::string> study{"study", "shadows", kRoom, "--map-sizes", "32,64", "--steps", "1", "-o", folder / "s"};
+  study.insert(study.end(), size.begin(), size.end());
+  const Outcome answer = ninebit(study);
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  std::size_t found = 0;
+  for (const char* point : {"best", "worst"}) {
+    const std::string start = std::string("A wrong pixel of the ") + point + " point, ";
+    for (std::size_t at = answer.out.find(start); at != std::string::npos; at = answer.out.find(start, at + 1)) {
+      const std::string line = answer.out.substr(at + start.size(), answer.out.find('\n', at) - at - start.size());
+      const std::size_t colon = line.find(": ");
+      EXPECT_EQ(truth_by(line.substr(colon + 2))["cause"], line.substr(0, colon)) << line;
+      ++found;
+    }
+  }
+  EXPECT_GE(found, 4U);
+  EXPECT_NE(read_bytes(folder / "s/report.html").find("Wrong pixels of the worst point"), std::string::npos);
+}
+
 TEST(GroundTruthOfRender, CountsWhatItsLayersShow) {
   const TempFolder folder;
   const Json answer = json_of(ninebit(judged_render(folder, {"--json", "--layers", "--index-step", "1"})));
   const Json& errors = answer["errors"];
-  EXPECT_EQ(keys_of(errors), (std::vector<std::string>{"false_lit", "false_shadowed", "by_cause"}));
+  EXPECT_EQ(keys_of(errors), (std::vector<std::string>{"false_lit", "false_shadowed", "by_cause", "worst"}));
   const std::vector<std::string> causes{"truncation", "joint", "vanished", "shared", "sampling"};
   EXPECT_EQ(keys_of(errors["by_cause"]), causes);
 
@@ -75,7 +164,9 @@ TEST(GroundTruthOfRender, ChangesNothingElse) {
       {"false_lit", 51},
       {"false_shadowed", 2417},
       {"by_cause", {{"truncation", 0}, {"joint", 1892}, {"vanished", 327}, {"shared", 0}, {"sampling", 249}}}};
-  EXPECT_EQ(judged["errors"], expected) << "what these bits of the room have always come to";
+  Json counts = judged["errors"];
+  counts.erase("worst");
+  EXPECT_EQ(counts, expected) << "what these bits of the room have always come to";
   std::vector<std::string> plain = judged_render(folder, {"--json"});
   std::erase(plain, "--ground-truth");
   const Json unjudged = json_of(ninebit(plain));

@@ -44,6 +44,32 @@ std::vector<std::string> words_of(const std::string& line) {
 }
 using Words = std::vector<std::string>;
 
+// The picture has every line of the text, and no name in it is markup.
+TEST_F(TraceVerb, APictureForSlides) {
+  const std::string hostile = folder_ / "<script>&.json";
+  write_bytes(hostile, read_bytes(article_));
+  const std::string picture = folder_ / "trace.svg";
+  const Words arguments{"trace", hostile, "--set", "primary=102,0,0,0", "--set", "tex0=100,0,0,255"};
+  Words drawing = arguments;
+  drawing.insert(drawing.end(), {"-o", picture, "--json", "--quiet"});
+  EXPECT_EQ(json_of(ninebit(drawing))["files"], Json::array({picture}));
+  const std::string svg = read_bytes(picture);
+  EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"")) << svg.substr(0, 100);
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_EQ(svg.find("<script"), std::string::npos);
+  EXPECT_EQ(svg.find('\x1b'), std::string::npos);
+  const Outcome text = ninebit(arguments);
+  std::size_t lines = 0;
+  for (std::string line : lines_of(text.out)) {
+    if (line.empty() || line.find(hostile) != std::string::npos) continue;
+    ++lines;
+    EXPECT_NE(svg.find('>' + line + "</text>"), std::string::npos) << line;
+  }
+  EXPECT_GT(lines, 20U);
+  EXPECT_NE(svg.find("&lt;script&gt;&amp;.json"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"loss\""), std::string::npos) << "the square loses its last digits";
+}
+
 TEST_F(TraceVerb, TheArticlesDifferences) {
   const auto trace = [&](const char* primary) {
     const Outcome outcome = ninebit({"trace", article_, "--set", primary, "--set", "tex0=100,0,0,255"});

@@ -89,26 +89,6 @@ void light_rectangle(const EffectScene& effect, Scene& scene) {
   scene.lights.push_back(light);
 }
 
-constexpr std::array kTextureRegisters{Register::texture0, Register::texture1, Register::texture2, Register::texture3};
-
-bool writes(const ProgramStage& stage, Register reg) {
-  for (const Portion* p : {&stage.rgb, &stage.alpha}) {
-    if (p->out.ab == reg || p->out.cd == reg || p->out.sum == reg) return true;
-  }
-  return false;
-}
-
-// Whether the program reads a register before it writes any part of it.
-bool reads_initial(const Program& program, Register reg) {
-  for (int i = 0; i < program.num_general_combiners; ++i) {
-    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
-    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
-    if (writes(stage, reg)) return false;
-  }
-  const FinalCombiner& f = program.final_combiner;
-  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
-}
-
 }  // namespace
 
 Diagnostic fault_in(const std::string& part, const Diagnostic& fault) {
@@ -205,12 +185,6 @@ Result<EffectProgram> effect_program(const Effect& effect, const EffectPass& pas
   }
   for (const ConstantName name : unset_constants(*program)) {
     warnings.push_back(part + ": " + name_of_constant(name) + " is not set; 0 is assumed");
-  }
-  const bool has_stages = pass.state.texture_shader.enabled || read->texture_shader.enabled;
-  for (std::size_t unit = 0; unit < kEffectUnits && !has_stages; ++unit) {
-    if (!pass.units[unit].texture.empty() || !reads_initial(*program, kTextureRegisters[unit])) continue;
-    warnings.push_back(part + ": the program reads texture unit " + std::to_string(unit) +
-                       ", which has no texture; the extension's default applies");
   }
   return EffectProgram{.combiners = std::move(*program), .texture_shader = read->texture_shader};
 }

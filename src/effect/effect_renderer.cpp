@@ -57,7 +57,7 @@ struct EffectRenderer::Prepared {
   Status prepare_pass(const EffectPass& pass, const EffectReaders& readers);
   Status set_view(const EffectPass& pass, PreparedPass& prepared);
   Status set_vertices(const EffectPass& pass, PreparedPass& prepared);
-  Status add_stage_warnings(const EffectPass& pass, const PreparedPass& prepared);
+  Status add_warnings(const EffectPass& pass, const PreparedPass& prepared);
   [[nodiscard]] std::vector<TextureUnit> units_of(const PreparedPass& pass) const;
   Status set_primary(const EffectPass& pass, const VertexInputs& inputs, PreparedPass& prepared) const;
   Status draw_pass(std::size_t number);
@@ -125,7 +125,7 @@ Status EffectRenderer::Prepared::prepare_pass(const EffectPass& pass, const Effe
   }
   if (Status set = set_view(pass, prepared); !set) return named(pass, set);
   if (Status set = set_vertices(pass, prepared); !set) return named(pass, set);
-  if (Status warned = add_stage_warnings(pass, prepared); !warned) return named(pass, warned);
+  if (Status warned = add_warnings(pass, prepared); !warned) return named(pass, warned);
   passes.push_back(std::move(prepared));
   return {};
 }
@@ -221,8 +221,8 @@ std::vector<TextureUnit> EffectRenderer::Prepared::units_of(const PreparedPass& 
   return units;
 }
 
-Status EffectRenderer::Prepared::add_stage_warnings(const EffectPass& pass, const PreparedPass& prepared) {
-  const auto found = texture_shader_warnings(prepared.state, units_of(prepared));
+Status EffectRenderer::Prepared::add_warnings(const EffectPass& pass, const PreparedPass& prepared) {
+  const auto found = check_draw(prepared.state, units_of(prepared));
   if (!found) return found.error();
   for (const std::string& warning : *found) {
     warnings.push_back("pass " + effect_detail::in_quotes(pass.name) + ": " + warning);

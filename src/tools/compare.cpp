@@ -5,10 +5,13 @@
 #include <utility>
 
 #include "ninebit/image/staged_files.h"
+#include "src/tools/common/given_pictures.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/compare/compare_points.h"
+#include "src/tools/compare/compare_sheet.h"
 #include "src/tools/input/host.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
 namespace {
@@ -58,7 +61,7 @@ Status load_compared(const CompareFlags& flags, Comparison& out, std::optional<S
 const Diagnostic kInterruptedComparison{.message = "interrupted", .fault = Fault::cancelled};
 
 // Renders all points: the progress line from 0.05 to 0.95.
-Status draw_compared(const Scene& scene, ProgressLine& line, Comparison& out) {
+Status draw_compared(const CompareFlags& flags, const Scene& scene, ProgressLine& line, Comparison& out) {
   const auto rays = GroundTruthScene::make(scene);
   if (!rays) return rays.error();
   const auto count = static_cast<double>(out.compared.points.size());
@@ -68,7 +71,7 @@ Status draw_compared(const Scene& scene, ProgressLine& line, Comparison& out) {
     const Progress progress = [&](std::string_view, double share) {
       return line.step(point.name, 0.05 + 0.9 * (done + share) / count);
     };
-    auto row = compared_row(point, scene, *rays, progress);
+    auto row = compared_row(flags, point, scene, *rays, progress);
     if (!row) return row.error();
     any = any || row->refused.empty();
     out.rows.push_back(std::move(*row));
@@ -77,13 +80,45 @@ Status draw_compared(const Scene& scene, ProgressLine& line, Comparison& out) {
   return Diagnostic{.message = fmt::format("nothing can be drawn: {}", out.rows[0].refused)};
 }
 
-Status write_compared(const CompareFlags& flags, const Comparison& comparison, ProgressLine& line, StagedFiles& files) {
+// The outputs, opened before rendering, so that what cannot be written is reported without a long wait.
+struct ComparedOutputs {
+  std::optional<StagedFiles> folder{};
+  std::optional<OutputFile> sheet{};
+};
+
+Result<ComparedOutputs> open_outputs(const CompareFlags& flags) {
+  ComparedOutputs out;
+  auto folder = open_folder(flags.folder);
+  if (!folder) return folder.error();
+  out.folder = std::move(*folder);
+  if (flags.sheet.empty()) return out;
+  auto sheet = OutputFile::open(flags.sheet);
+  if (!sheet) return sheet.error();
+  out.sheet.emplace(std::move(*sheet));
+  return out;
+}
+
+Status write_compared(const CompareFlags& flags, const Comparison& comparison, ProgressLine& line,
+                      ComparedOutputs& outputs) {
   if (!line.step("writing", 0.95)) return kInterruptedComparison;
-  if (Status done = write_staged(files, "index.html", compare_page(flags, comparison)); !done) return done;
-  const std::string report = json_text(compare_json(flags, comparison));
-  if (Status done = write_staged(files, "report.json", report); !done) return done;
+  if (outputs.folder) {
+    StagedFiles& files = *outputs.folder;
+    if (Status done = write_staged(files, "index.html", compare_page(flags, comparison)); !done) return done;
+    const std::string report = json_text(compare_json(flags, comparison));
+    if (Status done = write_staged(files, "report.json", report); !done) return done;
+  }
+  if (outputs.sheet) {
+    Image8 sheet = compare_sheet(flags, comparison);
+    const auto png = encode_png(sheet);
+    if (!png) return png.error();
+    if (Status done = outputs.sheet->write(*png); !done) return done;
+    give_picture("sheet", std::move(sheet));
+  }
   if (ProgressLine::stopped()) return kInterruptedComparison;
-  return files.commit();
+  if (outputs.folder) {
+    if (Status done = outputs.folder->commit(); !done) return done;
+  }
+  return outputs.sheet ? outputs.sheet->finish() : Status();
 }
 
 Status run_comparison(const CompareFlags& flags, Comparison& out, std::vector<std::filesystem::path>& written,
@@ -92,19 +127,23 @@ Status run_comparison(const CompareFlags& flags, Comparison& out, std::vector<st
   line.step("loading", 0.0);
   std::optional<Scene> scene;
   if (Status loaded = load_compared(flags, out, scene, usage); !loaded) return loaded;
-  // Opened before rendering, so that an unwritable folder is reported without a long wait.
-  auto opened = open_folder(flags.folder);
-  if (!opened) return opened.error();
-  std::optional<StagedFiles>& files = *opened;
-  if (Status drawn = draw_compared(*scene, line, out); !drawn) {
+  if (!flags.sheet.empty()) {
+    if (Status fits = check_sheet(out); !fits) {
+      usage = true;
+      return fits;
+    }
+  }
+  auto outputs = open_outputs(flags);
+  if (!outputs) return outputs.error();
+  if (Status drawn = draw_compared(flags, *scene, line, out); !drawn) {
     Diagnostic fault = drawn.error();
     if (fault.file.empty() && fault.fault == Fault::invalid_input) fault.file = flags.scene.file;
     return fault;
   }
   if (host() != nullptr) host()->give("page", compare_page(flags, out));
-  if (!files) return {};
-  if (Status done = write_compared(flags, out, line, *files); !done) return done;
-  written = files->files();
+  if (Status done = write_compared(flags, out, line, *outputs); !done) return done;
+  if (outputs->folder) written = outputs->folder->files();
+  if (outputs->sheet) written.emplace_back(flags.sheet);
   return {};
 }
 
@@ -123,6 +162,7 @@ std::string summary_of(const Comparison& comparison) {
       text += fmt::format("{} wrong pixels ({} falsely lit, {} falsely shadowed), {:.0f} ms\n",
                           row.errors->false_lit + row.errors->false_shadowed, row.errors->false_lit,
                           row.errors->false_shadowed, total_ms(row.times));
+      text += text_of(row.errors->worst);
     }
   }
   for (const LeftOut& one : comparison.compared.left_out) {
@@ -156,6 +196,13 @@ int compare(const CompareFlags& flags, ComparedPoints points) {
 
 // Checks that need all flags to be parsed. Throws CLI::ValidationError.
 ComparedPoints checked_points(const CLI::App& verb, const CompareFlags& flags) {
+  if (host() == nullptr && flags.folder.empty() && flags.sheet.empty()) {
+    throw CLI::RequiredError("--output or --sheet");
+  }
+  if (!flags.sheet.empty() && std::filesystem::path(flags.sheet).extension() != ".png") {
+    throw CLI::ValidationError(
+        fmt::format("--sheet {}: expected a file whose name ends in .png", printable(flags.sheet)));
+  }
   if (!flags.vary.empty()) return varied_points(flags);
   if (verb.get_option("--technique")->count() > 0) {
     throw CLI::ValidationError("--technique names one technique; expected --vary FLAG=VALUE,VALUE with it");
@@ -180,14 +227,18 @@ void add_compare(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  ninebit compare scenes/index_room.gltf -o out\n"
       "  ninebit compare scenes/index_room.gltf -o out --vary index-step=1,2,3,4\n"
+      "  ninebit compare scenes/index_room.gltf --sheet steps.png --vary index-step=1,2\n"
       "  ninebit compare scenes/index_room.gltf -o out --technique shadow-map --vary 'polygon-offset=0,0;1,16' --vary "
       "map-size=256,512");
   auto flags = std::make_shared<CompareFlags>();
   add_common_flags(*verb, flags->common);
   add_scene_file(*verb, "scene", flags->scene)->required();
-  verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
-      ->required(host() == nullptr)
+  verb->add_option("-o,--output", flags->folder,
+                   "Folder to write the page and its figures into; created if missing (default: only --sheet)")
       ->type_name("DIR");
+  verb->add_option("--sheet", flags->sheet,
+                   "Write all pictures with captions and counts as one picture, for a slide (default: none)")
+      ->type_name("FILE.png");
   flags->scene_options = add_scene_flags(*verb, flags->scene);
   flags->scene_options.push_back(verb->get_option("--profile"));
   verb->add_option(

@@ -208,7 +208,8 @@ void add_render(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", flags->folder, "Folder to write into; created if missing")
       ->required(host() == nullptr)
       ->type_name("DIR");
-  add_scene_flags(*verb, flags->scene);
+  flags->scene_options = add_scene_flags(*verb, flags->scene);
+  flags->scene_options.push_back(verb->get_option("--profile"));
   verb->add_flag("--layers", flags->scene.settings.layers,
                  "Also write layers.exr with every intermediate value (default: off)");
   verb->add_option("--supersample", flags->supersample,

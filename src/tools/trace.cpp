@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -19,6 +20,7 @@
 #include "src/tools/input/register_settings.h"
 #include "src/tools/trace/trace_page.h"
 #include "src/tools/trace/trace_pixel.h"
+#include "src/tools/trace/trace_svg.h"
 #include "src/tools/trace/trace_text.h"
 
 namespace ninebit::tools {
@@ -58,7 +60,13 @@ std::string text_of(const TraceFacts& facts, const Program* program, const Trace
   return traced != nullptr ? lines + trace_text(*program, *traced, layout) : lines;
 }
 
-// The answer for people, for programs, and as a page.
+// The answer as a picture for slides.
+std::string picture_of(const TraceFacts& facts, const Program* program, const Trace* traced) {
+  return trace_svg(text_of(facts, program, traced, {.colors = true}),
+                   traced != nullptr ? std::optional(traced->bytes) : std::nullopt);
+}
+
+// The answer for people, for programs, and as a page or picture.
 int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, const RegisterFile& registers) {
   // A profile file may give another name to the profile than the command line.
   const bool named_by_flag = drawn.profile == &profile_of(flags.common);
@@ -82,7 +90,10 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
     if (host() != nullptr) host()->give("page", diagram_page(page));
     if (host() != nullptr) host()->give("text", page.text);
     if (flags.output.empty()) return answer(object);
-    if (const Status written = write_page(flags.output, page); !written) return report(written.error());
+    const bool is_picture = std::filesystem::path(flags.output).extension() == ".svg";
+    const Status written =
+        is_picture ? write_output(flags.output, picture_of(facts, program, shown)) : write_page(flags.output, page);
+    if (!written) return report(written.error());
     if (!flags.common.quiet) say_written(flags.output);
     object["files"] = Json::array({flags.output});
   }
@@ -181,7 +192,8 @@ void add_trace(CLI::App& app, int& exit_code) {
       "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256\n"
       "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256 --ground-truth\n"
       "  ninebit trace --effect scenes/effects/dot3_specular.json --pixel 128,80\n"
-      "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 -o compare.html");
+      "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 -o compare.html\n"
+      "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 -o compare.svg");
   auto flags = std::make_shared<TraceFlags>();
   add_common_flags(*verb, flags->common);
   flags->profile = verb->get_option("--profile");
@@ -203,7 +215,11 @@ void add_trace(CLI::App& app, int& exit_code) {
   verb->add_flag("--ground-truth", flags->ground_truth,
                  "Also say by ray casting whether the pixel is right, and why not (default: off)")
       ->needs(scene);
-  add_page_flag(*verb, flags->output);
+  add_page_flag(*verb, flags->output)
+      ->type_name("FILE")
+      ->description(
+          "Write a page with a diagram to this file, or a picture for slides if its name ends in .svg, instead "
+          "of text to standard output");
   for (CLI::Option* const option : add_scene_flags(*verb, flags->scene)) option->needs(scene);
   verb->get_option("--allow-outside")
       ->description("Also read files that the program, scene or effect names outside of its folder");

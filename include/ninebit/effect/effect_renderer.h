@@ -91,8 +91,8 @@ class EffectRenderer {
   [[nodiscard]] std::span<const Surface> target(std::string_view name) const;
   // The completed scene; without a mesh the rectangle's.
   [[nodiscard]] const Scene& scene() const;
-  // Notes for the user about unexpected things found while preparing, one sentence each: units without a texture that a
-  // program reads, textures that were resized.
+  // Notes for the user about unexpected things found while preparing, one sentence each: what check_draw() finds,
+  // constants that are not set, textures that were resized.
   [[nodiscard]] const std::vector<std::string>& warnings() const;
   // Milliseconds of wall-clock time of each pass in the last draw().
   [[nodiscard]] const std::vector<double>& pass_times() const;

@@ -123,7 +123,7 @@ struct TextureUnit {
 // Reports positions of both kinds, arrays of unequal lengths, indices out of range, a target that misses planes which
 // the state needs, values out of the ranges of pipeline_state.h, faults of texture-shader stages (validate_stages.h)
 // and coordinates that they read and the vertices do not have. A unit with an incomplete texture is off, as in GL; an
-// inconsistent stage gives (0, 0, 0, 0), see texture_shader_warnings.
+// inconsistent stage gives (0, 0, 0, 0), see check_draw.
 [[nodiscard]] Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object,
                                const VertexArrays& arrays, std::span<const TextureUnit> units, RenderTarget& target);
 
@@ -131,6 +131,12 @@ struct TextureUnit {
 // Reports what rasterize() reports of the stages and the textures. Stages that are not enabled have no warnings.
 [[nodiscard]] Result<std::vector<std::string>> texture_shader_warnings(const PipelineState& state,
                                                                        std::span<const TextureUnit> units);
+
+// What GL accepts in such a draw and one may not expect, one sentence each: units that are off because their texture is
+// incomplete, and why; units that the program reads and that have no texture, unless stages are enabled; then the
+// texture_shader_warnings(). Reports what these report.
+[[nodiscard]] Result<std::vector<std::string>> check_draw(const PipelineState& state,
+                                                          std::span<const TextureUnit> units);
 
 // Which planes clear() fills.
 struct ClearBuffers {

@@ -109,6 +109,17 @@ struct JudgedPixel {
 [[nodiscard]] Result<JudgedPixel> judge_pixel(const GroundTruthScene& scene, const RenderSettings& settings,
                                               const Rendering& rendering, int x, int y);
 
+// A wrong pixel amid many that are wrong for the same cause.
+struct WorstPixel {
+  ErrorCause cause = ErrorCause::none;  // of it and of those around it
+  int x = 0, y = 0;                     // y up
+  int radius = 0;  // pixels that are nearer than this, across, up and diagonally, have its cause; 1: it alone
+};
+
+// At most `most` pixels of each cause that occurs, in the order of ErrorCause: those with the largest radius first, of
+// equal ones the highest, then the leftmost. Those of a cause are an eighth of the picture's width or height apart.
+[[nodiscard]] std::vector<WorstPixel> worst_pixels(const GroundTruth& truth, int width, int height, int most);
+
 // The rendering, dimmed and grey, with wrong pixels in colours that colour-blind viewers can distinguish: orange for
 // lit pixels that should be in shadow, blue for the reverse.
 [[nodiscard]] Image8 error_picture(const Rendering& rendering, const GroundTruth& truth);

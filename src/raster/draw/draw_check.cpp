@@ -18,7 +18,7 @@ PixelBox drawn_pixels(const PipelineState& state, const RenderTarget& target) {
           std::min(viewport.y + viewport.height, scissor.y + scissor.height)};
 }
 
-Status check_draw(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units,
+Status check_call(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units,
                   const RenderTarget& target) {
   if (Status checked = check_target(state, target); !checked) return checked;
   if (Status checked = check_state(state, target); !checked) return checked;

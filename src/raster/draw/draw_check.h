@@ -16,7 +16,7 @@ namespace ninebit {
 [[nodiscard]] PixelBox drawn_pixels(const PipelineState& state, const RenderTarget& target);
 
 // Reports errors in a draw call, except those that check_indices and check_units report.
-[[nodiscard]] Status check_draw(const PipelineState& state, const VertexArrays& arrays,
+[[nodiscard]] Status check_call(const PipelineState& state, const VertexArrays& arrays,
                                 std::span<const TextureUnit> units, const RenderTarget& target);
 
 // Reports units that are on and have no texture coordinates.

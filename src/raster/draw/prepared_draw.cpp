@@ -160,7 +160,7 @@ Status prepare(const PipelineState& state, const glm::mat4& clip_from_object, co
                                  .positions = arrays.positions,
                                  .homogeneous_positions = arrays.homogeneous_positions,
                                  .indices = arrays.indices};
-  if (Status checked = check_draw(g.state, bare_arrays, {}, bare_target); !checked) return checked;
+  if (Status checked = check_call(g.state, bare_arrays, {}, bare_target); !checked) return checked;
   g.one_w = has_one_w(clip_from_object, arrays);
   g.width = target.width;
   g.height = target.height;
@@ -242,7 +242,7 @@ Status rasterize(std::span<const DrawPass> passes, const PreparedDraw& prepared,
   std::deque<DrawContext> contexts;
   std::vector<const DrawContext*> pointers;
   for (const DrawPass& pass : passes) {
-    if (Status checked = check_draw(*pass.state, pass.arrays, pass.units, target); !checked) return checked;
+    if (Status checked = check_call(*pass.state, pass.arrays, pass.units, target); !checked) return checked;
     if (Status checked = check_w(*pass.state, g.one_w, target); !checked) return checked;
     if (Status checked = check_prepared(g, *pass.state, pass.arrays, target); !checked) return checked;
     const DrawContext& context = contexts.emplace_back(*pass.state, pass.arrays, pass.units, target);

@@ -82,7 +82,7 @@ void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
 // Draws into a target with one sample for each pixel.
 Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                    std::span<const TextureUnit> units, RenderTarget& target, const SampleShift& shift) {
-  if (Status checked = check_draw(state, arrays, units, target); !checked) return checked;
+  if (Status checked = check_call(state, arrays, units, target); !checked) return checked;
   if (Status checked = check_w(state, has_one_w(clip_from_object, arrays), target); !checked) return checked;
   if (Status checked = check_indices(arrays); !checked) return checked;
   const DrawContext context(state, arrays, units, target);
@@ -116,15 +116,6 @@ Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, 
     if (!drawn) return drawn;
   }
   return {};
-}
-
-Result<std::vector<std::string>> texture_shader_warnings(const PipelineState& state,
-                                                         std::span<const TextureUnit> units) {
-  if (!state.texture_shader.enabled) return std::vector<std::string>{};
-  if (Status checked = check_arrays(state, {}, units); !checked) return checked.error();
-  const auto stages = TextureStages::make(state.profile, state.texture_shader, stage_units(units));
-  if (!stages) return stages.error();
-  return stages->program().warnings();
 }
 
 }  // namespace ninebit

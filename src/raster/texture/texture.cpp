@@ -179,23 +179,47 @@ Status check_texture(const Texture& texture) {
   return {};
 }
 
-bool is_complete(const Texture& texture, bool with_mipmaps) {
+namespace {
+
+std::string size_of(int width, int height, int depth) {
+  std::string text = std::to_string(width) + " × " + std::to_string(height);
+  if (depth > 1) text += " × " + std::to_string(depth);
+  return text;
+}
+
+}  // namespace
+
+std::string why_incomplete(const Texture& texture, bool with_mipmaps) {
   const std::vector<TextureImage>& first = texture.faces[0];
-  if (first.empty() || (with_mipmaps && texture.target == TextureTarget::rectangle)) return false;
+  if (first.empty()) return "it has no level 0";
+  if (with_mipmaps && texture.target == TextureTarget::rectangle) {
+    return "its filter reads mip-maps, which rectangles do not have";
+  }
   for (std::size_t face = 0; face < texture.face_count(); ++face) {
+    const std::string of_face = texture.face_count() > 1 ? " of face " + std::to_string(face) : "";
     const std::vector<TextureImage>& levels = texture.faces[face];
     int width = first[0].width, height = first[0].height, depth = first[0].depth;
     for (std::size_t level = 0;; ++level) {
-      if (level >= levels.size()) return false;
+      const std::string which = "level " + std::to_string(level) + of_face;
+      const std::string reads = level > 0 ? "its filter reads mip-maps, and " : "";
+      const std::string expected = size_of(width, height, depth);
+      if (level >= levels.size()) return reads + which + " (" + expected + " texels) is missing";
       const TextureImage& image = levels[level];
-      if (image.width != width || image.height != height || image.depth != depth) return false;
+      if (image.width != width || image.height != height || image.depth != depth) {
+        return reads + which + " has " + size_of(image.width, image.height, image.depth) + " texels; expected " +
+               expected;
+      }
       if (!with_mipmaps || (width == 1 && height == 1 && depth == 1)) break;
       width = std::max(width / 2, 1);
       height = std::max(height / 2, 1);
       depth = std::max(depth / 2, 1);
     }
   }
-  return true;
+  return {};
+}
+
+bool is_complete(const Texture& texture, bool with_mipmaps) {
+  return why_incomplete(texture, with_mipmaps).empty();
 }
 
 Texture texture_view(InternalFormat format, std::span<const TextureImage> faces) {

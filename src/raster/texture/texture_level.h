@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "ninebit/raster/sampler.h"
 
@@ -43,5 +44,8 @@ struct LevelChoice {
   return filter == MinFilter::linear || filter == MinFilter::linear_mipmap_nearest ||
          filter == MinFilter::linear_mipmap_linear;
 }
+
+// Why is_complete() is false, as a part of a sentence: "it has no level 0"; empty if it is true.
+[[nodiscard]] std::string why_incomplete(const Texture& texture, bool with_mipmaps);
 
 }  // namespace ninebit

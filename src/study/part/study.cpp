@@ -1,19 +1,8 @@
 #include "ninebit/study/study.h"
 
+#include "src/system/shell_word.h"
+
 namespace ninebit {
-
-namespace {
-
-// Quotes a word for a shell.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-}  // namespace
 
 double Study::weight(std::size_t /*unit*/) const {
   return 1.0;
@@ -33,7 +22,7 @@ std::vector<std::string> StudyQuestion::words() const {
 
 std::string StudyQuestion::command() const {
   std::string text = "ninebit study";
-  for (const std::string& word : words()) text += ' ' + quoted(word);
+  for (const std::string& word : words()) text += ' ' + shell_word(word);
   return text;
 }
 

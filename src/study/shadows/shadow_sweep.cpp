@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "src/study/part/sweep_axes.h"
 #include "src/study/shadows/shadow_sweep_report.h"
 #include "src/system/hashing/openssl.h"
+#include "src/system/shell_word.h"
 
 namespace ninebit {
 namespace {
@@ -62,6 +64,7 @@ class ShadowSweep final : public Study {
     auto axes = axes_of(known_, grid);
     if (!axes) return axes.error();
     axes_ = std::move(axes).value();
+    for (const ShadowAxis& axis : grid) texts_.push_back(axis.values);
     std::size_t points = 1;
     for (const SweepAxis& axis : axes_) {
       if (axis.values.size() > kMaxStudyUnits / points) {
@@ -130,6 +133,7 @@ class ShadowSweep final : public Study {
       shown = row->count("point");
       const auto judged = judge(*shown, {});
       if (!judged) return judged.error();
+      add_traces(name, *shown, judged->truth, report);
       report.pictures.push_back({.file = fmt::format("error-{}", name),
                                  .title = fmt::format("The {} point: {}", name, unit_name(*shown)),
                                  .image = error_picture(judged->rendering, judged->truth),
@@ -146,6 +150,48 @@ class ShadowSweep final : public Study {
       unit /= axis->values.size();
     }
     return settings;
+  }
+
+  // `ninebit trace` of a pixel of a point, but for the pixel.
+  [[nodiscard]] std::string trace_command(std::size_t unit) const {
+    std::string command = fmt::format("ninebit trace --scene {}", shell_word(question_.arguments));
+    for (const auto& [flag, value] : question_.options) {
+      const auto settings = technique_settings();
+      const bool is_axis = flag == "--find-offset" ||
+                           std::any_of(settings.begin(), settings.end(), [&flag = flag](const TechniqueSetting& s) {
+                             return !s.axis.flag.empty() && flag == fmt::format("--{}", s.axis.flag);
+                           });
+      if (!flag.starts_with('-') || is_axis) continue;
+      command += ' ' + flag;
+      if (!value.empty()) command += ' ' + shell_word(value);
+    }
+    command += " --profile " + shell_word(question_.profile);
+    std::string chosen;
+    for (std::size_t a = axes_.size(); a-- > 0;) {
+      const std::string& text = texts_[a][unit % texts_[a].size()];
+      unit /= texts_[a].size();
+      chosen.insert(0, fmt::format(" --{} {}", axes_[a].setting->name, shell_word(text)));
+    }
+    return command + chosen;
+  }
+
+  // The wrong pixels of a point that are worth a look, with the commands that explain them. A scene without a file has
+  // none.
+  void add_traces(std::string_view name, std::size_t unit, const GroundTruth& truth, StudyReport& report) const {
+    constexpr int kMostOfCause = 1;
+    const auto worst = worst_pixels(truth, settings_.width, settings_.height, kMostOfCause);
+    if (worst.empty() || question_.arguments.empty()) return;
+    ReportTable table{
+        .title = fmt::format("Wrong pixels of the {} point", name), .columns = {"cause", "pixel", "why"}, .rows = {}};
+    table.caption = "The middle of the largest patch of each cause; the command says why that pixel is wrong.";
+    const std::string command = trace_command(unit);
+    for (const WorstPixel& pixel : worst) {
+      const std::string at = fmt::format("{},{}", pixel.x, settings_.height - 1 - pixel.y);
+      const std::string line = fmt::format("{} --pixel {} --ground-truth", command, at);
+      table.rows.push_back({std::string(name_of(pixel.cause)), at, line});
+      report.answers.push_back(fmt::format("A wrong pixel of the {} point, {}: {}", name, name_of(pixel.cause), line));
+    }
+    report.tables.push_back(std::move(table));
   }
 
   [[nodiscard]] Result<Judged> judge(std::size_t unit, const GoOn& go_on) const {
@@ -194,6 +240,7 @@ class ShadowSweep final : public Study {
   RenderSettings settings_;
   SweptSettings known_;
   std::vector<SweepAxis> axes_;
+  std::vector<std::vector<std::string>> texts_;  // the axes' values as in flags
   std::optional<GroundTruthScene> truth_;
 };
 

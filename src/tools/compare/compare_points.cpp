@@ -95,28 +95,10 @@ ComparedPoint parse_point(std::vector<std::string> arguments) {
   add_common_flags(verb, point.common);
   add_scene_file(verb, "scene", point.scene);
   add_scene_flags(verb, point.scene);
+  point.arguments = arguments;
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
   verb.parse(arguments);
   return point;
-}
-
-// The given flags as arguments, but for the technique and those that `reads` rejects.
-template <class Reads>
-std::vector<std::string> given_arguments(const CompareFlags& flags, const Reads& reads) {
-  std::vector<std::string> arguments;
-  for (const CLI::Option* option : flags.scene_options) {
-    const std::string name = option->get_name();
-    if (option->count() == 0 || name == "--technique" || !reads(name)) continue;
-    if (name == "--profile") {  // its text became the profile's name
-      const CommonFlags& common = flags.common;
-      arguments.push_back(name + '=' + (common.profile_file.empty() ? common.profile : common.profile_file));
-    } else if (option->get_items_expected_max() == 0) {
-      arguments.push_back(name);
-    } else {
-      arguments.push_back(name + '=' + option->results().back());
-    }
-  }
-  return arguments;
 }
 
 void complete_point(const CompareFlags& flags, const LightKinds& kinds, ComparedPoint& point) {
@@ -194,7 +176,8 @@ ComparedPoints varied_points(const CompareFlags& flags) {
                     "smaller --size",
                     fmt::join(flags.vary, " --vary "), kMostCompared, kMostComparedPixels));
   }
-  std::vector<std::string> arguments = given_arguments(flags, [](const std::string&) { return true; });
+  std::vector<std::string> arguments =
+      given_arguments(flags.common, flags.scene_options, [](const std::string&) { return true; });
   const bool names_technique =
       std::any_of(varied.begin(), varied.end(), [](const VariedFlag& flag) { return flag.flag == "technique"; });
   if (!names_technique) arguments.push_back("--technique=" + flags.scene.technique);
@@ -223,8 +206,8 @@ Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind lig
     }
     SceneFlags own = flags.scene;
     own.technique = name;
-    std::vector<std::string> arguments =
-        given_arguments(flags, [&](const std::string& flag) { return reads_flag(own, flag); });
+    std::vector<std::string> arguments = given_arguments(
+        flags.common, flags.scene_options, [&](const std::string& flag) { return reads_flag(own, flag); });
     arguments.push_back("--technique=" + name);
     try {
       all.points.push_back(parse_point(std::move(arguments)));
@@ -246,8 +229,20 @@ Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind lig
 
 namespace {
 
-Status judge_row(const std::string& name, const Rendering& rendering, const RenderSettings& settings,
-                 const GroundTruthScene& rays, const Progress& progress, ComparedRow& row) {
+// The flags of the point, without the size; the kind of light is said, as `trace` would choose it by the technique
+// alone.
+std::vector<std::string> traced_arguments(const ComparedPoint& point, LightKind light) {
+  std::vector<std::string> arguments;
+  for (const std::string& argument : point.arguments) {
+    if (!argument.starts_with("--size=")) arguments.push_back(argument);
+  }
+  if (point.scene.light_type.empty()) arguments.push_back(fmt::format("--light-type={}", light_kind_name(light)));
+  return arguments;
+}
+
+Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene, const Rendering& rendering,
+                 const RenderSettings& settings, const GroundTruthScene& rays, const Progress& progress,
+                 ComparedRow& row) {
   if (!rendering.evidence) return {};
   const auto truth = measure(rays, settings, rendering, progress);
   if (!truth) return truth.error();
@@ -255,11 +250,13 @@ Status judge_row(const std::string& name, const Rendering& rendering, const Rend
   for (const ErrorCause cause : causes_of(*rendering.evidence)) {
     errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
   }
+  errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0].kind), *truth);
   Image8 causes = cause_plane(*truth, settings.width, settings.height);
   auto plane = encode_png(causes);
   if (!plane) return plane.error();
-  give_picture("wrong " + name, std::move(causes));
+  give_picture("wrong " + point.name, std::move(causes));
   row.wrong = std::move(*plane);
+  if (!flags.sheet.empty()) row.error_picture = error_picture(rendering, *truth);
   row.errors = std::move(errors);
   return {};
 }
@@ -270,7 +267,8 @@ Json errors_of_row(const ComparedErrors& errors) {
   return {{"wrong", errors.false_lit + errors.false_shadowed},
           {"false_lit", errors.false_lit},
           {"false_shadowed", errors.false_shadowed},
-          {"by_cause", std::move(by_cause)}};
+          {"by_cause", std::move(by_cause)},
+          {"worst", json_of(errors.worst)}};
 }
 
 // The most texture units that a pass reads which marks shadows; null if it is computed in floats, or if there is none.
@@ -317,8 +315,8 @@ double total_ms(const PassTimes& times) {
   return times.transform + times.maps + times.camera + times.compare + times.lit + times.shadow;
 }
 
-Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene, const GroundTruthScene& rays,
-                                 const Progress& progress) {
+Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene,
+                                 const GroundTruthScene& rays, const Progress& progress) {
   ComparedRow row;
   RenderSettings settings = settings_of(point.scene, point.common);
   settings.evidence = true;
@@ -332,7 +330,9 @@ Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
       row.refused = judged.error().message;
       return row;
     }
-    if (Status done = judge_row(point.name, *judged, settings, rays, part(0.4, 0.3), row); !done) return done.error();
+    if (Status done = judge_row(flags, point, scene, *judged, settings, rays, part(0.4, 0.3), row); !done) {
+      return done.error();
+    }
   }
   // Rendered again, because keeping the evidence takes time of its own.
   settings.evidence = false;
@@ -348,6 +348,7 @@ Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
   Image8 picture = color_picture(*rendering);
   auto color = encode_png(picture);
   if (!color) return color.error();
+  if (!flags.sheet.empty()) row.picture = picture;
   give_picture("color " + point.name, std::move(picture));
   row.color = std::move(*color);
   return row;

@@ -10,6 +10,7 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/technique.h"
 #include "src/tools/common/scene_flags.h"
+#include "src/tools/common/trace_command.h"
 
 namespace ninebit::tools {
 
@@ -17,6 +18,7 @@ struct CompareFlags {
   CommonFlags common;
   SceneFlags scene;
   std::string folder;
+  std::string sheet;                        // a PNG file; empty: none
   std::vector<std::string> vary;            // each FLAG=VALUE,VALUE…
   std::vector<CLI::Option*> scene_options;  // those of add_scene_flags, and --profile
 };
@@ -27,6 +29,7 @@ struct ComparedPoint {
   std::vector<std::pair<std::string, std::string>> varied{};  // flag without dashes, value
   SceneFlags scene{};
   CommonFlags common{};
+  std::vector<std::string> arguments{};  // the flags that it was parsed from
 };
 
 // A technique that is not compared.
@@ -65,6 +68,7 @@ inline constexpr std::size_t kMostComparedPixels = std::size_t{1} << 26;
 struct ComparedErrors {
   std::uint64_t false_lit = 0, false_shadowed = 0;
   std::vector<std::pair<std::string, std::uint64_t>> by_cause{};  // the causes that are possible
+  std::vector<WrongPixelTrace> worst{};
 };
 
 struct ComparedRow {
@@ -77,6 +81,7 @@ struct ComparedRow {
   std::vector<std::pair<std::string, std::string>> hashes{};  // as picture_hashes
   std::string color{};                                        // the picture as PNG
   std::string wrong{};  // as PNG, grey: 0, or the number of an ErrorCause, plus 128 if the pixel is falsely lit
+  Image8 picture{}, error_picture{};  // the picture, and error_picture() of it, if the flags want a sheet
 };
 
 // Everything that a comparison found.
@@ -90,8 +95,9 @@ struct Comparison {
 };
 
 // Renders, judges and measures one point. A scene or a setting that the technique cannot draw is a row with the reason.
-[[nodiscard]] Result<ComparedRow> compared_row(const ComparedPoint& point, const Scene& scene,
-                                               const GroundTruthScene& rays, const Progress& progress);
+[[nodiscard]] Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint& point,
+                                               const Scene& scene, const GroundTruthScene& rays,
+                                               const Progress& progress);
 
 [[nodiscard]] double total_ms(const PassTimes& times);
 

@@ -18,6 +18,7 @@
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"
 #include "src/tools/common/technique_flags.h"
+#include "src/tools/common/trace_command.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
@@ -59,20 +60,35 @@ std::vector<std::pair<std::string, std::uint64_t>> errors_by_cause(const ShadowE
   return counts;
 }
 
-Json errors_json(const ShadowEvidence& evidence, const GroundTruth& truth) {
-  Json by_cause = Json::object();
-  for (const auto& [cause, count] : errors_by_cause(evidence, truth)) by_cause[cause] = count;
-  return {{"false_lit", truth.false_lit}, {"false_shadowed", truth.false_shadowed}, {"by_cause", std::move(by_cause)}};
+// The samples are those of a picture that is drawn so large, with --supersample.
+std::vector<WrongPixelTrace> worst_of(const RenderFlags& flags, const FinishedRender& done) {
+  std::vector<std::string> arguments =
+      given_arguments(flags.common, flags.scene_options, [](const std::string& flag) { return flag != "--size"; });
+  arguments.insert(arguments.begin(), "--technique=" + flags.scene.technique);
+  return worst_traces(flags.scene, done.settings, arguments, *done.truth);
 }
 
-std::string error_line(const Rendering& rendering, const std::optional<GroundTruth>& truth) {
+Json errors_json(const RenderFlags& flags, const FinishedRender& done) {
+  const GroundTruth& truth = *done.truth;
+  Json by_cause = Json::object();
+  for (const auto& [cause, count] : errors_by_cause(*done.rendering->evidence, truth)) by_cause[cause] = count;
+  return {{"false_lit", truth.false_lit},
+          {"false_shadowed", truth.false_shadowed},
+          {"by_cause", std::move(by_cause)},
+          {"worst", json_of(worst_of(flags, done))}};
+}
+
+std::string error_lines(const RenderFlags& flags, const FinishedRender& done) {
+  const std::optional<GroundTruth>& truth = done.truth;
   if (!truth) return "ground truth: not applicable, no shadows were drawn\n";
   std::string causes;
-  for (const auto& [cause, count] : errors_by_cause(*rendering.evidence, *truth)) {
+  for (const auto& [cause, count] : errors_by_cause(*done.rendering->evidence, *truth)) {
     if (count != 0) causes += fmt::format("{}{} {}", causes.empty() ? ": " : ", ", count, cause);
   }
-  return fmt::format("ground truth: {} pixels falsely lit, {} falsely shadowed{}\n", truth->false_lit,
-                     truth->false_shadowed, causes);
+  const std::string worst = text_of(worst_of(flags, done));
+  return fmt::format("ground truth: {} pixels falsely lit, {} falsely shadowed{}\n{}{}", truth->false_lit,
+                     truth->false_shadowed, causes, worst.empty() ? "" : "why, in the middle of the largest patches:\n",
+                     worst);
 }
 
 Json index_json(const RenderSettings& settings, const Rendering& rendering) {
@@ -100,7 +116,7 @@ std::string summary_text(const RenderFlags& flags, const FinishedRender& done) {
   std::string text = fmt::format("{} triangles; pixels: {} lit, {} shadowed, {} background; {:.0f} ms\n",
                                  done.scene->triangles.size(), r.lit, r.shadowed, r.background, done.total_ms);
   text += order_text(r.index_order);
-  if (flags.ground_truth) text += error_line(r, done.truth);
+  if (flags.ground_truth) text += error_lines(flags, done);
   return text;
 }
 
@@ -138,7 +154,7 @@ Json render_json(const RenderFlags& flags, const FinishedRender& done) {
            {"hash", hash_json(r)}};
   for (const auto& [file, hash] : done.frames) out["frames"].push_back({{"file", file}, {"color", hash}});
   if (r.picked) out["pick"] = pick_json(flags, *done.scene, *r.picked);
-  if (done.truth) out["errors"] = errors_json(*r.evidence, *done.truth);
+  if (done.truth) out["errors"] = errors_json(flags, done);
   return out;
 }
 

@@ -25,6 +25,7 @@ struct RenderFlags {
   int supersample = 1;  // samples per pixel, along each side
   bool ground_truth = false;
   bool check_order = false;
+  std::vector<CLI::Option*> scene_options{};  // those of add_scene_flags, and --profile
 };
 
 // A finished rendering. The scene and the rendering are present once the scene is rendered.

@@ -85,6 +85,7 @@ Result<StudyQuestion> question_of(const ShadowsFlags& flags) {
   for (const CLI::Option* option : flags.scene_options) {
     add_option(*question, *option, option->get_name() == "--technique" || option->get_name() == "--size");
   }
+  if (!flags.scene.up.empty()) question->options.emplace_back("--up", flags.scene.up);
   for_each_axis(flags, [&](const TechniqueSetting& setting, const std::string& list) {
     if (!list.empty()) question->options.emplace_back(axis_flag(setting), list);
   });
