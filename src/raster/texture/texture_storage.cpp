@@ -205,7 +205,7 @@ std::vector<T> means(const TextureImage& image, const TextureSamples& next, cons
 void add_words(const TextureImage& image, const TextureSamples& next, std::array<std::size_t, 2> high_and_low,
                bool is_signed, std::array<std::vector<std::uint8_t>, 4>& bytes) {
   const auto& planes = *std::get_if<std::array<Plane<const std::uint8_t>, 4>>(&image.planes);
-  const auto [high, low] = high_and_low;
+  const std::size_t high = high_and_low[0], low = high_and_low[1];
   const auto read = [&](int x, int y, int z) {
     const int row = y + image.height * z;
     return static_cast<std::uint16_t>(256 * planes[high].at(x, row) + planes[low].at(x, row));
