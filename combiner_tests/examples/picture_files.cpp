@@ -14,6 +14,7 @@ TEST(Examples, PictureFiles) {
   Result<StagedFiles> files = StagedFiles::open(folder);
   ASSERT_TRUE(write_rendering(*rendering, *files).ok());
   ASSERT_TRUE(files->commit().ok());
-  for (const std::string& name : file_names(*rendering)) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  for (const std::string& name : file_names(*rendering, NamedFiles::unasked))
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   std::filesystem::remove_all(folder);
 }

@@ -133,7 +133,7 @@ TEST(Printable, NamesInJson) {
   const Json traced = json_of(ninebit({"trace", program, "--set", "tex0.r=1", "--json"}));
   EXPECT_TRUE(traced["program"].get<std::string>().ends_with("a\nninebit: error: \x1b[2J\x7f\xC2\x9B\xEF\xBF\xBD.gl"));
   const Json drawn = json_of(ninebit(small_render(kRoom, folder / kName, {"--json", "--quiet"})));
-  EXPECT_EQ(drawn["files"].size(), 5U);
+  EXPECT_EQ(drawn["files"].size(), 4U);
 }
 
 TEST(Printable, PermissionsOfAnOlderTableAreKept) {
