@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -141,9 +143,11 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
       {}, profile, program, {.components = {{Register::primary, kRed}, {Register::texture0, kRed}}, .codes = {}}));
   EXPECT_EQ(study->units(), 1U);
   const std::vector<StudyRow> rows = all_rows(*study);
-  EXPECT_EQ(rows.size(), 4U + 4U * 3U);
+  EXPECT_EQ(rows.size(), 4U + 4U * 3U + 4U * 17U);
 
-  std::uint64_t exact = 0;
+  std::uint64_t exact = 0, misrounded = 0;
+  std::map<int, std::uint64_t> histogram;
+  std::vector<float> in_codes;
   double most = 0.0, sizes = 0.0, errors = 0.0;
   std::string worst;
   for (int a = 0; a <= 127; ++a) {
@@ -160,6 +164,9 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
       if (std::fabs(error) < 1e-12) ++exact;
       sizes += std::fabs(error);
       errors += error;
+      in_codes.push_back(static_cast<float>(error * 127.0));
+      if (std::fabs(error * 127.0) > 0.500001) ++misrounded;
+      ++histogram[std::clamp(static_cast<int>(std::lround(error * 127.0)), -8, 8)];
       if (std::fabs(error) > most + 1e-10) {
         most = std::fabs(error);
         worst = "primary.r " + std::to_string(a) + ", tex0.r " + std::to_string(b);
@@ -169,6 +176,15 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
   const StudyRow& alpha = row_of(rows, "rows", "a");
   EXPECT_EQ(alpha.count("fragments"), 128U * 128U);
   EXPECT_EQ(alpha.count("exact"), exact);
+  EXPECT_EQ(alpha.count("misrounded"), misrounded);
+  EXPECT_GT(misrounded, 0U);
+  std::size_t bins = 0;
+  for (const StudyRow& row : rows) {
+    if (row.table != "histogram" || row.text("component") != "a") continue;
+    EXPECT_EQ(row.count("count"), histogram[static_cast<int>(row.number("codes"))]) << row.number("codes");
+    ++bins;
+  }
+  EXPECT_EQ(bins, 17U);
   EXPECT_NEAR(alpha.number("max_error"), most, 1e-11);
   EXPECT_NEAR(alpha.number("mean_error"), sizes / 16384.0, 1e-11);
   EXPECT_NEAR(alpha.number("mean_bias"), errors / 16384.0, 1e-11);
@@ -193,6 +209,44 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
   const double error =
       to_real(profile, evaluate(program, registers)[kAlpha]) - evaluate_real(program, registers).color[kAlpha];
   EXPECT_NEAR(map.values[(127 - 4) * 128 + 9], error * 127.0, 1e-5);
+
+  ASSERT_EQ(report->files.size(), 2U);
+  const std::string &csv = report->files[0].content, &npy = report->files[1].content;
+  EXPECT_EQ(report->files[0].name, "error.csv");
+  EXPECT_TRUE(csv.starts_with("primary.r,tex0.r,error.r,error.g,error.b,error.a\n0,0,0,0,0,")) << csv.substr(0, 80);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 128 * 128);
+  EXPECT_EQ(report->files[1].name, "error.npy");
+  EXPECT_TRUE(npy.starts_with(std::string("\x93NUMPY\x01\x00\x76\x00", 10)));
+  EXPECT_NE(npy.find("'descr': '<f4', 'fortran_order': False, 'shape': (128, 128, 4)"), std::string::npos);
+  ASSERT_EQ(npy.size(), 128U + in_codes.size() * 4 * sizeof(float));
+  for (std::size_t i = 0; i < in_codes.size(); ++i) {
+    float value = 0.0F;
+    std::memcpy(&value, npy.data() + 128 + (4 * i + 3) * sizeof(float), sizeof value);
+    ASSERT_NEAR(value, in_codes[i], 1e-5) << i;
+  }
+}
+
+// A component that is fixed is that column of a table.
+TEST(ProgramErrors, FixedComponentsAreColumnsOfOneValue) {
+  const HardwareProfile& profile = profiles::geforce2;
+  const Program program = comparison(profile);
+  const RegisterComponent varied{Register::primary, kRed}, fixed{Register::texture0, kRed};
+  ProgramInputs table{.components = {varied, fixed}, .codes = std::vector<s9>{}};
+  for (int code = 0; code <= 255; ++code) table.codes->insert(table.codes->end(), {static_cast<s9>(code), 100});
+  const ProgramInputs given{.components = {varied}, .fixed = {{fixed, 100}}};
+  const auto rows = all_rows(*valid(program_error_study({}, profile, program, given)));
+  const auto expected = all_rows(*valid(program_error_study({}, profile, program, table)));
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const char* name : {"exact", "misrounded", "max_error", "mean_error", "added_max", "added_bias", "count"}) {
+      EXPECT_EQ(rows[i].number(name), expected[i].number(name)) << i << ' ' << name;
+    }
+  }
+  EXPECT_GT(row_of(rows, "rows", "a").number("max_error"), 0.0);
+  const ProgramInputs twice{.components = {varied}, .fixed = {{varied, 1}}};
+  const auto refused = program_error_study({}, profile, program, twice);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "primary.r is fixed and varied; expected one of them");
 }
 
 TEST(ProgramErrors, BiasesOfStagesAddUpOnAnyProfile) {
@@ -263,13 +317,13 @@ TEST(ProgramErrors, UnitsAddUpInTheReport) {
   const auto study = valid(program_error_study({}, profile, program, inputs));
   ASSERT_EQ(study->units(), 2U);
   const std::vector<StudyRow> rows = all_rows(*study);
-  EXPECT_EQ(rows.size(), 2U * (4U + 4U * 3U));
+  EXPECT_EQ(rows.size(), 2U * (4U + 4U * 3U + 4U * 17U));
   const auto report = study->report(rows, 2);
   ASSERT_TRUE(report.ok());
   const std::vector<StudyValue>& alpha = report->tables.at(0).rows.at(3);
   EXPECT_EQ(std::get<std::uint64_t>(alpha.at(1)), static_cast<std::uint64_t>(kFragments));
-  EXPECT_NEAR(std::get<double>(alpha.at(3)), most * 255.0, 1e-8);
-  EXPECT_NEAR(std::get<double>(alpha.at(4)), sizes * 255.0 / kFragments, 1e-8);
+  EXPECT_NEAR(std::get<double>(alpha.at(4)), most * 255.0, 1e-8);
+  EXPECT_NEAR(std::get<double>(alpha.at(5)), sizes * 255.0 / kFragments, 1e-8);
   EXPECT_TRUE(report->heat_maps.empty());
 }
 

@@ -45,6 +45,31 @@ TEST_F(StudyDatapath, ProgramsOverCombinationsAndTables) {
   EXPECT_EQ(over["stages"], inputs["stages"]);
 }
 
+// --set gives other inputs one value: the row is that of a table with these columns. The folder has all errors.
+TEST_F(StudyDatapath, ProgramsWithFixedInputs) {
+  std::string table = "tex0.r,primary.r,primary.a\n";
+  for (int code = 0; code <= 255; ++code) table += std::to_string(code) + ",102,7\n";
+  const std::string file = write_bytes(folder_ / "codes.csv", table);
+  const std::vector<std::string> over{"--program", kArticle, "--over", "t0.r", "--set", "col0=102,0,0,7", "--json"};
+  std::vector<std::string> written = over;
+  written.insert(written.end(), {"-o", folder_ / "out", "--quiet"});
+  const Json set = json_of(study(written));
+  const Json inputs = json_of(study({"--program", kArticle, "--inputs", file, "--json"}));
+  for (const char* key : {"max_error", "mean_error", "exact", "misrounded", "fragments"}) {
+    EXPECT_EQ(set["rows"][3][key], inputs["rows"][3][key]) << key;
+  }
+  EXPECT_NE(set["question"].get<std::string>().find("--set col0=102,0,0,7"), std::string::npos) << set["question"];
+  EXPECT_GT(set["rows"][3]["misrounded"], 0);
+  EXPECT_EQ(set["histogram"].size(), 4U * 17U);
+  const Files files = files_in(folder_ / "out");
+  EXPECT_TRUE(files.at("error.csv").starts_with("tex0.r,error.r,error.g,error.b,error.a\n0,"));
+  EXPECT_NE(files.at("error.npy").find("(256, 4)"), std::string::npos);
+  expect_error(study({"--program", kArticle, "--over", "tex0.r", "--set", "tex0=1,2,3,4"}), 2,
+               {"--set and --over both name tex0.r"});
+  expect_error(study({"--program", kArticle, "--over", "tex0.r", "--set", "tex9=1,2,3,4"}), 2, {"tex9"});
+  expect_error(study({"--set", "tex0=1,2,3,4"}), 2, {"--program"});
+}
+
 TEST_F(StudyDatapath, EveryCaseOfTheSum) {
   const std::string profile = write_bytes(folder_ / "small.json", R"({"base": "geforce2", "name": "small",
       "byte_shift": 4, "one": 15, "lowest": -15, "lowest_output": -15, "half": 8, "expand_offset": 15})");

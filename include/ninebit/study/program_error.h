@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ninebit/combiner/evaluate_real.h"
@@ -40,12 +41,14 @@ struct ProgramInputs {
   // A code for each component, fragment after fragment. std::nullopt: all combinations of the components' values, the
   // last component changing fastest. Values range from 0 to one, as bytes do; in spare0 and spare1 from lowest to one.
   std::optional<std::vector<s9>> codes{};
+  // Components that hold this code in all fragments. None of them is among `components`.
+  std::vector<std::pair<RegisterComponent, s9>> fixed{};
 };
 
 // Measures the program, which was compiled for the profile, over the inputs. Constants that the program reads and does
 // not set are inputs, too: they are added to combinations, and a table must have them. Reports a profile whose
-// arithmetic is not integer, inputs without components or fragments, and more than 2^26 combinations. A unit is up to
-// 2^18 fragments.
+// arithmetic is not integer, inputs without components or fragments, a component that is given twice, and more than
+// 2^26 combinations. A unit is up to 2^18 fragments.
 //
 // An error is a real number: the final combiner's output minus that of `ideal`. An error below 1e-10 counts as zero.
 //
@@ -53,8 +56,17 @@ struct ProgramInputs {
 //   profile, component
 //   first, fragments           the unit's first fragment, and its number of fragments
 //   exact                      fragments without an error
+//   misrounded                 fragments whose code is not the nearest to the exact value: off by more than half a code
 //   max_error, mean_error, mean_bias   as in datapath_error.h
 //   worst, worst_code, worst_exact     the first inputs with the largest error; the result; the result of `ideal`
+//
+// Rows of the table "histogram", for each component of the colour and each whole number of codes from -8 to 8:
+//   profile, component, first, fragments
+//   codes, count               fragments whose error is nearest to so many codes; -8 and 8 have what lies beyond, too
+//
+// The report has the files error.csv, a line for each fragment with its inputs and the errors of red, green, blue and
+// alpha in codes, and error.npy, the same errors as 32-bit floats of NumPy (an axis for each component of combinations,
+// or one for the fragments of a table; then the colour), if there are at most 2^20 fragments.
 //
 // Rows of the table "stages", for each stage and component of the colour:
 //   profile, component, first, fragments

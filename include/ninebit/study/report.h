@@ -84,6 +84,12 @@ struct ReportPicture {
   std::string caption{};  // shown below the picture; may be empty
 };
 
+// A file of its own beside the page.
+struct ReportFile {
+  std::string name;     // with its ending: "error.csv"
+  std::string content;  // its bytes
+};
+
 // A table for people, made from rows: those of one table, or a choice of fields.
 struct ReportTable {
   std::string title;                          // shown above the table
@@ -104,6 +110,7 @@ struct StudyReport {
   std::vector<Plot> plots{};              // in the order shown
   std::vector<HeatMap> heat_maps{};       // in the order shown
   std::vector<ReportPicture> pictures{};  // in the order shown
+  std::vector<ReportFile> files{};        // written as they are; the page does not show them
 };
 
 }  // namespace ninebit

@@ -27,8 +27,9 @@ namespace NINEBIT_PUBLIC ninebit {
 [[nodiscard]] Result<std::string> report_html(const StudyQuestion& question, std::string_view version,
                                               const StudyReport& report, std::span<const StudyRow> rows);
 
-// Writes report.html, rows.json, a CSV for each table, and a PNG for each heat map and picture into the folder, all or
-// none; the same rows give the same bytes. Returns the paths. Reports files that could not be written.
+// Writes report.html, rows.json, a CSV for each table, a PNG for each heat map and picture, and the report's files into
+// the folder, all or none; the same rows give the same bytes. Returns the paths. Reports files that could not be
+// written.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> write_report(const std::filesystem::path& folder,
                                                                       const StudyQuestion& question,
                                                                       std::string_view version,

@@ -18,6 +18,7 @@ namespace ninebit {
 namespace {
 
 constexpr std::size_t kUnit = std::size_t{1} << 18;
+constexpr int kMostCodes = 8;  // of the histogram, to either side
 // Sums are built from sums over chunks of kFragmentsPerChunk fragments, so that no bit depends on threads.
 constexpr std::size_t kFragmentsPerChunk = std::size_t{1} << 12;
 
@@ -57,6 +58,14 @@ struct ErrorSums {
 struct ComponentErrors {
   ErrorSums total;
   std::vector<ErrorSums> added, remaining;  // by stage
+  std::uint64_t misrounded = 0;
+  std::array<std::uint64_t, 2 * kMostCodes + 1> histogram{};  // from -kMostCodes codes on
+
+  void count(double codes) {
+    if (std::fabs(codes) > 0.5 + 1e-7) ++misrounded;
+    const auto whole = std::clamp<long>(std::lround(codes), -kMostCodes, kMostCodes);
+    ++histogram[static_cast<std::size_t>(whole + kMostCodes)];
+  }
 };
 using Errors = std::array<ComponentErrors, 4>;
 
@@ -105,6 +114,7 @@ class ProgramErrorStudy final : public Study {
     for (std::size_t c = 0; c < 4; ++c) {
       auto& fields = begin("rows", c);
       fields.push_back(count_up_to("exact", static_cast<double>(count)));
+      fields.push_back(count_up_to("misrounded", static_cast<double>(count)));
       add_errors(fields, {"max_error", "mean_error", "mean_bias"});
       fields.push_back(text_up_to("worst", kLongestInputs));
       fields.push_back(whole_in("worst_code", -kMostCode, kMostCode));
@@ -118,6 +128,13 @@ class ProgramErrorStudy final : public Study {
         add_errors(fields, {"added_max", "added_mean", "added_bias"});
         fields.push_back(text_up_to("worst", kLongestInputs));
         add_errors(fields, {"remaining_max", "remaining_mean", "remaining_bias"});
+      }
+    }
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (int codes = -kMostCodes; codes <= kMostCodes; ++codes) {
+        auto& fields = begin("histogram", c);
+        fields.push_back(exactly("codes", std::int64_t{codes}));
+        fields.push_back(count_up_to("count", static_cast<double>(count)));
       }
     }
     return rules;
@@ -151,6 +168,8 @@ class ProgramErrorStudy final : public Study {
   static void add(const Errors& chunk, Errors& all) {
     for (std::size_t c = 0; c < 4; ++c) {
       all[c].total.add(chunk[c].total);
+      all[c].misrounded += chunk[c].misrounded;
+      for (std::size_t h = 0; h < all[c].histogram.size(); ++h) all[c].histogram[h] += chunk[c].histogram[h];
       for (std::size_t k = 0; k < all[c].added.size(); ++k) {
         all[c].added[k].add(chunk[c].added[k]);
         all[c].remaining[k].add(chunk[c].remaining[k]);
@@ -166,6 +185,7 @@ class ProgramErrorStudy final : public Study {
       const std::vector<RealColor>& colors = staged(fragments_.registers(i));
       for (std::size_t c = 0; c < 4; ++c) {
         errors[c].total.add(colors.back()[c] - colors[0][c], i);
+        errors[c].count((colors.back()[c] - colors[0][c]) * program_.datapath.one);
         for (std::size_t k = 0; k < stages(); ++k) {
           errors[c].added[k].add(colors[k + 1][c] - colors[k][c], i);
           errors[c].remaining[k].add(colors[k + 1][c] - colors[0][c], i);
@@ -191,6 +211,7 @@ class ProgramErrorStudy final : public Study {
       const std::vector<RealColor>& colors = staged(fragments_.registers(total.worst));
       auto& fields = begin("rows", c).fields;
       fields.emplace_back("exact", total.exact);
+      fields.emplace_back("misrounded", errors[c].misrounded);
       fields.emplace_back("max_error", total.most);
       fields.emplace_back("mean_error", mean(total.sizes));
       fields.emplace_back("mean_bias", mean(total.errors));
@@ -214,6 +235,13 @@ class ProgramErrorStudy final : public Study {
         fields.emplace_back("remaining_bias", mean(remaining.errors));
       }
     }
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (int codes = -kMostCodes; codes <= kMostCodes; ++codes) {
+        auto& fields = begin("histogram", c).fields;
+        fields.emplace_back("codes", std::int64_t{codes});
+        fields.emplace_back("count", errors[c].histogram[static_cast<std::size_t>(codes + kMostCodes)]);
+      }
+    }
     return rows;
   }
 
@@ -229,6 +257,8 @@ std::optional<Diagnostic> complete(const Program& program, ProgramInputs& inputs
   for (const UnsetComponent& one : unset_components(program)) {
     const RegisterComponent named{one.reg, one.component};
     if (std::find(inputs.components.begin(), inputs.components.end(), named) != inputs.components.end()) continue;
+    const auto is_it = [&](const auto& fixed) { return fixed.first == named; };
+    if (std::any_of(inputs.fixed.begin(), inputs.fixed.end(), is_it)) continue;
     if (!varying_constants(program)) {
       return Diagnostic{.message = fmt::format("{} is not set, and another constant of the same number is read, too; "
                                                "set all constants of the general combiners in the program",
@@ -258,8 +288,10 @@ Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const
   if (auto fault = complete(program, inputs)) return *fault;
   auto fragments = Fragments::of(profile, std::move(inputs));
   if (!fragments) return fragments.error();
+  Program with_fixed = program;
+  fragments->put_fixed_constants(with_fixed);
   return std::unique_ptr<Study>(
-      std::make_unique<ProgramErrorStudy>(std::move(question), profile, program, std::move(*fragments)));
+      std::make_unique<ProgramErrorStudy>(std::move(question), profile, with_fixed, std::move(*fragments)));
 }
 
 }  // namespace ninebit

@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t kMostCombinations = std::size_t{1} << 26;
 
+constexpr RegisterComponent kOwnAlpha{Register::spare0, kAlpha};  // else texture 0's
+
 bool is_constant(Register reg) {
   return reg == Register::constant0 || reg == Register::constant1;
 }
@@ -33,11 +35,20 @@ std::string RegisterComponent::name() const {
 }
 
 Fragments::Fragments(const HardwareProfile& profile, ProgramInputs inputs)
-    : inputs_(std::move(inputs)), lowest_(profile.lowest), one_(profile.one), defaults_(default_registers(profile)) {}
+    : inputs_(std::move(inputs)), lowest_(profile.lowest), one_(profile.one), defaults_(default_registers(profile)) {
+  for (const auto& [to, code] : inputs_.fixed) {
+    if (!is_constant(to.reg)) defaults_[to.reg][index_of(to.component)] = code;
+    has_own_alpha_ = has_own_alpha_ || to == kOwnAlpha;
+  }
+}
 
 Result<Fragments> Fragments::of(const HardwareProfile& profile, ProgramInputs inputs) {
   Fragments out(profile, std::move(inputs));
   const std::size_t columns = out.components().size();
+  for (const auto& [to, code] : out.inputs_.fixed) {
+    if (std::find(out.components().begin(), out.components().end(), to) == out.components().end()) continue;
+    return Diagnostic{.message = fmt::format("{} is fixed and varied; expected one of them", to.name())};
+  }
   if (columns == 0) return Diagnostic{.message = "no register component given; expected at least one"};
   if (!out.all()) {
     out.count_ = out.inputs_.codes->size() / columns;
@@ -81,11 +92,11 @@ std::string Fragments::text(std::size_t fragment) const {
 
 RegisterFile Fragments::registers(std::size_t fragment) const {
   RegisterFile out = defaults_;
-  bool own_alpha = false;
+  bool own_alpha = has_own_alpha_;
   for (std::size_t i = 0; i < components().size(); ++i) {
     const RegisterComponent& to = components()[i];
     out[to.reg][index_of(to.component)] = code(fragment, i);
-    if (to == RegisterComponent{Register::spare0, kAlpha}) own_alpha = true;
+    if (to == kOwnAlpha) own_alpha = true;
   }
   if (!own_alpha) out[Register::spare0][kAlpha] = out[Register::texture0][kAlpha];
   return out;
@@ -94,6 +105,12 @@ RegisterFile Fragments::registers(std::size_t fragment) const {
 bool Fragments::have_constants() const {
   return std::any_of(components().begin(), components().end(),
                      [](const RegisterComponent& c) { return is_constant(c.reg); });
+}
+
+void Fragments::put_fixed_constants(Program& program) const {
+  for (const auto& [to, code] : inputs_.fixed) {
+    if (is_constant(to.reg)) replace_constant(program, to.reg, to.component, code);
+  }
 }
 
 void Fragments::put_constants(std::size_t fragment, Program& program) const {

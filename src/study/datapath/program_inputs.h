@@ -27,6 +27,9 @@ class Fragments {
     return static_cast<std::size_t>(one_ - lowest(component) + 1);
   }
 
+  // The constants that are fixed, in a program.
+  void put_fixed_constants(Program& program) const;
+
   // The code of a component of a fragment.
   [[nodiscard]] s9 code(std::size_t fragment, std::size_t component) const;
   // "primary.r 3, tex0.r 255".
@@ -42,7 +45,8 @@ class Fragments {
 
   ProgramInputs inputs_;
   int lowest_, one_;
-  RegisterFile defaults_;
+  RegisterFile defaults_;  // with the components that are fixed
+  bool has_own_alpha_ = false;
   std::size_t count_ = 0;
 };
 

@@ -86,6 +86,9 @@ Result<std::vector<std::filesystem::path>> write_report(const std::filesystem::p
   for (const ReportPicture& picture : report.pictures) {
     if (Status status = files.picture(picture.file, picture.image); !status) return status.error();
   }
+  for (const ReportFile& file : report.files) {
+    if (Status status = files.text(file.name, file.content); !status) return status.error();
+  }
   return files.commit();
 }
 

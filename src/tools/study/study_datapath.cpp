@@ -9,6 +9,7 @@
 #include "ninebit/study/program_error.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/eval_table.h"
+#include "src/tools/input/register_settings.h"
 #include "src/tools/study/study.h"
 
 namespace ninebit::tools {
@@ -20,6 +21,7 @@ struct DatapathFlags {
   std::string forms = "x1";
   std::string program, inputs, over;
   std::vector<std::string> defines;  // as ProgramFlags::defines
+  std::vector<std::string> set;      // registers with one value
 };
 
 // The name of a form as --forms takes it. The form's own name, such as "-1/2, x2", has a comma and cannot be an item.
@@ -61,6 +63,24 @@ std::vector<RegisterComponent> components_of(const std::vector<EvalColumn>& colu
   out.reserve(columns.size());
   for (const EvalColumn& column : columns) out.push_back({column.reg, column.component});
   return out;
+}
+
+// The components of --set with their codes.
+Result<std::vector<std::pair<RegisterComponent, s9>>> read_fixed(const DatapathFlags& flags,
+                                                                 const HardwareProfile& profile) {
+  const auto settings = parse_register_settings(flags.set, profile);
+  if (!settings) return settings.error();
+  std::vector<std::pair<RegisterComponent, s9>> fixed;
+  for (const EvalColumn& column : settings->set) {
+    const RegisterComponent to{column.reg, column.component};
+    const auto is_it = [&](const auto& constant) { return constant.first == column; };
+    const auto constant = std::find_if(settings->constants.rbegin(), settings->constants.rend(), is_it);
+    const auto component = static_cast<std::size_t>(column.component);
+    const s9 code =
+        constant != settings->constants.rend() ? constant->second : settings->registers[column.reg][component];
+    fixed.emplace_back(to, code);
+  }
+  return fixed;
 }
 
 // The table of `ninebit eval`: a header of register components, and a row of codes for each fragment.
@@ -107,6 +127,10 @@ Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
     if (!program) return program.error();
     auto inputs = read_inputs(flags, profile, question);
     if (!inputs) return inputs.error();
+    for (const std::string& one : flags.set) question.options.emplace_back("--set", one);
+    auto fixed = read_fixed(flags, profile);
+    if (!fixed) return fixed.error();
+    inputs->fixed = std::move(*fixed);
     return program_error_study(std::move(question), profile, *program, std::move(*inputs));
   }
   if (flags.exhaustive_sum) {
@@ -125,11 +149,18 @@ Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
   return datapath_study(std::move(question), profiles_of(flags.study));
 }
 
-// Reads the components of --over for this profile; an unknown one is wrong usage.
+// Reads the components of --set and --over for this profile; an unknown one is wrong usage.
 void check_over(const DatapathFlags& flags) {
+  const auto fixed = read_fixed(flags, profile_of(flags.study.common));
+  if (!fixed) throw CLI::ValidationError(fixed.error().message);
   if (flags.over.empty()) return;
   const auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile_of(flags.study.common));
   if (!columns) throw CLI::ValidationError("--over " + flags.over + ": " + columns.error().message);
+  for (const RegisterComponent& one : components_of(*columns)) {
+    const auto is_it = [&](const auto& other) { return other.first == one; };
+    if (std::none_of(fixed->begin(), fixed->end(), is_it)) continue;
+    throw CLI::ValidationError(fmt::format("--set and --over both name {}; expected one of them", one.name()));
+  }
 }
 
 // A profile that computes in real numbers has no nine-bit errors to measure.
@@ -157,6 +188,7 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
       "Examples:\n"
       "  ninebit study datapath --profile geforce2\n"
       "  ninebit study datapath --program docs/programs/index_compare.gl --over primary.r,tex0.r\n"
+      "  ninebit study datapath --program docs/programs/index_compare.gl --over tex0.r --set primary=102,0,0,0 -o out\n"
       "  ninebit study datapath --program compare.gl --inputs codes.csv --json\n"
       "  ninebit study datapath --exhaustive-sum --forms x1,x4");
   auto flags = std::make_shared<DatapathFlags>();
@@ -177,6 +209,11 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
           ->type_name("LIST")
           ->needs(program)
           ->excludes(inputs);
+  verb->add_option("--set", flags->set,
+                   "Give other components of the inputs one value, as in `ninebit trace`; repeatable")
+      ->type_name("REGISTER=R,G,B,A")
+      ->allow_extra_args(false)
+      ->needs(program);
   CLI::Option* sum = verb->add_flag("--exhaustive-sum", flags->exhaustive_sum, "Measure all 511^4 cases of AB + CD")
                          ->excludes(program);
   verb->add_option("--forms", flags->forms, "Scales and biases of the sum: x1,x2,x4,x1/2,biased-x1,biased-x2")
