@@ -98,7 +98,7 @@ TEST(Verbs, FullStandardStreams) {
     expect_error(outcome, 4, {"standard output", "No space left on device"});
   }
   EXPECT_EQ(ninebit(small_render(kRoom, folder / "b"), {.err = "/dev/full"}).code, 0);
-  EXPECT_EQ(files_in(folder / "b").size(), 5U);
+  EXPECT_EQ(files_in(folder / "b").size(), 4U);
   EXPECT_EQ(ninebit(small_render(folder / "missing.obj", folder / "c"), {.err = "/dev/full"}).code, 3);
   EXPECT_EQ(ninebit({"--bogus"}, {.err = "/dev/full"}).code, 2);
 }
