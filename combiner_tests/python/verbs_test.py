@@ -212,6 +212,10 @@ class Compare(Folder):
         for row in found.rows:
             self.assertEqual(np.count_nonzero(found.wrong[row["name"]]), row["errors.wrong"])
         self.assertEqual((self.folder / "index.html").exists(), True)
+        self.assertIsNone(found.sheet)
+        sheet = ninebit.compare(room, size=(64, 48), vary={"index_step": [1, 2]}, sheet=self.folder / "s.png").sheet
+        self.assertEqual(sheet.shape[1:], (3 * 16 + 2 * 6 * 64, 3))
+        self.assertTrue((self.folder / "s.png").exists())
         self.assertIn("srcdoc", found._repr_html_())
         self.assertRegex(repr(found), "^<ninebit.Comparison: 4 renderings of .*index_room.gltf, geforce2>$")
         offsets = ninebit.compare(room, size=(32, 24), technique="shadow-map", vary={"polygon_offset": [(0, 0), (1, 16)]})

@@ -81,7 +81,9 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
   std::vector<std::string> compare{
       "compare", kRoom, "-o", folder / "c", "--json", "--vary", "technique=index-cube,shadow-volume"};
   compare.insert(compare.end(), size.begin(), size.end());
-  for (const Json& row : json_of(ninebit(compare))["rows"]) {
+  const Json compared = json_of(ninebit(compare));
+  ASSERT_EQ(compared["rows"].size(), 2U);
+  for (const Json& row : compared["rows"]) {
     ASSERT_FALSE(row["errors"]["worst"].empty());
     for (const Json& worst : row["errors"]["worst"]) {
       EXPECT_EQ(truth_by(worst["command"])["cause"], worst["cause"]) << worst["command"];

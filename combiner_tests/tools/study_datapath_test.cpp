@@ -70,6 +70,42 @@ TEST_F(StudyDatapath, ProgramsWithFixedInputs) {
   expect_error(study({"--set", "tex0=1,2,3,4"}), 2, {"--program"});
 }
 
+// Several profiles in one report: the rows are those of each alone.
+TEST_F(StudyDatapath, ProgramsUnderSeveralProfiles) {
+  const std::vector<std::string> asked{"--program", kArticle, "--over", "tex0.r", "--set", "primary=90,0,0,0"};
+  const auto of = [&](const std::string& profiles, const std::vector<std::string>& more) {
+    std::vector<std::string> words = asked;
+    words.insert(words.end(), {"--profile", profiles});
+    words.insert(words.end(), more.begin(), more.end());
+    return study(words);
+  };
+  const Json both = json_of(of("nv2a,geforce256-8bit", {"--json", "--quiet", "-o", folder_ / "out"}));
+  EXPECT_EQ(both["profile"], "nv2a,geforce256-8bit");
+  Json rows = json_of(of("nv2a", {"--json"}))["rows"];
+  const Json second = json_of(of("geforce256-8bit", {"--json"}));
+  for (const Json& row : second["rows"]) rows.push_back(row);
+  EXPECT_EQ(both["rows"], rows);
+  const Files files = files_in(folder_ / "out");
+  EXPECT_TRUE(files.contains("nv2a-error.csv") && files.contains("geforce256-8bit-error.npy"));
+  const Outcome said = of("nv2a,geforce256-8bit", {});
+  EXPECT_NE(said.out.find("\ngeforce256-8bit, alpha: exact for "), std::string::npos) << said.out;
+  // Its parts are merged as those of any study.
+  for (const char* part : {"1/2", "2/2"}) {
+    EXPECT_EQ(of("nv2a,geforce256-8bit", {"--shard", part, "-o", folder_ / "parts", "--quiet"}).code, 0) << part;
+  }
+  const Json merged =
+      json_of(ninebit({"study", "merge", folder_ / "parts/part-1-of-2.jsonl", folder_ / "parts/part-2-of-2.jsonl", "-o",
+                       folder_ / "merged", "--allow-outside", "--json", "--quiet"}));
+  EXPECT_EQ(merged["rows"], rows);
+  expect_error(of("nv2a,nv2b", {}), 2, {"nv2b", "did you mean 'nv2a'"});
+  expect_error(of("nv2a,nv2a", {}), 2, {"given twice"});
+  expect_error(of("nv2a,ideal", {}), 2, {"ideal", "real numbers"});
+  expect_error(of("nv2a,mine.json", {}), 2, {"mine.json", "names"});
+  expect_error(study({"--exhaustive-sum", "--profile", "nv2a,geforce2"}), 2, {"one profile"});
+  const Json operations = json_of(study({"--profile", "geforce2,nv2a", "--json"}));
+  EXPECT_EQ(operations["rows"].size(), 2 * json_of(study({"--profile", "geforce2", "--json"}))["rows"].size());
+}
+
 TEST_F(StudyDatapath, EveryCaseOfTheSum) {
   const std::string profile = write_bytes(folder_ / "small.json", R"({"base": "geforce2", "name": "small",
       "byte_shift": 4, "one": 15, "lowest": -15, "lowest_output": -15, "half": 8, "expand_offset": 15})");

@@ -114,6 +114,7 @@ class Comparison(dict[str, Any]):
     rows: NDArray[np.void]
     pictures: dict[str, NDArray[np.uint8]]
     wrong: dict[str, NDArray[np.uint8]]
+    sheet: NDArray[np.uint8] | None
 
 class Report(dict[str, Any]):
     rows: NDArray[np.void]

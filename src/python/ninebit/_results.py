@@ -137,12 +137,13 @@ class Drawing(_Picture):
 class Comparison(_Answer):
     """Renderings side by side: the answer of `ninebit compare --json`. `rows` is a structured array, `pictures` has the
     pictures (height, width, 3) by the rows' names, `wrong` the wrong pixels (height, width): 0, or the number of the
-    cause, plus 128 if the pixel is falsely lit."""
+    cause, plus 128 if the pixel is falsely lit. `sheet` is the picture of the option `sheet`, or None."""
 
     def _take(self, texts, arrays):
         self.rows = structured(self["rows"])
         self.pictures = {name[len("color "):]: array for name, array in arrays if name.startswith("color ")}
         self.wrong = {name[len("wrong "):]: array for name, array in arrays if name.startswith("wrong ")}
+        self.sheet = next((array for name, array in arrays if name == "sheet"), None)
 
     def _words(self):
         return f"{len(self.rows)} renderings of {self['scene']}, {self['profile']}"

@@ -57,6 +57,23 @@ std::string check_profile(std::string& text, std::optional<OwnedProfile>& own, c
   return {};
 }
 
+// The names of shipped profiles in a list, each once.
+std::string take_profile_names(const std::string& text, std::vector<std::string>& names) {
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    std::string name = text.substr(start, end - start);
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      return fmt::format("'{}' is given twice; expected each profile once", name);
+    }
+    std::optional<OwnedProfile> none;
+    if (name.ends_with(".json")) return fmt::format("'{}' in a list; expected names from `ninebit profiles`", name);
+    if (std::string fault = check_profile(name, none); !fault.empty()) return fault;
+    names.push_back(std::move(name));
+    start = end + 1;
+  }
+  return {};
+}
+
 // Whether the stream is a terminal that understands escape sequences.
 bool takes_escapes(int stream) {
   const char* const terminal = std::getenv("TERM");
@@ -97,12 +114,15 @@ int InvalidInput::report() const {
   return faults_.empty() ? tools::report(fault_) : kInvalidInput;
 }
 
-void add_profile_flag(CLI::App& verb, CommonFlags& flags) {
+void add_profile_flag(CLI::App& verb, CommonFlags& flags, std::vector<std::string>* list) {
   verb.add_option("--profile", flags.profile,
-                  "Hardware profile to emulate: a name from `ninebit profiles`, or a .json file")
+                  std::string("Hardware profile to emulate: a name from `ninebit profiles`, or a .json file") +
+                      (list != nullptr ? "; several names, separated by commas, share a report" : ""))
       ->capture_default_str()
       ->transform(CLI::Validator(
-          [&flags](std::string& text) {
+          [&flags, list](std::string& text) {
+            if (list != nullptr) list->clear();
+            if (list != nullptr && text.find(',') != std::string::npos) return take_profile_names(text, *list);
             const std::string given = text;
             std::string fault = check_profile(text, flags.own_profile);
             flags.profile_file = flags.own_profile ? given : "";

@@ -61,8 +61,9 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags);
 void add_answer_flags(CLI::App& verb, CommonFlags& flags);
 // --threads alone.
 void add_threads_flag(CLI::App& verb, CommonFlags& flags);
-// --profile alone.
-void add_profile_flag(CLI::App& verb, CommonFlags& flags);
+// --profile alone; with `list` also several names of shipped profiles, which it holds then, while flags.profile is
+// their text and names no profile.
+void add_profile_flag(CLI::App& verb, CommonFlags& flags, std::vector<std::string>* list = nullptr);
 
 // A profile beside that of --profile.
 struct ProfileChoice {

@@ -21,10 +21,10 @@ std::optional<Shard> parse_shard(const std::string& text) {
 
 }  // namespace
 
-void add_study_flags(CLI::App& verb, StudyFlags& flags, bool of_profiles) {
+void add_study_flags(CLI::App& verb, StudyFlags& flags, StudyProfiles profiles) {
   add_answer_flags(verb, flags.common);
-  if (of_profiles) {
-    add_profile_flag(verb, flags.common);
+  if (profiles != StudyProfiles::none) {
+    add_profile_flag(verb, flags.common, profiles == StudyProfiles::several ? &flags.profiles : nullptr);
     flags.profile = verb.get_option("--profile");
   }
   add_threads_flag(verb, flags.common);
@@ -47,6 +47,9 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags, bool of_profiles) {
 }
 
 std::vector<HardwareProfile> profiles_of(const StudyFlags& flags) {
+  std::vector<HardwareProfile> named;
+  for (const std::string& name : flags.profiles) named.push_back(*find_profile(name));
+  if (!named.empty()) return named;
   if (flags.profile->count() > 0) return {profile_of(flags.common)};
   const auto all = hardware_profiles();
   return {all.begin(), all.end()};

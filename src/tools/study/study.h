@@ -18,8 +18,9 @@ namespace ninebit::tools {
 
 struct StudyFlags {
   CommonFlags common;
-  CLI::Option* profile = nullptr;  // --profile; null: the study has none
-  std::string folder;              // -o; empty: the answers go to stdout, and nothing is saved
+  CLI::Option* profile = nullptr;     // --profile; null: the study has none
+  std::vector<std::string> profiles;  // of a list of several names; else empty
+  std::string folder;                 // -o; empty: the answers go to stdout, and nothing is saved
   std::string shard = "1/1";
   std::optional<double> budget;  // seconds
 };
@@ -33,7 +34,8 @@ struct StudyRequest {
 
 // Adds the common flags, -o, --shard and --budget. Without --profile, a study measures all shipped profiles; a study
 // of other things than the hardware has no --profile.
-void add_study_flags(CLI::App& verb, StudyFlags& flags, bool of_profiles = true);
+enum class StudyProfiles { none, one, several };
+void add_study_flags(CLI::App& verb, StudyFlags& flags, StudyProfiles profiles = StudyProfiles::several);
 [[nodiscard]] std::vector<HardwareProfile> profiles_of(const StudyFlags& flags);
 [[nodiscard]] Shard shard_of(const StudyFlags& flags);
 

@@ -7,6 +7,7 @@
 #include "ninebit/study/datapath_error.h"
 #include "ninebit/study/exhaustive_sum.h"
 #include "ninebit/study/program_error.h"
+#include "src/study/part/joined_study.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/eval_table.h"
 #include "src/tools/input/register_settings.h"
@@ -115,24 +116,40 @@ Result<ProgramInputs> read_inputs(const DatapathFlags& flags, const HardwareProf
   return ProgramInputs{.components = components_of(columns), .codes = std::move(codes)};
 }
 
+// The profiles of --program and --exhaustive-sum: those that are given, else the default.
+std::vector<HardwareProfile> program_profiles(const StudyFlags& flags) {
+  return flags.profile->count() > 0 ? profiles_of(flags) : std::vector{profile_of(flags.common)};
+}
+
+// One study for each profile, joined if there are several. The question gets the options once.
+Result<std::unique_ptr<Study>> make_program_study(const DatapathFlags& flags, StudyQuestion question) {
+  std::vector<ProfileStudy> studies;
+  StudyQuestion asked;
+  for (const HardwareProfile& profile : program_profiles(flags.study)) {
+    asked = question;
+    auto program = read_program(flags, profile, asked);
+    if (!program) return program.error();
+    auto inputs = read_inputs(flags, profile, asked);
+    if (!inputs) return inputs.error();
+    for (const std::string& one : flags.set) asked.options.emplace_back("--set", one);
+    auto fixed = read_fixed(flags, profile);
+    if (!fixed) return fixed.error();
+    inputs->fixed = std::move(*fixed);
+    auto study = program_error_study(asked, profile, *program, std::move(*inputs));
+    if (!study) return study.error();
+    studies.push_back({std::string(profile.name), std::move(*study)});
+  }
+  if (studies.size() == 1) return std::move(studies[0].study);
+  return joined_study(std::move(asked), std::move(studies));
+}
+
 Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
   auto asked = question_of(flags.study, "datapath");
   if (!asked) return asked.error();
   StudyQuestion question = *std::move(asked);
-  const HardwareProfile& profile = profile_of(flags.study.common);
-  const bool one_profile = !flags.program.empty() || flags.exhaustive_sum;
-  if (one_profile && flags.study.profile->count() == 0) question.profile = profile.name;
-  if (!flags.program.empty()) {
-    auto program = read_program(flags, profile, question);
-    if (!program) return program.error();
-    auto inputs = read_inputs(flags, profile, question);
-    if (!inputs) return inputs.error();
-    for (const std::string& one : flags.set) question.options.emplace_back("--set", one);
-    auto fixed = read_fixed(flags, profile);
-    if (!fixed) return fixed.error();
-    inputs->fixed = std::move(*fixed);
-    return program_error_study(std::move(question), profile, *program, std::move(*inputs));
-  }
+  const bool has_default = !flags.program.empty() || flags.exhaustive_sum;
+  if (has_default && flags.study.profile->count() == 0) question.profile = flags.study.common.profile;
+  if (!flags.program.empty()) return make_program_study(flags, std::move(question));
   if (flags.exhaustive_sum) {
     const std::vector<std::string> wanted = items_of(flags.forms);
     std::vector<OutputForm> forms;  // each once
@@ -144,32 +161,40 @@ Result<std::unique_ptr<Study>> make_datapath(const DatapathFlags& flags) {
     }
     question.options.emplace_back("--exhaustive-sum", "");
     question.options.emplace_back("--forms", fmt::format("{}", fmt::join(names, ",")));
-    return exhaustive_sum_study(std::move(question), profile, forms);
+    return exhaustive_sum_study(std::move(question), profile_of(flags.study.common), forms);
   }
   return datapath_study(std::move(question), profiles_of(flags.study));
 }
 
-// Reads the components of --set and --over for this profile; an unknown one is wrong usage.
+// Reads the components of --set and --over for these profiles; an unknown one is wrong usage.
 void check_over(const DatapathFlags& flags) {
-  const auto fixed = read_fixed(flags, profile_of(flags.study.common));
-  if (!fixed) throw CLI::ValidationError(fixed.error().message);
-  if (flags.over.empty()) return;
-  const auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile_of(flags.study.common));
-  if (!columns) throw CLI::ValidationError("--over " + flags.over + ": " + columns.error().message);
-  for (const RegisterComponent& one : components_of(*columns)) {
-    const auto is_it = [&](const auto& other) { return other.first == one; };
-    if (std::none_of(fixed->begin(), fixed->end(), is_it)) continue;
-    throw CLI::ValidationError(fmt::format("--set and --over both name {}; expected one of them", one.name()));
+  for (const HardwareProfile& profile : program_profiles(flags.study)) {
+    const auto fixed = read_fixed(flags, profile);
+    if (!fixed) throw CLI::ValidationError(fixed.error().message);
+    if (flags.over.empty()) continue;
+    const auto columns = read_header({.text = flags.over, .number = 1}, "--over", profile);
+    if (!columns) throw CLI::ValidationError("--over " + flags.over + ": " + columns.error().message);
+    for (const RegisterComponent& one : components_of(*columns)) {
+      const auto is_it = [&](const auto& other) { return other.first == one; };
+      if (std::none_of(fixed->begin(), fixed->end(), is_it)) continue;
+      throw CLI::ValidationError(fmt::format("--set and --over both name {}; expected one of them", one.name()));
+    }
   }
 }
 
 // A profile that computes in real numbers has no nine-bit errors to measure.
-void check_profile(const StudyFlags& flags) {
-  if (flags.profile->count() == 0 || profile_of(flags.common).arithmetic == Arithmetic::integer) return;
-  throw CLI::ValidationError(
-      fmt::format("--profile {}: it computes in real numbers and has no datapath to measure; "
-                  "expected a profile with integer arithmetic",
-                  flags.common.profile));
+void check_profiles(const DatapathFlags& flags) {
+  if (flags.exhaustive_sum && flags.study.profiles.size() > 1) {
+    throw CLI::ValidationError("--exhaustive-sum measures one profile; expected one name after --profile");
+  }
+  if (flags.study.profile->count() == 0) return;
+  for (const HardwareProfile& profile : profiles_of(flags.study)) {
+    if (profile.arithmetic == Arithmetic::integer) continue;
+    throw CLI::ValidationError(
+        fmt::format("--profile {}: it computes in real numbers and has no datapath to measure; "
+                    "expected a profile with integer arithmetic",
+                    profile.name));
+  }
 }
 
 // Refuses standard input: the files are read again when the parts are merged.
@@ -184,11 +209,12 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
   CLI::App* verb = verbs.add_subcommand("datapath", "Measure the error of every datapath operation, over all inputs");
   verb->footer(
       "The error is the difference from exact arithmetic. --program measures a whole program and each of its stages;\n"
-      "--exhaustive-sum measures AB + CD case by case. Both use one profile, by default geforce2.\n"
+      "--exhaustive-sum measures AB + CD case by case. Their profile is by default geforce2.\n"
       "Examples:\n"
       "  ninebit study datapath --profile geforce2\n"
       "  ninebit study datapath --program docs/programs/index_compare.gl --over primary.r,tex0.r\n"
       "  ninebit study datapath --program docs/programs/index_compare.gl --over tex0.r --set primary=102,0,0,0 -o out\n"
+      "  ninebit study datapath --program compare.gl --over primary.r,tex0.r --profile geforce2,nv2a -o out\n"
       "  ninebit study datapath --program compare.gl --inputs codes.csv --json\n"
       "  ninebit study datapath --exhaustive-sum --forms x1,x4");
   auto flags = std::make_shared<DatapathFlags>();
@@ -225,7 +251,7 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
     if (program->count() > 0 && inputs->count() + over->count() == 0) {
       throw CLI::ValidationError("--program requires --inputs FILE.csv or --over LIST");
     }
-    check_profile(flags->study);
+    check_profiles(*flags);
     check_over(*flags);
     request = {.make = [flags] { return make_datapath(*flags); }, .flags = &flags->study};
   });

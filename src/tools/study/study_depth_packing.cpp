@@ -52,7 +52,7 @@ void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
       "  ninebit study depth-packing --packings rgba8-fract,rgba8-mod --storages round --depths 16 --json\n"
       "  ninebit study depth-packing --depths floats --float-step 1");
   auto flags = std::make_shared<DepthPackingFlags>();
-  add_study_flags(*verb, flags->study, false);
+  add_study_flags(*verb, flags->study, StudyProfiles::none);
   verb->add_option("--packings", flags->packings, "Packings to measure (default: all)")
       ->type_name("LIST")
       ->check(list_of(all_depth_packings().packings));

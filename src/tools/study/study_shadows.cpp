@@ -176,7 +176,7 @@ void add_study_shadows(CLI::App& verbs, StudyRequest& request) {
       "  ninebit study shadows scenes/index_room.gltf --map-sizes 256,512 --scopes polygon,object --steps 1,2 -o out\n"
       "  ninebit study shadows scenes/index_room.gltf --technique shadow-map --find-offset -o out");
   auto flags = std::make_shared<ShadowsFlags>();
-  add_study_flags(*verb, flags->study);
+  add_study_flags(*verb, flags->study, StudyProfiles::one);
   add_scene_file(*verb, "scene", flags->scene)->required();
   flags->scene_options = add_scene_flags(*verb, flags->scene);
   add_axes(*verb, *flags);

@@ -1,0 +1,96 @@
+#include "src/study/part/joined_study.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace ninebit {
+namespace {
+
+class JoinedStudy final : public Study {
+ public:
+  JoinedStudy(StudyQuestion question, std::vector<ProfileStudy> studies)
+      : question_(std::move(question)), studies_(std::move(studies)) {}
+
+  [[nodiscard]] const StudyQuestion& question() const override { return question_; }
+  [[nodiscard]] std::size_t units() const override {
+    std::size_t all = 0;
+    for (const ProfileStudy& one : studies_) all += one.study->units();
+    return all;
+  }
+  [[nodiscard]] std::string unit_name(std::size_t unit) const override {
+    const Study& study = study_of(unit);
+    return study.unit_name(unit);
+  }
+  [[nodiscard]] double weight(std::size_t unit) const override {
+    const Study& study = study_of(unit);
+    return study.weight(unit);
+  }
+  [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const override {
+    const Study& study = study_of(unit);
+    return study.run(unit, go_on);
+  }
+  [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
+    const Study& study = study_of(unit);
+    return study.row_rules(unit);
+  }
+
+  [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
+    StudyReport all;
+    for (const ProfileStudy& one : studies_) {
+      std::vector<StudyRow> own;
+      std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+                   [&](const StudyRow& row) { return row.text("profile") == one.profile; });
+      const std::size_t own_done = std::min(done, one.study->units());
+      done -= own_done;
+      if (own.empty()) continue;
+      auto report = one.study->report(own, own_done);
+      if (!report) return report;
+      all.title = report->title;
+      append(one.profile, std::move(*report), all);
+    }
+    return all;
+  }
+
+ private:
+  // The study of a unit, whose number becomes that within the study.
+  [[nodiscard]] const Study& study_of(std::size_t& unit) const {
+    auto one = studies_.begin();
+    for (; unit >= one->study->units(); ++one) unit -= one->study->units();
+    return *one->study;
+  }
+
+  static void append(const std::string& profile, StudyReport&& report, StudyReport& all) {
+    const auto add = [](auto& from, auto& to, const auto& name) {
+      for (auto& one : from) {
+        name(one);
+        to.push_back(std::move(one));
+      }
+    };
+    const auto sentence = [&](std::string& text) { text.insert(0, profile + ", "); };
+    const auto titled = [&](auto& part) { part.title += ", " + profile; };
+    const auto with_file = [&](auto& part) {
+      titled(part);
+      part.file.insert(0, profile + '-');
+    };
+    add(report.answers, all.answers, sentence);
+    add(report.headlines, all.headlines, sentence);
+    add(report.summary, all.summary, titled);
+    add(report.tables, all.tables, titled);
+    add(report.plots, all.plots, with_file);
+    add(report.heat_maps, all.heat_maps, with_file);
+    add(report.pictures, all.pictures, with_file);
+    add(report.files, all.files, [&](ReportFile& file) { file.name.insert(0, profile + '-'); });
+  }
+
+  StudyQuestion question_;
+  std::vector<ProfileStudy> studies_;
+};
+
+}  // namespace
+
+std::unique_ptr<Study> joined_study(StudyQuestion question, std::vector<ProfileStudy> studies) {
+  return std::make_unique<JoinedStudy>(std::move(question), std::move(studies));
+}
+
+}  // namespace ninebit
