@@ -3,6 +3,8 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
+#include "ninebit/raster/texture_stages.h"
+#include "src/raster/fragment/draw_context.h"
 #include "src/raster/setup/arrays_check.h"
 #include "src/raster/texture/texture_level.h"
 
