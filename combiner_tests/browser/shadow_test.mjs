@@ -12,8 +12,9 @@ const rendered = (...flags) => native(root, 'render', 'scenes/index_room.gltf', 
 /** Changes what is asked for, as the sliders do. */
 const ask = (change) => page.evaluate((changed) => globalThis.ninebit.page.shadow.ask(changed), change);
 
-/** Waits for the count of the picture that is shown. */
-async function counted(expected) {
+/** Waits for the count of the picture that is shown; the page does not name the worst pixels. */
+async function counted({ worst, ...expected }) {
+  assert.ok(worst.length > 0);
   await page.waitForFunction((errors) => document.getElementById('wrong-result').dataset.wrong === errors, { timeout: 30_000 }, JSON.stringify(expected))
     .catch(async () => assert.deepEqual(await page.$eval('#wrong-result', ({ dataset, textContent }) => dataset.wrong ?? textContent), JSON.stringify(expected)));
 }
