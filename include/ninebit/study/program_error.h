@@ -62,7 +62,8 @@ struct ProgramInputs {
 //
 // Rows of the table "histogram", for each component of the colour and each whole number of codes from -8 to 8:
 //   profile, component, first, fragments
-//   codes, count               fragments whose error is nearest to so many codes; -8 and 8 have what lies beyond, too
+//   codes, count               fragments whose error, rounded to whole codes, is this; -8 and 8 include all errors
+//   beyond
 //
 // The report has the files error.csv, a line for each fragment with its inputs and the errors of red, green, blue and
 // alpha in codes, and error.npy, the same errors as 32-bit floats of NumPy (an axis for each component of combinations,

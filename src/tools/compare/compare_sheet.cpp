@@ -29,7 +29,7 @@ constexpr int kMostNameLines = 3, kCountLines = 4, kHeadLines = 2, kFootLines = 
 // Where things are on the sheet, in pixels.
 struct SheetPlan {
   int columns = 1, rows = 1;
-  int enlarged = 1;               // each pixel of a picture is so many pixels wide and high
+  int enlarged = 1;               // width and height in pixels of a pixel of a picture
   int width = 0, height = 0;      // of a picture on the sheet
   int gap = 0;                    // around pictures
   double cell = 0.0, line = 0.0;  // of letters
