@@ -107,7 +107,7 @@ TEST(SourceFaults, FunctionsThatRunForTooLongShareTheirSteps) {
 }
 
 TEST(SourceFaults, DeepNestingIsRefusedNotFollowed) {
-  constexpr std::size_t kDeep = 20'000;
+  constexpr std::size_t kDeep = test::cases_here(20'000U);
   for (const auto& [open, close] : std::vector<std::pair<std::string, std::string>>{{"(", ")"},
                                                                                     {"{", "}"},
                                                                                     {"[", "]"},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "combiner_tests/raster/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -54,7 +55,7 @@ double mix(const glm::dvec3& w, double a, double b, double c) {
 
 void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t seed) {
   std::int64_t checked = 0, told = 0;
-  for (std::uint64_t index = 0; index < 150; ++index) {
+  for (std::uint64_t index = 0; index < cases_here(150U); ++index) {
     Random random(seed, index);
     const Input c = random_case(random);
     std::array<ColorBytes, 3> colors{};
@@ -102,7 +103,7 @@ void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t se
       }
     }
   }
-  EXPECT_GE(checked, 20000);
+  EXPECT_GE(checked, cases_here(20000));
   EXPECT_GE(told, checked / 4);  // the two interpolations differ
 }
 
@@ -141,7 +142,7 @@ TEST(InterpolatedInputs, DefaultsOfSecondaryColorAndFog) {
 
 TEST(InterpolatedInputs, AttributesInPerspective) {
   std::int64_t checked = 0;
-  for (std::uint64_t index = 0; index < 100; ++index) {
+  for (std::uint64_t index = 0; index < cases_here(100U); ++index) {
     Random random(93, index);
     const Input c = random_case(random);
     std::array<glm::vec4, 3> attribute{};
@@ -176,7 +177,7 @@ TEST(InterpolatedInputs, AttributesInPerspective) {
       }
     }
   }
-  EXPECT_GE(checked, 15000);
+  EXPECT_GE(checked, cases_here(15000));
 }
 
 // A texture whose levels say which they are.
@@ -201,7 +202,7 @@ TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
   const std::array<TextureUnit, 1> units{TextureUnit{&texture, sampler}};
   std::int64_t checked = 0;
   std::array<int, 9> reached{};
-  for (std::uint64_t index = 0; index < 200; ++index) {
+  for (std::uint64_t index = 0; index < cases_here(200U); ++index) {
     Random random(94, index);
     const Input c = random_case(random);
     const float spread = static_cast<float>(std::exp2(random.real(-3, 5)));
@@ -240,8 +241,8 @@ TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
       }
     }
   }
-  EXPECT_GE(checked, 20000);
-  for (std::size_t level = 0; level < 7; ++level) EXPECT_GE(reached[level], 300) << level;
+  EXPECT_GE(checked, cases_here(20000));
+  for (std::size_t level = 0; level < 7; ++level) EXPECT_GE(reached[level], cases_here(300)) << level;
 }
 
 // A texture whose texels are their own numbers, at (s/q, t/q), and the level that the changes of s/q and t/q ask for.
@@ -256,7 +257,7 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
   by_level.wrap_s = by_level.wrap_t = Wrap::repeat;
   const std::array<TextureUnit, 2> units{TextureUnit{&ramp, kNearestSampler}, TextureUnit{&levels, by_level}};
   std::int64_t checked = 0, told = 0, levels_checked = 0;
-  for (std::uint64_t index = 0; index < 200; ++index) {
+  for (std::uint64_t index = 0; index < cases_here(200U); ++index) {
     Random random(95, index);
     const Input c = random_case(random);
     std::array<glm::vec3, 3> coordinates{}, fine{};
@@ -322,9 +323,9 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
       }
     }
   }
-  EXPECT_GE(checked, 30000);
+  EXPECT_GE(checked, cases_here(30000));
   EXPECT_GE(told, checked / 4);  // dividing at the vertices is something else
-  EXPECT_GE(levels_checked, 20000);
+  EXPECT_GE(levels_checked, cases_here(20000));
 }
 
 TEST(InterpolatedInputs, CubeMapsDoNotLookAtQ) {

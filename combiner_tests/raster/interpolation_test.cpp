@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "combiner_tests/raster/support.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -41,7 +42,7 @@ Slope random_case(Random& random, bool clipped) {
 
 void expect_colors(bool clipped, std::uint64_t seed) {
   std::int64_t checked = 0;
-  for (std::uint64_t index = 0; index < 150; ++index) {
+  for (std::uint64_t index = 0; index < cases_here(150U); ++index) {
     Random random(seed, index);
     const Slope c = random_case(random, clipped);
     Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
@@ -70,7 +71,7 @@ void expect_colors(bool clipped, std::uint64_t seed) {
       }
     }
   }
-  EXPECT_GE(checked, 50000);
+  EXPECT_GE(checked, cases_here(50000));
 }
 
 TEST(Interpolation, ColorsArePerspectiveCorrect) {
@@ -109,7 +110,7 @@ void expect_texels(bool clipped, std::uint64_t seed) {
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
   std::int64_t checked = 0;
-  for (std::uint64_t index = 0; index < 100; ++index) {
+  for (std::uint64_t index = 0; index < cases_here(100U); ++index) {
     Random random(seed, index);
     const Slope c = random_case(random, clipped);
     Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
@@ -148,7 +149,7 @@ void expect_texels(bool clipped, std::uint64_t seed) {
       }
     }
   }
-  EXPECT_GE(checked, 30000);
+  EXPECT_GE(checked, cases_here(30000));
 }
 
 TEST(Interpolation, TextureCoordinatesArePerspectiveCorrect) {

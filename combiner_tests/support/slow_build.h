@@ -28,6 +28,13 @@ inline constexpr bool kSlowBuild = kSanitized;
 inline constexpr bool kSlowBuild = true;
 #endif
 
+// How many of a number of random cases are run: an eighth in a slow build. What is asked of them all is asked of as
+// many.
+template <class Count>
+constexpr Count cases_here(Count cases) {
+  return kSlowBuild ? cases / 8 : cases;
+}
+
 // Whether lines are counted, by the preset coverage.
 #if defined(NINEBIT_COVERAGE)
 inline constexpr bool kCoverage = true;
