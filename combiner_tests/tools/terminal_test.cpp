@@ -34,14 +34,17 @@ std::size_t code_points(const std::string& line) {
       std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
 }
 
+bool fits(const std::string& line, std::size_t columns) {
+  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+  return code_points(line) <= columns || line.find(' ', begin) == std::string::npos;  // one word stays whole
+}
+
 // The number of lines; each has at most `columns` code points, or is one word.
 std::size_t expect_fit(const Outcome& outcome, std::size_t columns) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<std::string> lines = lines_of(outcome.out);
   for (const std::string& line : lines) {
-    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
-    const bool is_one_word = line.find(' ', begin) == std::string::npos;
-    EXPECT_TRUE(is_one_word || code_points(line) <= columns) << line;
+    EXPECT_TRUE(fits(line, columns)) << line;
   }
   return lines.size();
 }
@@ -87,6 +90,23 @@ TEST_F(TerminalText, TracesOfTheGalleryFitEightyColumns) {
   }
   EXPECT_GT(effects, 15U);
   EXPECT_GT(lines, 1000U);
+}
+
+// Help and the list of profiles are broken for who reads them; a pipe gets them whole, and so are commands to copy.
+TEST_F(TerminalText, HelpAndProfilesFit) {
+  const auto words = [](std::string text) {
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
+    return text;
+  };
+  for (const std::vector<std::string>& asked : {std::vector<std::string>{"help", "render"}, {"profiles"}, {"--help"}}) {
+    SCOPED_TRACE(asked[0]);
+    const std::string whole = ninebit(asked).out, broken = shown_on(90, asked);
+    EXPECT_NE(broken, whole);
+    EXPECT_EQ(words(broken), words(whole));
+    for (const std::string& line : lines_of(broken)) {
+      EXPECT_TRUE(line.starts_with("  ninebit ") || fits(line, 90)) << line;
+    }
+  }
 }
 
 TEST_F(TerminalText, ExplanationsOfTheGalleryFitEightyColumns) {

@@ -154,7 +154,7 @@ void add_convert(CLI::App& app, int& exit_code) {
   verb->add_option("--to", flags->to, "Form to write; without it, list the set-ups of a log")
       ->check(CLI::IsMember(written_form_names()));
   verb->add_option("--frame", flags->frame, "Only the draws of this frame of a log, counted from 1")
-      ->check(CLI::Range(1U, 0xffffffffU));
+      ->check(whole_in_range(1, 0xffffffff));
   verb->add_option("-o,--output", flags->output, "Write to this file instead of standard output")->type_name("FILE");
   verb->callback([flags, &exit_code] {
     flags->program.writes_words = !flags->to.empty() && find_form(flags->to)->has_words;

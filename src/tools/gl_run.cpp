@@ -87,7 +87,7 @@ void add_gl_run(CLI::App& app, int& exit_code) {
   verb->add_option("--dump-frame", flags->frame,
                    "Write the draw calls of this frame, too: their states, inputs and pictures; 1 is the first")
       ->needs(dump)
-      ->check(CLI::Range(1, 1000000000));
+      ->check(whole_in_range(1, 1000000000));
   verb->add_option("--log", flags->log, "Append the layer's messages to this file instead of standard error")
       ->type_name("FILE");
   verb->add_option("program", flags->program, "The program and its arguments, after --")

@@ -5,11 +5,14 @@
 #include <memory>
 
 #include "ninebit/numerics/profile_fields.h"
+#include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 namespace {
+
+constexpr int kSourceColumn = 67;  // of the rows that print_profiles prints
 
 struct ProfileRow {
   std::string field, value, evidence, source;
@@ -39,7 +42,7 @@ int print_profiles(const CommonFlags& flags, bool chosen) {
       }
       text += '\n';
     }
-    return answer(text);
+    return answer(wrapped_for_terminal(text, kSourceColumn));
   }
   Json rows = Json::array();
   for (const HardwareProfile& profile : profiles) {

@@ -220,7 +220,7 @@ void add_render(CLI::App& app, int& exit_code) {
   verb->add_option("--turntable", flags->turntable,
                    "Write N pictures from all around: the camera turns about the point that it looks at (default: off)")
       ->type_name("N")
-      ->check(CLI::Range(2, kMostFrames));
+      ->check(whole_in_range(2, kMostFrames));
   verb->add_option("--only", flags->only,
                    "Files to write, by their names without ending, such as color,shadow (default: all)")
       ->type_name("LIST");

@@ -217,10 +217,10 @@ void add_vectors(CLI::App& app, int& exit_code) {
                  "Check texture-shader stages instead of combiners (1000 programs by default)");
   verb->add_option("--programs", flags->settings.programs, "Number of programs")
       ->capture_default_str()
-      ->check(CLI::Range(1, kMostVectorPrograms));
+      ->check(whole_in_range(1, kMostVectorPrograms));
   verb->add_option("--fragments", flags->settings.fragments, "Number of fragments of each program")
       ->capture_default_str()
-      ->check(CLI::Range(1, kMostVectorFragments));
+      ->check(whole_in_range(1, kMostVectorFragments));
   verb->add_option("--seed", flags->settings.seed, "Seed of the random programs and inputs")
       ->capture_default_str()
       ->check(CLI::Validator(wrong_seed, ""));

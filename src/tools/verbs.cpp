@@ -11,6 +11,7 @@
 
 #include "src/tools/common/build_facts.h"
 #include "src/tools/common/usage.h"
+#include "src/tools/input/host.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {
@@ -66,7 +67,7 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) {  // --help or --version
       std::ostringstream text;
       app.exit(error, text, text);
-      return answer(text.str());
+      return answer(wrapped_for_terminal(text.str(), kHelpColumn));
     }
     say_error(usage_message(app, error));
     return kWrongUsage;

@@ -295,7 +295,7 @@ void add_verify(CLI::App& app, int& exit_code) {
                  "Also read programs that are not below the folder of the table");
   verb->add_option("--most", flags->most, "Maximum number of differing rows to list")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1'000'000));
+      ->check(whole_in_range(0, 1'000'000));
   for (const char* flag : {"--program", "--from", "--define", "--chip", "--allow-outside"})
     vectors->excludes(verb->get_option(flag));
   add_decide_flags(*verb, *flags, *table);

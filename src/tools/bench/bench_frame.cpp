@@ -211,7 +211,7 @@ void add_bench_frame(CLI::App& bench, int& exit_code) {
   CLI::Option* file = add_scene_file(*verb, "scene", flags->scene);
   verb->add_option("--triangles", flags->triangles, "Without a scene: generate one with at most this many triangles")
       ->capture_default_str()
-      ->check(CLI::Range(bench::kFewestTriangles, bench::kMostTriangles))
+      ->check(whole_in_range(bench::kFewestTriangles, bench::kMostTriangles))
       ->excludes(file);
   CLI::Option* rival = verb->add_option("--rival", flags->rival,
                                         "Also draw the frame with Mesa's llvmpipe, with the same number of threads")

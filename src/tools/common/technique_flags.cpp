@@ -33,7 +33,7 @@ CLI::Option* add_value_flag(CLI::App& verb, const TechniqueSetting& setting, Ren
   if (setting.kind == SettingKind::whole && setting.expected.empty()) {
     const auto set_whole = [&](int number) { setting.set(settings, {static_cast<double>(number)}); };
     const int least = static_cast<int>(setting.least), greatest = static_cast<int>(setting.greatest);
-    return verb.add_option_function<int>(flag, set_whole, help)->check(CLI::Range(least, greatest));
+    return verb.add_option_function<int>(flag, set_whole, help)->check(whole_in_range(least, greatest));
   }
   const auto check = [&setting](const std::string& text) { return check_setting(setting, text); };
   return verb.add_option_function<std::string>(flag, set, help)->check(CLI::Validator(check, ""));

@@ -6,6 +6,9 @@
 
 namespace ninebit::tools {
 
+// The column at which help says what an option does.
+inline constexpr int kHelpColumn = 30;
+
 // One sentence: what is wrong with the arguments, what was expected or possibly meant, and the help to read.
 [[nodiscard]] std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 

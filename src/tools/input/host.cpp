@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <optional>
 
 #include "src/system/process.h"
 
@@ -25,13 +26,14 @@ namespace {
 
 constexpr int kUsualColumns = 80;
 
-void append_wrapped(std::string& out, std::string_view line, int columns) {
+// `rest`: the column of what does not fit; none: 4 more than the line's own.
+void append_wrapped(std::string& out, std::string_view line, int columns, std::optional<int> column = {}) {
   if (width_of(line) <= columns) {
     out += line;
     return;
   }
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-  const std::string rest(indent + 4, ' ');
+  const std::string rest(column ? static_cast<std::size_t>(*column) : indent + 4, ' ');
   out += line.substr(0, indent);
   line.remove_prefix(indent);
   int at = static_cast<int>(indent);
@@ -79,6 +81,24 @@ std::string wrapped(std::string_view text, int columns) {
     append_wrapped(out, text.substr(0, end), columns);
     if (end < text.size()) out += '\n';
     text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+std::string wrapped_for_terminal(std::string_view text, int rest) {
+  if (!posix::is_terminal(posix::kStandardOutput) && std::getenv("COLUMNS") == nullptr) return std::string(text);
+  const int columns = terminal_columns(posix::kStandardOutput);
+  std::string out;
+  for (; !text.empty(); text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1)) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (line.starts_with("  ninebit ")) {
+      out += line;
+    } else if (line.starts_with("  ") && rest + 20 <= columns) {
+      append_wrapped(out, line, columns, rest);
+    } else {
+      append_wrapped(out, line, columns);
+    }
+    if (line.size() < text.size()) out += '\n';
   }
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -142,10 +143,20 @@ void add_common_flags(CLI::App& verb, CommonFlags& flags) {
   add_threads_flag(verb, flags);
 }
 
+CLI::Validator whole_in_range(std::int64_t least, std::int64_t greatest) {
+  const auto check = [=](const std::string& text) -> std::string {
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && number >= least && number <= greatest) return {};
+    return fmt::format("'{}'; expected a whole number from {} to {}", text, least, greatest);
+  };
+  return CLI::Validator(check, fmt::format("INT in [{} - {}]", least, greatest));
+}
+
 void add_threads_flag(CLI::App& verb, CommonFlags& flags) {
   verb.add_option("--threads", flags.threads, "Number of threads, 0 for all; results do not depend on it")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
+      ->check(whole_in_range(0, 1024));
 }
 
 CLI::Option* add_profile_option(CLI::App& verb, const std::string& option, ProfileChoice& choice,

@@ -65,7 +65,7 @@ void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
   verb->add_option("--float-step", flags->float_step, "Measure every Nth float, N from 1 to 16777216; 1 takes minutes")
       ->type_name("N")
       ->capture_default_str()
-      ->check(CLI::Range(1U, 1U << 24));
+      ->check(whole_in_range(1U, 1U << 24));
   verb->callback([flags, &request] {
     request.flags = &flags->study;
     request.make = [flags] { return make_study(*flags); };
