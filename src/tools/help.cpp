@@ -44,7 +44,8 @@ void add_help(CLI::App& app, int& exit_code) {
   verb->footer("Examples:\n  ninebit help render\n  ninebit help study shadows");
   auto words = std::make_shared<std::vector<std::string>>();
   verb->add_option("command", *words, "The command (default: ninebit itself)")->type_name("COMMAND ...");
-  verb->callback([&app, words, &exit_code] { exit_code = answer(wrapped_for_terminal(help_of(app, *words), kHelpColumn)); });
+  verb->callback(
+      [&app, words, &exit_code] { exit_code = answer(wrapped_for_terminal(help_of(app, *words), kHelpColumn)); });
 }
 
 }  // namespace ninebit::tools
