@@ -6,9 +6,12 @@
 #include <string>
 
 #include "combiner_tests/playground/support.h"
+#include "ninebit/combiner/evaluate.h"
 #include "ninebit/language/explain.h"
 #include "ninebit/language/profile_json.h"
 #include "ninebit/language/program_text.h"
+#include "ninebit/language/rc10.h"
+#include "src/combiner/given_registers.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/pixel_shader/shader_instruction.h"
 #include "src/language/rc10/rc10_lexer.h"
@@ -146,6 +149,57 @@ TEST(PlaygroundTrace, StepsThroughTheGivenCodes) {
       {{"do", "trace"}, {"text", kTexelTimesColor}, {"registers", {{"tex0", {256, 0, 0, 0}}, {"tex9", {0, 0, 0, 0}}}}});
   EXPECT_NE(fault_of_answer(refused).find("from -255 to 255"), std::string::npos) << refused;
   EXPECT_EQ(refused["fault"]["others"].size(), 1U) << refused;
+}
+
+// Every pixel is what evaluate_fragment() gives for its texels.
+TEST(PlaygroundEvaluate, IsTheReferenceTexelByTexel) {
+  const std::string text =
+      "!!RC1.0\n{ rgb { spare1 = tex0 * tex1; scale_by_two(); } }\nout.rgb = spare1 + const0;\n"
+      "out.a = spare0.a;\n";
+  for (const HardwareProfile& profile : hardware_profiles()) {
+    SCOPED_TRACE(profile.name);
+    Engine engine;
+    constexpr std::size_t kPixels = 300;
+    const auto buffer = engine.buffer(8 * kPixels);
+    for (std::size_t i = 0; i < buffer.size(); ++i) buffer[i] = static_cast<std::uint8_t>(i * 37 + i / 256);
+    const std::vector<std::uint8_t> given(buffer.begin(), buffer.end());
+    const PageJson answer = ask(engine, {{"do", "evaluate"},
+                                         {"text", text},
+                                         {"profile", profile.name},
+                                         {"pictures", {"tex1", "tex0"}},
+                                         {"registers", {{"const0", {7, 0, 3, 0}}}}});
+    ASSERT_EQ(fault_of_answer(answer), "");
+    ASSERT_EQ(engine.bytes().size(), 4 * kPixels);
+    Program program = normalize(parse_rc10({text, ""}, profile).value(), profile);
+    const Rgba9 constant{7, 0, 3, 0};
+    for (int c = 0; c < 4; ++c)
+      replace_constant(program, Register::constant0, c, constant[static_cast<std::size_t>(c)]);
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      RegisterFile registers = default_registers(profile);
+      for (std::size_t c = 0; c < 4; ++c) {
+        registers[Register::texture1][c] = from_byte(profile, given[4 * i + c]);
+        registers[Register::texture0][c] = from_byte(profile, given[4 * kPixels + 4 * i + c]);
+      }
+      registers[Register::spare0][kAlpha] = registers[Register::texture0][kAlpha];
+      const Rgba9 color = evaluate_fragment(program, registers).color;
+      for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(engine.bytes()[4 * i + c], to_byte(profile, color[c])) << i;
+    }
+  }
+}
+
+TEST(PlaygroundEvaluate, RefusesWhatIsNoPicture) {
+  Engine engine;
+  (void)engine.buffer(12);
+  const auto fault = [&](const PageJson& pictures) {
+    return fault_of_answer(ask(engine, {{"do", "evaluate"}, {"text", kTexelTimesColor}, {"pictures", pictures}}));
+  };
+  EXPECT_EQ(fault({"tex0"}), "");
+  EXPECT_NE(fault({"tex0", "primary"}).find("the buffer has 12 bytes; expected 2 pictures"), std::string::npos);
+  EXPECT_NE(fault({"tex0", "tex0"}).find("each once"), std::string::npos);
+  EXPECT_NE(fault({"const0"}).find("each once"), std::string::npos);
+  EXPECT_NE(fault({"tex9"}).find("each once"), std::string::npos);
+  EXPECT_NE(fault(PageJson::array()), "");
+  EXPECT_NE(fault("tex0"), "");
 }
 
 }  // namespace

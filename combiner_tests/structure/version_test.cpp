@@ -23,6 +23,7 @@ TEST(Version, IsTheSameEverywhere) {
   const std::string version = found("CMakeLists.txt", "project\\(ninebit VERSION ([0-9.]+)");
   ASSERT_NE(version, "");
   EXPECT_EQ(found("pyproject.toml", "\nversion = \"([^\"]*)\""), version);
+  EXPECT_EQ(found("src/playground/npm/package.json", "\"version\": \"([^\"]*)\""), version);
   EXPECT_EQ(found("CITATION.cff", "\nversion: (\\S*)"), version);
 }
 

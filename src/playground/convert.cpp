@@ -1,7 +1,8 @@
-// The same program in another form, and its trace.
+// The same program in another form, its trace, and what it makes of pictures.
 #include <algorithm>
 #include <utility>
 
+#include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/trace.h"
 #include "src/combiner/given_registers.h"
 #include "src/effect/traced_pixel.h"
@@ -106,6 +107,66 @@ Reply trace_text(Request& request) {
   }
   const Trace traced = trace(program, profile, file);
   return trace_answer({.profile = std::string(profile.name), .program = name, .pixel = nullptr}, &program, &traced);
+}
+
+Reply evaluate_pictures(Request& request, std::span<const std::uint8_t> buffer, std::vector<std::uint8_t>& bytes) {
+  request.allow({"text", "profile", "pictures", "registers"});
+  const std::string text = request.word("text");
+  const ChosenProfile chosen = request.profile("profile");
+  const json::Value* const named = request.value("pictures");
+  if (request.failed()) return request.refused();
+  const HardwareProfile& profile = chosen.profile();
+  const GivenRegisters registers = given_registers(request, profile);
+  std::vector<Register> pictures;
+  if (named->type != json::Type::array || named->children.empty()) {
+    request.reader().wrong_type(*named, "an array of registers");
+    return request.refused();
+  }
+  for (const json::Value& child : named->children) {
+    const std::string name = request.inner(child);
+    const auto reg = register_called(name, profile);
+    constexpr std::array kNoPictures{Register::zero, Register::constant0, Register::constant1};
+    const auto is_in = [&](const auto& list) { return std::find(list.begin(), list.end(), *reg) != list.end(); };
+    if (!reg || is_in(kNoPictures) || is_in(pictures)) {
+      request.reader().fault(child.offset, json::in_quotes(name) + " is not a register for a picture; expected fog, " +
+                                               "primary, secondary, spare0, spare1 or a texture, each once");
+      continue;
+    }
+    pictures.push_back(*reg);
+  }
+  if (request.failed()) return request.refused();
+  const std::size_t pixel = 4 * pictures.size();
+  if (buffer.empty() || buffer.size() % pixel != 0) {
+    return refusal("the buffer has " + std::to_string(buffer.size()) + " bytes; expected " +
+                   std::to_string(pictures.size()) + " pictures of the same size, four bytes a pixel");
+  }
+  const auto parsed = valid_program(text, "text", profile);
+  if (!parsed) return refusals(parsed.faults(), text);
+  Program program = normalize(parsed->state, profile);
+  set_given_constants(registers, program);
+
+  std::vector<s9> codes(buffer.size());
+  std::transform(buffer.begin(), buffer.end(), codes.begin(),
+                 [&](std::uint8_t byte) { return from_byte(profile, byte); });
+  FragmentArrays arrays{.count = buffer.size() / pixel, .otherwise = registers.file};
+  constexpr std::ptrdiff_t kStride = 4 * sizeof(s9);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      const s9* const first = codes.data() + 4 * arrays.count * i + c;
+      arrays.input[static_cast<std::size_t>(pictures[i])][c] = {first, kStride, ElementType::code};
+    }
+  }
+  // As in `ninebit eval`, spare0's alpha starts as texture 0's, unless it is given.
+  const auto& texture0 = arrays.input[static_cast<std::size_t>(Register::texture0)];
+  auto& spare0 = arrays.input[static_cast<std::size_t>(Register::spare0)];
+  const bool is_given = registers.given[static_cast<std::size_t>(Register::spare0)] || spare0[kAlpha].first != nullptr;
+  if (!is_given) spare0[kAlpha] = texture0[kAlpha];
+  std::vector<s9> colors(4 * arrays.count);
+  for (std::size_t c = 0; c < 4; ++c) arrays.color[c] = {colors.data() + c, kStride, ElementType::code};
+  evaluate(BatchProgram(program), arrays, 0, arrays.count);
+  bytes.resize(colors.size());
+  std::transform(colors.begin(), colors.end(), bytes.begin(), [&](s9 code) { return to_byte(profile, code); });
+  return Json{{"pixels", arrays.count}, {"bytes", bytes.size()}};
 }
 
 }  // namespace ninebit::playground

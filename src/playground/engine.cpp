@@ -10,7 +10,8 @@ namespace ninebit::playground {
 namespace {
 
 constexpr std::string_view kVerbs =
-    "about, vocabulary, read, convert, trace, profile, edit_profile, put, draw, pixel, compare, combiners, shadow, "
+    "about, vocabulary, read, convert, trace, evaluate, profile, edit_profile, put, draw, pixel, compare, combiners, "
+    "shadow, "
     "judge or judge_rows";
 
 }  // namespace
@@ -46,6 +47,7 @@ Reply Engine::reply_to(Request& request, std::string_view verb) {
   if (verb == "read") return read_text(request);
   if (verb == "convert") return convert_text(request);
   if (verb == "trace") return trace_text(request);
+  if (verb == "evaluate") return evaluate_pictures(request, buffer_, bytes_);
   if (verb == "profile") return list_profile(request);
   if (verb == "edit_profile") return edit_profile(request);
   if (verb == "put") return put(request);

@@ -1,8 +1,11 @@
 // The answers about texts, which need no picture.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ninebit/language/program_text.h"
 #include "src/playground/request.h"
@@ -19,6 +22,10 @@ namespace ninebit::playground {
 [[nodiscard]] Reply convert_text(Request& request);
 // {"do": "trace", "text", "profile", "registers", "name"}.
 [[nodiscard]] Reply trace_text(Request& request);
+
+// {"do": "evaluate", "text", "profile", "pictures", "registers"}: the colours of the pictures in the buffer, as bytes.
+[[nodiscard]] Reply evaluate_pictures(Request& request, std::span<const std::uint8_t> buffer,
+                                      std::vector<std::uint8_t>& bytes);
 
 // {"do": "profile", "profile"}: its fields, as `about` lists them for shipped profiles.
 [[nodiscard]] Reply list_profile(Request& request);

@@ -1,0 +1,69 @@
+/** A profile's name, such as "geforce2" or "nv2a", or a profile file as an object. */
+export type Profile = string | object;
+
+/** Codes of a register: red, green, blue, alpha. 255 is 1.0 in most profiles. */
+export type Codes = [number, number, number, number];
+
+export interface Place {
+  message: string;
+  /** Which text the place is in: "text", "effect", "profile", "request" or a file's name. */
+  file?: string;
+  /** From 1. */
+  line?: number;
+  /** From 1, in UTF-16 units. */
+  column?: number;
+}
+
+export class NinebitError extends Error {
+  /** The message without its place. */
+  reason: string;
+  file?: string;
+  line?: number;
+  column?: number;
+  /** Further faults of the same text. */
+  others: Place[];
+}
+
+export interface Picture {
+  width: number;
+  height: number;
+  /** RGBA, rows from the top. */
+  data: Uint8Array;
+}
+
+export interface Drawing extends Record<string, unknown> {
+  width: number;
+  height: number;
+  warnings: unknown[];
+  /** RGBA, rows from the top. */
+  data: Uint8Array;
+}
+
+/** All methods throw NinebitError for what the engine refuses. Equal calls give equal answers on every machine. */
+export class Ninebit {
+  /** Version, forms of programs, profiles with every field. */
+  about(): Record<string, any>;
+  /** What a program is and computes: form, faults, explanation, the textures and constants that it reads. */
+  read(text: string, options?: { profile?: Profile }): Record<string, any>;
+  /** The program in another form: "rc10", "ps11", "glsl", … as about() lists them. */
+  convert(text: string, to: string, options?: { profile?: Profile }): string;
+  /** Every stage of one fragment: the object of `ninebit trace --json`. */
+  trace(text: string, options?: { profile?: Profile; registers?: Record<string, Codes> }): Record<string, any>;
+  /**
+   * A program on pictures of one size, texel by texel: by register, "tex0" to "tex3", "primary", …, RGBA of four bytes a
+   * pixel. Returns the colours, in the same order.
+   */
+  evaluate(text: string, pictures: Record<string, Uint8Array | Uint8ClampedArray>,
+           options?: { profile?: Profile; registers?: Record<string, Codes> }): Uint8Array;
+  /** Keeps a picture, or a file's bytes (.gltf, .glb, .obj, .ply, .off), for effects that name it. */
+  put(name: string, content: Picture | { data: Uint8Array }): void;
+  /** Draws an effect file, an object or a text; `files` has its programs' texts by name. */
+  draw(effect: object | string, options?: { files?: Record<string, string>; profile?: Profile; size?: [number, number] }): Drawing;
+  /** A pixel of the last drawing, from the top left: the object of `ninebit trace --effect --json`. */
+  pixel(x: number, y: number): Record<string, any>;
+  /** Any request of the engine, docs/playground_engine.md lists them, and its bytes. */
+  ask(request: object, bytes?: Uint8Array): { answer: Record<string, any>; bytes: Uint8Array };
+}
+
+/** The engine. Each has its own memory. */
+export function load(): Promise<Ninebit>;
