@@ -149,6 +149,25 @@ class Programs(unittest.TestCase):
             np.testing.assert_array_equal(given["const0"][2], codes)
             self.assertEqual(p.trace({"tex0": (p.one, p.one, p.one), "const0.b": 7})["out"]["codes"][2], 7)
 
+    def test_real_numbers(self):
+        picture = np.random.default_rng(1).integers(0, 256, (20, 30, 4), np.uint8)
+        texels = picture / 255
+        for profile in ("geforce2", "ideal"):
+            found = program(double, profile=profile).evaluate_real(tex0=picture, primary=99)
+            self.assertEqual((found.shape, found.dtype), ((20, 30, 4), np.float64))
+            np.testing.assert_allclose(found[..., :3], np.minimum(1, 2 * texels[..., :3] * 99 / 255), rtol=1e-15)
+        ideal = program(double, profile="ideal")
+        codes = ideal.evaluate(tex0=picture, primary=99)
+        np.testing.assert_array_equal(codes, np.floor(ideal.evaluate_real(tex0=picture, primary=99) * 255 + 0.5))
+        # Constants vary, components stand along the first axis, and registers are doubles, too.
+        p = program("!!RC1.0\n{ rgb { spare0 = const0 * tex0; } }\nout.rgb = spare0;\nout.a = unsigned_invert(zero);\n")
+        found = p.evaluate_real({"const0.r": np.arange(256), "tex0": 100}, registers=True)
+        np.testing.assert_allclose(found["out"][0], np.arange(256) * 100 / 255**2, rtol=1e-15)
+        np.testing.assert_array_equal(found["spare0"][:3], found["out"][:3])
+        self.assertEqual(found["out"].shape, (4, 256))
+        with self.assertRaisesRegex(ninebit.Error, "expected -?[0-9]+ to 255"):
+            p.evaluate_real(tex0=300)
+
     def test_objects_that_were_never_made(self):
         raw_program, raw_state = (cls.__new__(cls) for cls in (ninebit.Program, ninebit.State))
         uses = [lambda: raw_program.evaluate({"tex0.r": 0}), lambda: raw_program.trace({}), raw_program.explain,

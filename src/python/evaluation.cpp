@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "ninebit/combiner/evaluate_arrays.h"
+#include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/language/trace_json.h"
 #include "src/combiner/given_registers.h"
@@ -66,7 +68,7 @@ struct Inputs {
   bool not_negative = true;  // as far as types and single codes say
 };
 
-Inputs inputs_of(const py::dict& planes, std::size_t count) {
+Inputs arrays_of(const py::dict& planes, std::size_t count) {
   Inputs inputs{.samples = {.count = count}};
   for (const auto& [key_object, value] : planes) {
     const std::string key = key_of(key_object);
@@ -102,21 +104,43 @@ RegisterFile default_codes(const RunnableProgram& program) {
   return file;
 }
 
+// All inputs of the fragments. Throws for a code out of range.
+Inputs inputs_of(const RunnableProgram& program, const py::dict& planes, std::size_t count) {
+  Inputs inputs = arrays_of(planes, count);
+  FragmentArrays& samples = inputs.samples;
+  if (const auto wrong = find_code_out_of_range(program.program, samples)) {
+    const char letter = "rgba"[wrong->component];
+    refuse_code(program.program, wrong->code, std::string(short_name(wrong->reg)) + '.' + letter);
+  }
+  samples.otherwise = default_codes(program);
+  // As in `ninebit eval`, spare0's alpha starts as texture 0's.
+  InputArray& spare0_alpha = samples.input[static_cast<std::size_t>(Register::spare0)][kAlpha];
+  if (spare0_alpha.first == nullptr) spare0_alpha = samples.input[static_cast<std::size_t>(Register::texture0)][kAlpha];
+  return inputs;
+}
+
+int code_at(const InputArray& array, std::size_t i) {
+  const auto* const at = static_cast<const std::byte*>(array.first) + static_cast<std::ptrdiff_t>(i) * array.stride;
+  return array.type == ElementType::byte ? static_cast<int>(*at) : *reinterpret_cast<const s9*>(at);
+}
+
+// The program with the constants that are given for a fragment.
+Program with_constants(const Program& program, const Inputs& inputs, std::size_t i) {
+  Program own = program;
+  for (const Register reg : {Register::constant0, Register::constant1}) {
+    for (int c = kRed; c <= kAlpha; ++c) {
+      if (!inputs.constants.contains(reg, c)) continue;
+      const InputArray& from = inputs.samples.input[static_cast<std::size_t>(reg)][static_cast<std::size_t>(c)];
+      replace_constant(own, reg, c, static_cast<s9>(code_at(from, i)));
+    }
+  }
+  return own;
+}
+
 // One fragment after the other: in real numbers, a batch cannot vary constants.
 void run_in_rows(const Program& program, const Inputs& inputs, std::size_t begin, std::size_t end) {
-  const FragmentArrays& samples = inputs.samples;
   for (std::size_t i = begin; i < end; ++i) {
-    Program own = program;
-    for (const Register reg : {Register::constant0, Register::constant1}) {
-      for (int c = kRed; c <= kAlpha; ++c) {
-        if (!inputs.constants.contains(reg, c)) continue;
-        const InputArray& from = samples.input[static_cast<std::size_t>(reg)][static_cast<std::size_t>(c)];
-        const auto* const at = static_cast<const std::byte*>(from.first) + static_cast<std::ptrdiff_t>(i) * from.stride;
-        replace_constant(own, reg, c,
-                         from.type == ElementType::byte ? static_cast<s9>(*at) : *reinterpret_cast<const s9*>(at));
-      }
-    }
-    evaluate(BatchProgram(own), samples, i, i + 1);
+    evaluate(BatchProgram(with_constants(program, inputs, i)), inputs.samples, i, i + 1);
   }
 }
 
@@ -137,6 +161,15 @@ void in_parts(std::size_t count, const std::atomic<bool>& stopped, const Body& b
   for (std::size_t i = 0; i < helpers; ++i) others.push_back(std::async(std::launch::async, work));
   work();
   for (std::future<void>& other : others) other.get();
+}
+
+// Works beside the interpreter where there is much to do, else without its lock.
+void run_on(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body) {
+  std::atomic<bool> stopped = false;
+  const auto work = [&] { in_parts(count, stopped, body); };
+  if (count > kManyFragments) return work_beside(work, [&] { stopped = true; });
+  const py::gil_scoped_release others_may_run;
+  work();
 }
 
 // The four components of an array of results, of the shape (4, count), with any strides.
@@ -168,16 +201,8 @@ std::vector<std::string> register_names() {
 
 void evaluate(const RunnableProgram& program, const py::dict& planes, std::size_t count, const py::array& color,
               const std::vector<py::array>& after) {
-  Inputs inputs = inputs_of(planes, count);
+  Inputs inputs = inputs_of(program, planes, count);
   FragmentArrays& samples = inputs.samples;
-  if (const auto wrong = find_code_out_of_range(program.program, samples)) {
-    const char letter = "rgba"[wrong->component];
-    refuse_code(program.program, wrong->code, std::string(short_name(wrong->reg)) + '.' + letter);
-  }
-  samples.otherwise = default_codes(program);
-  // As in `ninebit eval`, spare0's alpha starts as texture 0's.
-  InputArray& spare0_alpha = samples.input[static_cast<std::size_t>(Register::spare0)][kAlpha];
-  if (spare0_alpha.first == nullptr) spare0_alpha = samples.input[static_cast<std::size_t>(Register::texture0)][kAlpha];
   samples.color = outputs_of(color, count, "color");
   for (std::size_t i = 0; i < after.size() && i < kRegisterCount - kFirstRegister; ++i) {
     samples.after[kFirstRegister + i] = outputs_of(after[i], count, "after");
@@ -189,16 +214,40 @@ void evaluate(const RunnableProgram& program, const py::dict& planes, std::size_
     own.emplace(program.program, BatchOutputs{.registers = !after.empty()}, inputs.constants);
   }
   const BatchProgram& batch = own ? *own : inputs.not_negative ? program.of_bytes : program.batch;
-  std::atomic<bool> stopped = false;
-  const auto work = [&] {
-    in_parts(count, stopped, [&](std::size_t begin, std::size_t end) {
-      if (in_rows) return run_in_rows(program.program, inputs, begin, end);
-      evaluate(batch, samples, begin, end);
-    });
-  };
-  if (count > kManyFragments) return work_beside(work, [&] { stopped = true; });
-  const py::gil_scoped_release others_may_run;
-  work();
+  run_on(count, [&](std::size_t begin, std::size_t end) {
+    if (in_rows) return run_in_rows(program.program, inputs, begin, end);
+    evaluate(batch, samples, begin, end);
+  });
+}
+
+void evaluate_real(const RunnableProgram& program, const py::dict& planes, std::size_t count,
+                   py::array_t<double>& color, std::vector<py::array_t<double>>& after) {
+  const Inputs inputs = inputs_of(program, planes, count);
+  const FragmentArrays& samples = inputs.samples;
+  const Arithmetic own = program.program.datapath.arithmetic;
+  const Arithmetic arithmetic = own == Arithmetic::integer ? Arithmetic::exact : own;
+  auto colors = color.mutable_unchecked<2>();
+  std::vector<py::detail::unchecked_mutable_reference<double, 2>> registers;
+  for (py::array_t<double>& array : after) registers.push_back(array.mutable_unchecked<2>());
+  run_on(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      RegisterFile file = samples.otherwise;
+      for (std::size_t r = 0; r < kRegisterCount; ++r) {
+        for (std::size_t c = 0; c < 4; ++c) {
+          if (samples.input[r][c].first != nullptr) file.value[r][c] = static_cast<s9>(code_at(samples.input[r][c], i));
+        }
+      }
+      const RealEvaluation found = ninebit::evaluate_real(with_constants(program.program, inputs, i), file, arithmetic);
+      const auto column = static_cast<py::ssize_t>(i);
+      for (std::size_t c = 0; c < 4; ++c) {
+        const auto row = static_cast<py::ssize_t>(c);
+        colors(row, column) = found.color[c];
+        for (std::size_t r = 0; r < registers.size(); ++r) {
+          registers[r](row, column) = found.registers().value[kFirstRegister + r][c];
+        }
+      }
+    }
+  });
 }
 
 py::object traced(const RunnableProgram& program, const py::dict& registers) {

@@ -18,6 +18,11 @@ namespace ninebit::python {
 void evaluate(const RunnableProgram& program, const pybind11::dict& planes, std::size_t count,
               const pybind11::array& color, const std::vector<pybind11::array>& after);
 
+// The same in real numbers, 1.0 for full intensity: exact, or in 32-bit floats where the profile computes in those. The
+// arrays are of doubles.
+void evaluate_real(const RunnableProgram& program, const pybind11::dict& planes, std::size_t count,
+                   pybind11::array_t<double>& color, std::vector<pybind11::array_t<double>>& after);
+
 // The registers that may be given, by their short names: const0, const1, fog, primary, …
 [[nodiscard]] std::vector<std::string> register_names();
 

@@ -172,6 +172,8 @@ void add_programs(py::module_& module) {
           "The number of general combiners.")
       .def("_evaluate", &evaluate, py::arg("planes"), py::arg("count"), py::arg("color").noconvert(),
            py::arg("after").noconvert().none(true))
+      .def("_evaluate_real", &evaluate_real, py::arg("planes"), py::arg("count"), py::arg("color").noconvert(),
+           py::arg("after").noconvert())
       .def("_trace", &traced, py::arg("registers"))
       .def("explain", &explained, "The program as equations.")
       .def("glsl", &glsl, py::arg("function") = "ninebit_combine", py::arg("es") = false,

@@ -93,6 +93,26 @@ class Program:
         registers: Literal[True],
         **keywords: Codes,
     ) -> dict[str, NDArray[np.int16]]: ...
+    @overload
+    def evaluate_real(
+        self,
+        inputs: Mapping[str, Codes] | None = None,
+        /,
+        *,
+        axis: Literal[0, -1] | None = None,
+        registers: Literal[False] = False,
+        **keywords: Codes,
+    ) -> NDArray[np.float64]: ...
+    @overload
+    def evaluate_real(
+        self,
+        inputs: Mapping[str, Codes] | None = None,
+        /,
+        *,
+        axis: Literal[0, -1] | None = None,
+        registers: Literal[True],
+        **keywords: Codes,
+    ) -> dict[str, NDArray[np.float64]]: ...
     def trace(self, registers: Mapping[str, Codes] | None = None, /, **keywords: Codes) -> Trace: ...
     def explain(self) -> str: ...
     def glsl(self, function: str = "ninebit_combine", es: bool = False) -> str: ...

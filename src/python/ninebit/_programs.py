@@ -99,6 +99,20 @@ class Program(_combiner.Program):
             color = out
         return {"out": color, **after} if registers else color
 
+    def evaluate_real(self, inputs=None, /, *, axis=None, registers=False, **keywords):
+        """The colours of fragments in real numbers, as float64: 1.0 is full intensity.
+
+        Inputs and shapes are those of evaluate(); a code stands for code / one. Nothing is rounded between, which is what
+        an integer profile's codes are compared with; a profile in 32-bit floats rounds each operation to one. With
+        registers=True, a dictionary has the colours as 'out', and every register after the last general combiner.
+        """
+        fragments = Fragments(merged(inputs, keywords), self.lowest, self.one, axis)
+        shape = (*fragments.shape, 4) if fragments.axis == -1 else (4, *fragments.shape)
+        found = {name: np.empty(shape) for name in ("out", *(_combiner.REGISTERS if registers else ()))}
+        planes = [fragments.component_planes(array) for array in found.values()]
+        self._evaluate_real(fragments.planes, fragments.count, planes[0], planes[1:])
+        return found if registers else found["out"]
+
     def trace(self, registers=None, /, **keywords):
         """Every step of one fragment, as `ninebit trace --json` prints it: a dictionary that Jupyter shows as a diagram.
 
