@@ -26,7 +26,7 @@ void use_program(GLuint program) {
 }  // namespace
 
 GLAPI void GLAPIENTRY glUseProgram(GLuint program) {
-  if (find_driver().UseProgram != nullptr) use_program(program);
+  if (find_driver().UseProgram != nullptr) use_program(visible_program(program));
 }
 
 GLAPI void GLAPIENTRY glUseProgramObjectARB(GLhandleARB program) {

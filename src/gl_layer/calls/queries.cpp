@@ -59,6 +59,8 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_COLOR_SUM_CLAMP_NV:
     case GL_NUM_EXTENSIONS:
       return 1;
+    case GL_LIST_INDEX:
+      return context.open_list != nullptr ? 1 : 0;  // the driver may have another list open
     case GL_CURRENT_PROGRAM:
       return context.bound ? 1 : 0;
     case GL_PER_STAGE_CONSTANTS_NV:
@@ -79,6 +81,8 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
   }
   if (pname == GL_TEXTURE_SHADER_NV) {
     *integers = context.combiners.texture_shader().enabled ? 1 : 0;
+  } else if (pname == GL_LIST_INDEX) {
+    *integers = static_cast<GLint>(context.open_list->number);
   } else if (pname == GL_CURRENT_PROGRAM) {
     *integers = static_cast<GLint>(context.app_program);
   } else if (pname == GL_NUM_EXTENSIONS) {

@@ -8,12 +8,14 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "ninebit/language/gl_nv.h"
 #include "src/gl_layer/driver/driver_features.h"
 #include "src/gl_layer/driver/symbols.h"
+#include "src/gl_layer/shader/own_programs.h"
 #include "src/gl_layer/shader/shader_inputs.h"
 
 namespace ninebit::gl_layer {
@@ -33,6 +35,8 @@ struct ShareGroup {
   std::map<unsigned, std::shared_ptr<const StepList>>
       lists{};                          // by the program's number; others are the driver's alone
   std::atomic<bool> had_steps = false;  // whether there ever was one
+  std::set<unsigned> step_lists{};  // the driver's lists between their commands, whose numbers the program never got
+  OwnPrograms own_programs{};
 };
 
 // Where a list of the driver leaves a context: between glBegin and glEnd, or not; `unchanged`: it has neither command.
@@ -144,6 +148,12 @@ extern constinit thread_local Context* current_context [[gnu::tls_model("initial
 
 [[nodiscard]] inline Context* current() {
   return current_context;
+}
+
+// The name that the driver gets for a program's name: one that no driver gives out for a program of the layer's own.
+[[nodiscard]] inline unsigned visible_program(unsigned name) {
+  const Context* const context = current();
+  return context != nullptr && context->group->own_programs.has(name) ? ~0U : name;
 }
 
 // The profile for new contexts: the one that NINEBIT_GL_PROFILE names, else the one of the GeForce 3 class, which has

@@ -62,6 +62,7 @@ bool is_enough(const char* version_text) {
   NINEBIT_CHECK(CreateShader)
   NINEBIT_CHECK(DeleteProgram)
   NINEBIT_CHECK(DeleteShader)
+  NINEBIT_CHECK(DetachShader)
   NINEBIT_CHECK(GetProgramInfoLog)
   NINEBIT_CHECK(GetProgramiv)
   NINEBIT_CHECK(GetShaderInfoLog)

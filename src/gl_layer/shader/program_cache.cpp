@@ -35,8 +35,9 @@ GLuint link(const std::string& text) {
   }
   const GLuint program = driver.CreateProgram();
   driver.AttachShader(program, shader);
-  driver.DeleteShader(shader);  // when the program is deleted
   driver.LinkProgram(program);
+  driver.DetachShader(program, shader);
+  driver.DeleteShader(shader);
   driver.GetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked != GL_FALSE) return program;
   log_line("the driver does not link this shader, so fixed functions draw instead:\n" + text +
@@ -119,6 +120,14 @@ std::uint64_t hash_of(const Program& program, const ShaderInputs& inputs) {
   return hash.value();
 }
 
+ProgramCache::~ProgramCache() {
+  for (const auto& [hash, candidates] : programs_) {
+    for (const auto& cached : candidates) {
+      if (cached->driver_program != 0) own_.abandon(cached->driver_program);
+    }
+  }
+}
+
 CachedProgram& ProgramCache::find(const Program& program, const HardwareProfile& profile, const ShaderInputs& inputs) {
   auto& candidates = programs_[hash_of(program, inputs)];
   for (const auto& cached : candidates) {
@@ -130,6 +139,7 @@ CachedProgram& ProgramCache::find(const Program& program, const HardwareProfile&
   if (!text) {
     log_line("no shader for a program: " + text.error().message);
   } else if ((added->driver_program = link(*text)) != 0) {
+    own_.add(added->driver_program);
     added->shader = *text;
     set_samplers(added->driver_program);
     const auto location = [&](const char* name) {
