@@ -28,6 +28,27 @@ fs::path layer_file() {
   return {};
 }
 
+// The path for LD_PRELOAD. $LIB is the linker's word for the folder of a process's word length: so programs of 32 bits,
+// also those that this one starts, get the library beside it. A linker that knows no such folder of ours gets the file.
+std::string preloaded_path(const fs::path& layer) {
+  const fs::path of_each = layer.parent_path() / "$LIB" / layer.filename();
+  return (posix::load_library(of_each) != nullptr ? of_each : layer).string();
+}
+
+// Whether the program is a file of 32 bits for this processor's family. What a script starts is not known.
+bool has_32_bits(const std::string& program) {
+  const std::string path = program.find('/') == std::string::npos ? posix::environment("PATH") + ':' : ":";
+  for (std::size_t begin = 0, end = 0; (end = path.find(':', begin)) != std::string::npos; begin = end + 1) {
+    const fs::path file = fs::path(path.substr(begin, end - begin)) / program;
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault)) continue;
+    const std::string head = posix::read_file(file.string(), 20, fault);
+    constexpr char kElf32[]{'\x7F', 'E', 'L', 'F', 1};
+    return head.size() == 20 && head.starts_with(std::string_view(kElf32, sizeof(kElf32))) && head[18] == 3;
+  }
+  return false;
+}
+
 // The program may change its folder before it draws.
 std::string absolute(const std::string& name) {
   return name.empty() ? name : fs::absolute(name).lexically_normal().string();
@@ -45,6 +66,13 @@ int run(const GlRunFlags& flags) {
     say_error(printable(layer.string()) + ": the dynamic linker cannot preload a path with a space or a colon");
     return kInvalidInput;
   }
+  if (sizeof(void*) == 8 && has_32_bits(flags.program.front()) &&
+      !fs::exists(layer.parent_path() / "libninebit_gl32.so")) {
+    say_error(printable(flags.program.front()) +
+              ": a program of 32 bits, for which libninebit_gl32.so is missing; build ninebit where the compiler makes "
+              "such programs (g++-multilib)");
+    return kInvalidInput;
+  }
   if (profile_of(flags.common).arithmetic.value != Arithmetic::integer) {
     say_error("--profile " + printable(flags.common.profile) + ": expected a profile with integer arithmetic");
     return kWrongUsage;
@@ -57,8 +85,8 @@ int run(const GlRunFlags& flags) {
       return kCannotWrite;
     }
   }
-  const std::string preloaded = posix::environment("LD_PRELOAD");
-  posix::set_environment("LD_PRELOAD", preloaded.empty() ? layer.string() : layer.string() + ':' + preloaded);
+  const std::string preloaded = posix::environment("LD_PRELOAD"), path = preloaded_path(layer);
+  posix::set_environment("LD_PRELOAD", preloaded.empty() ? path : path + ':' + preloaded);
   posix::set_environment("NINEBIT_GL_PROFILE", flags.common.profile_file.empty() ? flags.common.profile
                                                                                  : absolute(flags.common.profile_file));
   posix::set_environment("NINEBIT_GL_DUMP", absolute(flags.dump));

@@ -10,19 +10,7 @@
 namespace ninebit::gl_layer {
 namespace {
 
-using FindSymbol = void* (*)(void*, const char*) noexcept;  // as the C library declares it
 using GetProcAddress = AnyFunction (*)(const char*);
-
-// The C library's dlsym, by the version that it has on this processor.
-FindSymbol next_dlsym() noexcept {
-  static const FindSymbol found = [] {
-    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.0"}) {
-      if (void* const symbol = dlvsym(RTLD_NEXT, "dlsym", version)) return reinterpret_cast<FindSymbol>(symbol);
-    }
-    return FindSymbol{nullptr};
-  }();
-  return found;
-}
 
 // The window systems' lookups that a program has found in a library which is not in the global scope.
 constinit GetProcAddress loaded_glx = nullptr, loaded_egl = nullptr;
@@ -39,10 +27,6 @@ void* from_loaded_library(const char* name, const Accept& accept) {
     if (symbol != nullptr && accept(symbol)) return symbol;
   }
   return nullptr;
-}
-
-[[maybe_unused]] bool may_be_ours(const char* name) {
-  return name != nullptr && ((name[0] == 'g' && name[1] == 'l') || (name[0] == 'e' && name[1] == 'g'));
 }
 
 void remember(std::string_view name, void* symbol) {
@@ -73,8 +57,35 @@ bool is_the_drivers(void* handle, const char* name, void* symbol) {
   return from_loaded_library(name, is_it) != nullptr || is_of_a_window_systems_library(handle, symbol);
 }
 
-// The value that dlsym returns for the name of a function of ours.
-[[maybe_unused]] void* looked_up(void* handle, const char* name, void* own) {
+AnyFunction proc_address(const char* name, const char* lookup, GetProcAddress loaded) {
+  if (name == nullptr) return nullptr;
+  if (const AnyFunction own = own_function(name)) return own;
+  const auto next = next_function_as<GetProcAddress>(lookup);
+  const GetProcAddress get = next != nullptr ? next : loaded;
+  return get != nullptr ? get(name) : nullptr;
+}
+
+}  // namespace
+
+FindSymbol next_dlsym() noexcept {
+  // By the version that it has on this processor.
+  static const FindSymbol found = [] {
+    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.0"}) {
+      if (void* const symbol = dlvsym(RTLD_NEXT, "dlsym", version)) return reinterpret_cast<FindSymbol>(symbol);
+    }
+    return FindSymbol{nullptr};
+  }();
+  return found;
+}
+
+void* own_symbol(void* handle, const char* name) {
+  const bool may_be_ours =
+      name != nullptr && ((name[0] == 'g' && name[1] == 'l') || (name[0] == 'e' && name[1] == 'g'));
+  const AnyFunction own = may_be_ours ? own_function(name) : nullptr;
+  return handle != RTLD_NEXT ? reinterpret_cast<void*>(own) : nullptr;
+}
+
+void* looked_up(void* handle, const char* name, void* own) {
   void* symbol = next_dlsym()(handle, name);
   if (symbol == own) return symbol;
   if (symbol != nullptr) {
@@ -92,16 +103,6 @@ bool is_the_drivers(void* handle, const char* name, void* symbol) {
   dlerror();
   return own;
 }
-
-AnyFunction proc_address(const char* name, const char* lookup, GetProcAddress loaded) {
-  if (name == nullptr) return nullptr;
-  if (const AnyFunction own = own_function(name)) return own;
-  const auto next = next_function_as<GetProcAddress>(lookup);
-  const GetProcAddress get = next != nullptr ? next : loaded;
-  return get != nullptr ? get(name) : nullptr;
-}
-
-}  // namespace
 
 AnyFunction next_function(const char* name) {
   if (void* const symbol = next_dlsym()(RTLD_NEXT, name)) return reinterpret_cast<AnyFunction>(symbol);
@@ -148,36 +149,6 @@ const Driver& find_driver() {
 }  // namespace ninebit::gl_layer
 
 extern "C" {
-
-// The sanitizers' own start calls dlsym, before anything that they have compiled may run.
-#if defined(__has_feature)
-#define NINEBIT_SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define NINEBIT_SANITIZED 1
-#else
-#define NINEBIT_SANITIZED 0
-#endif
-
-#if !NINEBIT_SANITIZED
-// RTLD_NEXT means the library that calls, and what it gets is right as it is: this library's function where that stands
-// behind the caller. So the C library's function has to be jumped to, which GCC and Clang do with a call at a
-// function's end when they optimize. Under a name of its own in C++, because Clang does not jump out of a function that
-// may not throw, as <dlfcn.h> has it.
-__attribute__((visibility("default"))) void* ninebit_dlsym(void* handle, const char* name) __asm__("dlsym");
-#if defined(__clang__)
-#define NINEBIT_JUMP [[clang::musttail]] return
-#else
-#define NINEBIT_JUMP return
-__attribute__((optimize("O2")))
-#endif
-void* ninebit_dlsym(void* handle, const char* name) {
-  const auto own = ninebit::gl_layer::may_be_ours(name) ? ninebit::gl_layer::own_function(name) : nullptr;
-  if (own != nullptr && handle != RTLD_NEXT) {
-    return ninebit::gl_layer::looked_up(handle, name, reinterpret_cast<void*>(own));
-  }
-  NINEBIT_JUMP ninebit::gl_layer::next_dlsym()(handle, name);
-}
-#endif
 
 __attribute__((visibility("default"))) ninebit::gl_layer::AnyFunction glXGetProcAddress(const GLubyte* name) {
   return ninebit::gl_layer::proc_address(reinterpret_cast<const char*>(name), "glXGetProcAddress",
