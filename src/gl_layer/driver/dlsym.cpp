@@ -1,7 +1,5 @@
 // dlsym itself, which programs call. A file of its own, because its compilation must leave the stack alone
 // (CMakeLists.txt).
-#include <dlfcn.h>
-
 #include "src/gl_layer/driver/symbols.h"
 
 extern "C" {
