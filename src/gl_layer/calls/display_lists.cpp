@@ -88,6 +88,7 @@ void play_driver_list(GLuint number, bool draws, BeginEffect effect) {
   found_driver.CallList(number);
   if (captured) end_capture(*context);
   context->forget();
+  ++context->group->images_changed;
   if (effect == BeginEffect::inside) context->in_begin = true;
   if (effect == BeginEffect::outside && context->in_begin) context->begin_has_ended();
 }
@@ -173,6 +174,7 @@ void finish_list(Context& context) {
   open->half_begin = open->half_begin || open->in_begin;
   drop_list(context, open->number);  // until here a call of this number played the former list
   if (open->mode == GL_COMPILE_AND_EXECUTE) context.forget();
+  ++context.group->images_changed;
   if (open->list.steps.empty() && !open->half_begin && !open->begin_error) return;
   add_step(*open);
   const std::lock_guard lock(context.group->mutex);
@@ -236,6 +238,11 @@ void mark_stale() {
   if (context->open_list != nullptr) context->open_list->stale = true;
 }
 
+void mark_images_changed() {
+  mark_stale();
+  if (Context* const context = current()) ++context->group->images_changed;
+}
+
 void end_in_list(Context& context) {
   OpenList& open = *context.open_list;
   open.half_begin = open.half_begin || !open.in_begin;
@@ -277,7 +284,10 @@ GLAPI void GLAPIENTRY glCallList(GLuint list) {
     context->open_list->draws = true;
     return found_driver.CallList(list);
   }
-  if (!context->touched && !context->group->had_steps) return found_driver.CallList(list);
+  if (!context->touched && !context->group->had_steps) {
+    ++context->group->images_changed;
+    return found_driver.CallList(list);
+  }
   if (is_step_list(*context, list)) return;
   play(*context, list);
 }
@@ -300,6 +310,7 @@ GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
   if (!context->group->had_steps && (context->in_begin || !computes_colors(*context))) {
     if (!context->in_begin) prepare_draw(*context);
     found_driver.CallLists(n, type, lists);
+    ++context->group->images_changed;
     return context->forget();
   }
   const GLint base = driver_integer(GL_LIST_BASE);

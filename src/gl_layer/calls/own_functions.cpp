@@ -94,6 +94,14 @@ struct Entry {
 
 constinit std::atomic<bool> combiners_wanted{false};
 
+constinit std::atomic<bool> unseen_images{false};
+
+// Functions that make images of textures that are not bound, or of something else.
+bool makes_unseen_images(std::string_view name) {
+  return name.find("TextureImage") != name.npos || name.find("MultiTexImage") != name.npos ||
+         name.find("BindTexImage") != name.npos || name.find("EGLImageTarget") != name.npos;
+}
+
 const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 
 }  // namespace
@@ -101,9 +109,16 @@ const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 AnyFunction own_function(std::string_view name) {
   const auto* const found = std::lower_bound(std::begin(kFunctions), std::end(kFunctions), name,
                                              [](const Entry& entry, std::string_view of) { return entry.name < of; });
-  if (found == std::end(kFunctions) || found->name != name) return nullptr;
+  if (found == std::end(kFunctions) || found->name != name) {
+    if (makes_unseen_images(name)) unseen_images.store(true, std::memory_order_relaxed);
+    return nullptr;
+  }
   if (name.starts_with("glCombiner")) combiners_wanted.store(true, std::memory_order_relaxed);
   return found->function;
+}
+
+bool unseen_image_calls_looked_up() {
+  return unseen_images.load(std::memory_order_relaxed);
 }
 
 bool combiners_looked_up() {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_nv.h"
 #include "src/gl_layer/driver/driver_features.h"
 #include "src/gl_layer/driver/symbols.h"
@@ -37,6 +38,7 @@ struct ShareGroup {
   std::atomic<bool> had_steps = false;  // whether there ever was one
   std::set<unsigned> step_lists{};  // the driver's lists between their commands, whose numbers the program never got
   OwnPrograms own_programs{};
+  std::atomic<std::uint64_t> images_changed = 0;  // how often images of textures may have been made or deleted
 };
 
 // Where a list of the driver leaves a context: between glBegin and glEnd, or not; `unchanged`: it has neither command.
@@ -69,6 +71,17 @@ struct SavedState {
   std::unique_ptr<gl::Context> combiners{};        // for the texture group, and for the enables
   std::array<bool, kLayerUnits> no_environment{};  // for the texture group
   StagePixelTransfer pixel_transfer{};             // for the pixel mode group
+};
+
+// What the last draw's texture shaders were compiled for, and which textures have all levels that they need.
+struct StageCache {
+  StageTextures textures{};
+  struct Levels {
+    std::uint64_t images_changed = 0;
+    std::array<int, 9> seen{};  // the base level, and what else it depends on that can change without an image
+    bool complete = false;
+  };
+  std::map<std::pair<unsigned, unsigned>, Levels> levels{};  // by target and name
 };
 
 class Context {
@@ -104,7 +117,11 @@ class Context {
   int list_depth = 0;  // nested glCallList
   std::vector<SavedState> attribute_stack{};
 
+  StageCache stage_cache{};
+  Program shown{};  // the combiners' program, normalized, as of the last draw with a shader of the layer
+
   // Changes since the last draw.
+  bool inputs_changed = true;   // the inputs differ from those of the last draw
   bool inputs_stale = true;     // enabled textures, fog, lighting, the program's own shaders
   bool program_stale = true;    // the combiners' state, apart from constants
   bool constants_stale = true;  // and the numbers of texture-shader stages

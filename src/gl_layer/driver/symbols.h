@@ -14,6 +14,9 @@ using AnyFunction = void (*)();
 // Whether the program has looked up an entry point of the combiners, and so may use them.
 [[nodiscard]] bool combiners_looked_up();
 
+// Whether it has looked up a function that makes images of textures without this library's knowledge.
+[[nodiscard]] bool unseen_image_calls_looked_up();
+
 // The function that a program would get without this library; nullptr if there is none.
 [[nodiscard]] AnyFunction next_function(const char* name);
 

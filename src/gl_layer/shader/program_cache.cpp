@@ -61,11 +61,19 @@ class Hash {
   void add(Values... values) {
     ((value_ = (value_ ^ static_cast<std::uint64_t>(values)) * 0x100000001B3U), ...);
   }
-  void add_input(const CombinerInput& in) { add(in.reg, in.mapping, in.usage); }
+  // Small numbers as one: a hash is computed at every change of a program, and multiplications wait for each other.
+  template <class... Values>
+  void add_bytes(Values... values) {
+    std::uint64_t all = 0;
+    ((all = all << 8U | static_cast<std::uint64_t>(values)), ...);
+    add(all ^ all >> 29U);
+  }
+  void add_input(const CombinerInput& in) { add_bytes(in.reg, in.mapping, in.usage); }
   void add_portion(const Portion& p) {
-    for (const CombinerInput* in : {&p.a, &p.b, &p.c, &p.d}) add_input(*in);
-    add(p.out.ab, p.out.cd, p.out.sum, p.out.scale, p.out.bias, p.out.ab_dot_product, p.out.cd_dot_product,
-        p.out.mux_sum);
+    add_bytes(p.a.reg, p.a.mapping, p.a.usage, p.b.reg, p.b.mapping, p.b.usage);
+    add_bytes(p.c.reg, p.c.mapping, p.c.usage, p.d.reg, p.d.mapping, p.d.usage);
+    add_bytes(p.out.ab, p.out.cd, p.out.sum, p.out.scale, p.out.bias, p.out.ab_dot_product, p.out.cd_dot_product,
+              p.out.mux_sum);
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
 
