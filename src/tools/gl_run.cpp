@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 struct GlRunFlags {
   CommonFlags common;
-  std::string dump, log;
+  std::string dump, log, extensions = "none";
   int frame = 0;
   std::vector<std::string> program;
 };
@@ -92,6 +92,7 @@ int run(const GlRunFlags& flags) {
   posix::set_environment("NINEBIT_GL_DUMP", absolute(flags.dump));
   posix::set_environment("NINEBIT_GL_DUMP_FRAME", flags.frame > 0 ? std::to_string(flags.frame) : "");
   posix::set_environment("NINEBIT_GL_LOG", absolute(flags.log));
+  posix::set_environment("NINEBIT_GL_EXTENSIONS", flags.extensions);
   const std::error_code fault = posix::become_program(flags.program);
   say_error("cannot run '" + printable(flags.program.front()) + "': " + fault.message());
   return kInvalidInput;
@@ -118,6 +119,11 @@ void add_gl_run(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1000000000));
   verb->add_option("--log", flags->log, "Append the layer's messages to this file instead of standard error")
       ->type_name("FILE");
+  verb->add_option("--extensions", flags->extensions,
+                   "Further extensions to add where the driver lacks them: NV_fence, NV_vertex_array_range, "
+                   "SGIX_depth_texture, SGIX_shadow, separated by commas; all or none")
+      ->type_name("LIST|all|none")
+      ->capture_default_str();
   verb->add_option("program", flags->program, "The program and its arguments, after --")
       ->type_name("PROGRAM [ARGUMENT] ...")
       ->required();

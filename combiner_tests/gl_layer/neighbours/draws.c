@@ -1,4 +1,5 @@
-/* Draws a green window by combiners, its functions found as the argument says, and prints the pixel in the middle. */
+/* Draws a green window by combiners, its functions found as the argument says, and prints the pixel in the middle. A second
+ * argument is an extension's name: it says whether it is listed. */
 #define _GNU_SOURCE
 #define GL_GLEXT_PROTOTYPES
 #include <GL/freeglut.h>
@@ -18,7 +19,7 @@ static void *find(const char *name) {
 }
 
 int main(int argc, char **argv) {
-  const char *way = argc > 1 ? argv[1] : "";
+  const char *way = argc > 1 ? argv[1] : "", *extension = argc > 2 ? argv[2] : NULL;
   library = !strcmp(way, "next") ? RTLD_NEXT : !strcmp(way, "default") ? RTLD_DEFAULT : dlopen("libGL.so.1", RTLD_NOW);
   glutInit(&argc, argv);
   glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE);
@@ -29,9 +30,11 @@ int main(int argc, char **argv) {
   void (*parameter)(unsigned, const float *) = find("glCombinerParameterfvNV");
   void (*input)(unsigned, unsigned, unsigned, unsigned) = find("glFinalCombinerInputNV");
   if (dlsym(library, "glNobodyHasThisFunction") || !dlerror()) puts("a function that nobody has is found");
+  const char *listed = (const char *)glGetString(GL_EXTENSIONS);
+  if (extension) printf("%s is%s listed\n", extension, strstr(listed, extension) ? "" : " not");
   const float green[] = {0, 1, 0, 1}, red[] = {1, 0, 0, 1};
   glColor4fv(red);
-  if (strstr((const char *)glGetString(GL_EXTENSIONS), "GL_NV_register_combiners")) {
+  if (strstr(listed, "GL_NV_register_combiners")) {
     parameter(GL_CONSTANT_COLOR0_NV, green);
     for (unsigned v = GL_VARIABLE_A_NV; v <= GL_VARIABLE_C_NV; ++v) {
       input(v, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);

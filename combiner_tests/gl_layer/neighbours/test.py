@@ -30,6 +30,11 @@ def run(kit):
         for way in WAYS:
             done = kit.run([draws, way], environment, layer=True)
             kit.check(done.returncode == 0 and done.stdout == expected, f"functions by dlsym, {way}: {done.stdout.strip()}")
+        for wanted, word in ((None, " not"), ("none", " not"), ("SGIX_shadow,NV_fence", ""), ("all", "")):
+            options = ("--extensions", wanted) if wanted else ()
+            done = kit.run([draws, "library", "GL_NV_fence"], environment, layer=True, options=options)
+            kit.check(done.stdout == f"GL_NV_fence is{word} listed\n{expected}",
+                      f"--extensions {wanted}: {done.stdout.splitlines()[0]}")
         for name, preloaded in (("before", f"{interposer}:{layer}"), ("after", f"{layer}:{interposer}")):
             done = kit.run(["env", f"LD_PRELOAD={preloaded}", draws, "default"], environment)
             kit.check(done.returncode == 0 and done.stdout == counted,

@@ -60,6 +60,43 @@ bool changes_no_shader(GLenum pname) {
 
 }  // namespace
 
+namespace {
+
+// The names of GL_SGIX_shadow.
+constexpr GLenum kCompareSgix = 0x819A, kOperatorSgix = 0x819B;
+constexpr GLint kLequalSgix = 0x819C, kGequalSgix = 0x819D;
+
+bool is_sgix_shadow(GLenum pname) {
+  const Context* const context = current();
+  return (pname == kCompareSgix || pname == kOperatorSgix) && context != nullptr &&
+         context->features.extras.have(Extra::shadow);
+}
+
+// ARB_shadow's parameter and value for one of GL_SGIX_shadow. A value that it does not have is none of ARB's either.
+void set_sgix_shadow(GLenum target, GLenum pname, GLint value) {
+  const bool is_mode = pname == kCompareSgix;
+  const GLint mode = value != 0 ? GL_COMPARE_R_TO_TEXTURE : GL_NONE;
+  const GLint function = value == kLequalSgix ? GL_LEQUAL : value == kGequalSgix ? GL_GEQUAL : GL_INVALID_ENUM;
+  found_driver.TexParameteri(target, is_mode ? GL_TEXTURE_COMPARE_MODE : GL_TEXTURE_COMPARE_FUNC,
+                             is_mode ? mode : function);
+  mark_stale();
+}
+
+template <class T>
+void get_sgix_shadow(GLenum target, GLenum pname, T* params) {
+  const bool is_mode = pname == kCompareSgix;
+  GLint value = -1;
+  found_driver.GetTexParameteriv(target, is_mode ? GL_TEXTURE_COMPARE_MODE : GL_TEXTURE_COMPARE_FUNC, &value);
+  if (value == -1) return;  // the driver has raised an error
+  if (is_mode) {
+    *params = static_cast<T>(value != GL_NONE ? 1 : 0);
+  } else {
+    *params = static_cast<T>(value == GL_GEQUAL ? kGequalSgix : kLequalSgix);
+  }
+}
+
+}  // namespace
+
 #define NINEBIT_CALL_THAT_MARKS(name, parameters, arguments, mark) \
   GLAPI void GLAPIENTRY gl##name parameters {                      \
     const auto call = find_driver().name;                          \
@@ -75,10 +112,30 @@ bool changes_no_shader(GLenum pname) {
 
 NINEBIT_INPUT_CALL(BindTexture, (GLenum target, GLuint texture), (target, texture))
 NINEBIT_IMAGE_CALL(DeleteTextures, (GLsizei n, const GLuint* textures), (n, textures))
-NINEBIT_PARAMETER_CALL(TexParameterf, (GLenum target, GLenum pname, GLfloat param), (target, pname, param))
-NINEBIT_PARAMETER_CALL(TexParameteri, (GLenum target, GLenum pname, GLint param), (target, pname, param))
-NINEBIT_PARAMETER_CALL(TexParameterfv, (GLenum target, GLenum pname, const GLfloat* params), (target, pname, params))
-NINEBIT_PARAMETER_CALL(TexParameteriv, (GLenum target, GLenum pname, const GLint* params), (target, pname, params))
+#define NINEBIT_TEXTURE_PARAMETER(name, type, value)                        \
+  GLAPI void GLAPIENTRY gl##name(GLenum target, GLenum pname, type param) { \
+    if (find_driver().name != nullptr && is_sgix_shadow(pname)) {           \
+      return set_sgix_shadow(target, pname, static_cast<GLint>(value));     \
+    }                                                                       \
+    found_driver.name(target, pname, param);                                \
+    if (!changes_no_shader(pname)) mark_stale();                            \
+  }
+
+NINEBIT_TEXTURE_PARAMETER(TexParameterf, GLfloat, param)
+NINEBIT_TEXTURE_PARAMETER(TexParameteri, GLint, param)
+NINEBIT_TEXTURE_PARAMETER(TexParameterfv, const GLfloat*, *param)
+NINEBIT_TEXTURE_PARAMETER(TexParameteriv, const GLint*, *param)
+
+GLAPI void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
+  if (is_sgix_shadow(pname)) return get_sgix_shadow(target, pname, params);
+  find_driver().GetTexParameterfv(target, pname, params);
+}
+
+GLAPI void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
+  if (is_sgix_shadow(pname)) return get_sgix_shadow(target, pname, params);
+  find_driver().GetTexParameteriv(target, pname, params);
+}
+
 NINEBIT_IMAGE_CALL(CompressedTexImage1D,
                    (GLenum target, GLint level, GLenum internal, GLsizei width, GLint border, GLsizei size,
                     const GLvoid* data),

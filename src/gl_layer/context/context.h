@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -84,6 +85,13 @@ struct StageCache {
   std::map<std::pair<unsigned, unsigned>, Levels> levels{};  // by target and name
 };
 
+// GL_NV_vertex_array_range.
+struct VertexRange {
+  bool enabled = false;
+  int length = 0;
+  const void* pointer = nullptr;
+};
+
 class Context {
  public:
   Context(std::shared_ptr<ShareGroup> group, const HardwareProfile& profile);
@@ -118,6 +126,9 @@ class Context {
   std::vector<SavedState> attribute_stack{};
 
   StageCache stage_cache{};
+  std::map<unsigned, bool> fences{};  // GL_NV_fence, by name: whether it was set
+  VertexRange vertex_range{};
+  std::vector<std::optional<VertexRange>> saved_ranges{};  // for each glPushClientAttrib
   Program shown{};  // the combiners' program, normalized, as of the last draw with a shader of the layer
 
   // Changes since the last draw.

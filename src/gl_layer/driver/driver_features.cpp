@@ -105,6 +105,9 @@ DriverFeatures find_features() {
   features.texture_shader_formats = has_word(extensions, "GL_EXT_texture_snorm") &&
                                     has_word(extensions, "GL_ARB_texture_rg") &&
                                     has_word(extensions, "GL_ARB_texture_float");
+  for (const ExtraExtension& one : kExtraExtensions) {
+    if (wanted_extras().have(one.extra) && !has_word(extensions, one.name)) features.extras.add(one.extra);
+  }
   features.texture_storage = has_word(extensions, "GL_ARB_texture_storage");
   return features;
 }
