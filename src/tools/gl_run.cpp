@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "src/language/gl_nv/extra_extensions.h"
 #include "src/system/process.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/input/program.h"
@@ -47,6 +48,15 @@ bool has_32_bits(const std::string& program) {
     return head.size() == 20 && head.starts_with(std::string_view(kElf32, sizeof(kElf32))) && head[18] == 3;
   }
   return false;
+}
+
+// What is wrong with a list of further extensions; empty: nothing.
+std::string fault_of_extensions(const std::string& list) {
+  std::string unknown;
+  if (parse_extras(list, unknown)) return "";
+  std::string expected;
+  for (const ExtraExtension& one : kExtraExtensions) expected += std::string(one.name.substr(3)) + ", ";
+  return printable(unknown) + ": expected " + expected + "all or none";
 }
 
 // The program may change its folder before it draws.
@@ -123,6 +133,7 @@ void add_gl_run(CLI::App& app, int& exit_code) {
                    "Further extensions to add where the driver lacks them: NV_fence, NV_vertex_array_range, "
                    "SGIX_depth_texture, SGIX_shadow, separated by commas; all or none")
       ->type_name("LIST|all|none")
+      ->check(fault_of_extensions)
       ->capture_default_str();
   verb->add_option("program", flags->program, "The program and its arguments, after --")
       ->type_name("PROGRAM [ARGUMENT] ...")

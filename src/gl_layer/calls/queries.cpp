@@ -22,7 +22,7 @@ std::vector<const char*> added_extensions(const Context& context) {
     names.push_back("GL_NV_texture_shader2");
   }
   for (const ExtraExtension& one : kExtraExtensions) {
-    if (context.features.extras.have(one.extra)) names.push_back(one.name);
+    if (context.features.extras.have(one.extra)) names.push_back(one.name.data());
   }
   const auto* const listed = reinterpret_cast<const char*>(found_driver.GetString(GL_EXTENSIONS));
   std::erase_if(names, [&](const char* name) { return listed != nullptr && has_word(listed, name); });

@@ -106,7 +106,7 @@ DriverFeatures find_features() {
                                     has_word(extensions, "GL_ARB_texture_rg") &&
                                     has_word(extensions, "GL_ARB_texture_float");
   for (const ExtraExtension& one : kExtraExtensions) {
-    if (wanted_extras().have(one.extra) && !has_word(extensions, one.name)) features.extras.add(one.extra);
+    if (wanted_extras().have(one.extra) && !has_word(extensions, one.name.data())) features.extras.add(one.extra);
   }
   features.texture_storage = has_word(extensions, "GL_ARB_texture_storage");
   return features;

@@ -6,34 +6,14 @@
 #include "src/gl_layer/driver/log.h"
 
 namespace ninebit::gl_layer {
-namespace {
-
-Extras named(std::string_view word) {
-  Extras extras;
-  for (const ExtraExtension& one : kExtraExtensions) {
-    const std::string_view name = one.name;
-    if (word == "all" || word == name || word == name.substr(3)) extras.add(one.extra);
-  }
-  return extras;
-}
-
-}  // namespace
 
 Extras wanted_extras() {
-  const char* const text = std::getenv("NINEBIT_GL_EXTENSIONS");
-  std::string_view list = text != nullptr ? text : "";
-  Extras extras;
-  while (!list.empty()) {
-    const std::string_view word = list.substr(0, list.find(','));
-    list.remove_prefix(word.size() < list.size() ? word.size() + 1 : word.size());
-    const Extras some = named(word);
-    extras.bits |= some.bits;
-    if (some.bits != 0 || word == "none") continue;
-    std::string message = "--extensions: '" + std::string(word) + "' is none of all, none";
-    for (const ExtraExtension& one : kExtraExtensions) message += std::string(", ") + one.name;
-    log_once(message);
-  }
-  return extras;
+  const char* const list = std::getenv("NINEBIT_GL_EXTENSIONS");
+  if (list == nullptr || *list == '\0') return {};
+  std::string unknown;
+  const auto extras = parse_extras(list, unknown);
+  if (!extras) log_once("NINEBIT_GL_EXTENSIONS: '" + unknown + "' is no extension that can be added");
+  return extras.value_or(Extras{});
 }
 
 bool belongs_to_unwanted(std::string_view function) {
