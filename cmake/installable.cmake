@@ -1,6 +1,7 @@
 # The target ninebit_installable builds everything that `cmake --install` copies out of the build folder. An installation
 # begins with a check that all of it is there, so that it is whole or does not begin. Each rule belongs to a component, of
-# which cmake/packages.cmake makes a Debian package: program, libraries, development (the default), python, gl, doc.
+# which cmake/packages.cmake makes a Debian package: program, libraries, development (the default), python, gl, doc; of gl32,
+# the layer for programs of 32 bits, it makes none.
 add_custom_target(ninebit_installable)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
@@ -35,8 +36,8 @@ install(CODE "
   set(files \"$<TARGET_GENEX_EVAL:ninebit_installable,$<TARGET_PROPERTY:ninebit_installable,NINEBIT_FILES>>\")
   set(missing)
   foreach(file IN LISTS files)
-    string(REGEX MATCH \"^[a-z]+\" component \"\${file}\")
-    string(REGEX REPLACE \"^[a-z]+:\" \"\" file \"\${file}\")
+    string(REGEX MATCH \"^[a-z0-9]+\" component \"\${file}\")
+    string(REGEX REPLACE \"^[a-z0-9]+:\" \"\" file \"\${file}\")
     if((NOT CMAKE_INSTALL_COMPONENT OR CMAKE_INSTALL_COMPONENT STREQUAL component) AND NOT EXISTS \"\${file}\")
       get_filename_component(name \"\${file}\" NAME)
       list(APPEND missing \"\${name}\")

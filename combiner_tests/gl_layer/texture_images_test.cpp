@@ -227,6 +227,100 @@ void draw_square_smaller(float side) {
   glEnd();
 }
 
+// What the layer remembers of a texture's levels ends with any change of them.
+TEST(LayerTextureImages, CompletenessIsNotRememberedForTooLong) {
+  NINEBIT_GL_CONTEXT(context);
+  const std::vector<std::uint8_t> bytes(4096, 200);
+  const auto image = [&](GLint level, GLsizei size) {
+    glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  };
+  const auto make = [&](GLuint name, GLsizei second) {
+    glBindTexture(GL_TEXTURE_2D, name);
+    image(0, 2);
+    image(1, second);
+  };
+  const auto expect = [&](bool complete, const char* why) {
+    glColor4f(0, 0, 0, 0);
+    draw_square();
+    EXPECT_EQ(center_pixel(), complete ? (Pixel{200, 200, 200, 200}) : (Pixel{0, 0, 0, 0})) << why;
+  };
+  use_operation(0, GL_TEXTURE_2D);
+  show_register(GL_TEXTURE0);
+  make(5, 1);
+  make(6, 2);
+  for (int i = 0; i < 3; ++i) {
+    glBindTexture(GL_TEXTURE_2D, 5);
+    expect(true, "two textures in turn");
+    glBindTexture(GL_TEXTURE_2D, 6);
+    expect(false, "two textures in turn");
+  }
+  for (const GLsizei size : {1, 2}) {
+    glNewList(static_cast<GLuint>(size), GL_COMPILE);
+    image(1, size);
+    glEndList();
+  }
+  for (const GLuint list : {1U, 2U, 1U}) {
+    glCallList(list);
+    expect(list == 1, "images in a list");
+  }
+  const GLubyte lists[]{2, 1};
+  glCallLists(1, GL_UNSIGNED_BYTE, lists);
+  expect(false, "images in lists");
+  glNewList(3, GL_COMPILE_AND_EXECUTE);
+  image(1, 1);
+  glEndList();
+  expect(true, "images in a list that executes");
+  glPushAttrib(GL_TEXTURE_BIT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
+  expect(true, "the last level alone");
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);
+  expect(false, "a base level without an image");
+  glPopAttrib();
+  expect(true, "the parameters are back");
+  const GLuint name = 6;
+  glDeleteTextures(1, &name);
+  make(6, 2);
+  expect(false, "a name that is used again");
+  const auto sharing = GlContext::make(why_not, profiles::nv2a, context.get());
+  ASSERT_NE(sharing, nullptr);
+  glBindTexture(GL_TEXTURE_2D, 6);
+  glCallList(1);
+  glFinish();
+  context->make_current();
+  glBindTexture(GL_TEXTURE_2D, 6);
+  expect(true, "an image by a context that shares it");
+}
+
+// Fog's colour and a texture's wrapping change no shader, and are those of the draw.
+TEST(LayerTextureImages, ParametersThatChangeNoShader) {
+  NINEBIT_GL_CONTEXT(context);
+  const std::vector<std::uint8_t> bytes{255, 255, 255, 255, 0, 0, 0, 0};
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  use_filter(GL_TEXTURE_2D, GL_NEAREST);
+  glEnable(GL_TEXTURE_2D);
+  glMatrixMode(GL_TEXTURE);
+  glTranslatef(1, 0, 0);  // from 1 to 2
+  for (const bool repeats : {true, false, true}) {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+    show_register(GL_TEXTURE0);
+    draw_square();
+    EXPECT_EQ(read_picture().front(), (repeats ? Pixel{255, 255, 255, 255} : Pixel{0, 0, 0, 0}));
+    for (const GLfloat level : {0.2F, 0.6F}) {
+      const GLfloat color[]{level, level, level, 0};
+      glFogfv(GL_FOG_COLOR, color);
+      glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
+      glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_FOG, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+      draw_square();
+      const auto byte = static_cast<std::uint8_t>(level * 255.0F + 0.5F);
+      EXPECT_EQ(read_picture().front()[0], byte);
+      const GLfloat next[]{1.0F - level, 0, 0, 0};
+      glFogfv(GL_FOG_COLOR, next);
+      draw_square();
+      EXPECT_EQ(read_picture().front()[0], static_cast<std::uint8_t>((1.0F - level) * 255.0F + 0.5F));
+    }
+  }
+}
+
 TEST(LayerTextureImages, MipmapsOf3dTextures) {
   NINEBIT_GL_CONTEXT(context);
   use_operation(0, GL_TEXTURE_3D);

@@ -15,10 +15,12 @@ constexpr int kMostNestedLists = 64;
 
 // A number that the driver has not given out and that a program is unlikely to use without asking: programs of the time
 // count from 1, and a driver gives out numbers above the highest that it has.
-GLuint unused_list() {
+GLuint unused_list(ShareGroup& group) {
   static std::atomic<GLuint> next{0x40000000U};  // no two threads get the same, as their contexts may share lists
   GLuint number = --next;
   while (found_driver.IsList(number) == GL_TRUE) number = --next;
+  const std::lock_guard lock(group.mutex);
+  group.step_lists.insert(number);
   return number;
 }
 
@@ -28,8 +30,36 @@ std::shared_ptr<const StepList> find_list(Context& context, GLuint number) {
   return found != context.group->lists.end() ? found->second : nullptr;
 }
 
-void delete_driver_lists(const StepList& list) {
-  for (const GLuint number : list.driver_lists) found_driver.DeleteLists(number, 1);
+void delete_driver_lists(ShareGroup& group, const StepList& list) {
+  for (const GLuint number : list.driver_lists) {
+    found_driver.DeleteLists(number, 1);
+    const std::lock_guard lock(group.mutex);
+    group.step_lists.erase(number);
+  }
+}
+
+bool is_step_list(const Context& context, GLuint number) {
+  if (!context.group->had_steps) return false;
+  const std::lock_guard lock(context.group->mutex);
+  return context.group->step_lists.contains(number);
+}
+
+// Deletes the program's lists of the driver, and not those between their numbers that it never got.
+void delete_visible_lists(Context& context, GLuint list, GLsizei range) {
+  std::vector<GLuint> kept;
+  if (range > 0 && context.group->had_steps) {
+    const std::lock_guard lock(context.group->mutex);
+    const auto& all = context.group->step_lists;
+    for (auto at = all.lower_bound(list); at != all.end() && *at - list < static_cast<GLuint>(range); ++at) {
+      kept.push_back(*at);
+    }
+  }
+  GLuint begin = list;
+  for (const GLuint number : kept) {
+    found_driver.DeleteLists(begin, static_cast<GLsizei>(number - begin));
+    begin = number + 1;
+  }
+  found_driver.DeleteLists(begin, range - static_cast<GLsizei>(begin - list));
 }
 
 // Forgets the steps of the program's list of that number.
@@ -42,7 +72,7 @@ void drop_list(Context& context, GLuint number) {
     dropped = std::move(found->second);
     context.group->lists.erase(found);
   }
-  delete_driver_lists(*dropped);
+  delete_driver_lists(*context.group, *dropped);
 }
 
 // Plays a list of the driver; `draws`: with a draw call in it, as far as the layer knows.
@@ -58,6 +88,7 @@ void play_driver_list(GLuint number, bool draws, BeginEffect effect) {
   found_driver.CallList(number);
   if (captured) end_capture(*context);
   context->forget();
+  ++context->group->images_changed;
   if (effect == BeginEffect::inside) context->in_begin = true;
   if (effect == BeginEffect::outside && context->in_begin) context->begin_has_ended();
 }
@@ -143,6 +174,7 @@ void finish_list(Context& context) {
   open->half_begin = open->half_begin || open->in_begin;
   drop_list(context, open->number);  // until here a call of this number played the former list
   if (open->mode == GL_COMPILE_AND_EXECUTE) context.forget();
+  ++context.group->images_changed;
   if (open->list.steps.empty() && !open->half_begin && !open->begin_error) return;
   add_step(*open);
   const std::lock_guard lock(context.group->mutex);
@@ -169,7 +201,7 @@ void close_driver_list(Context& context) {
 
 void open_driver_list(Context& context) {
   OpenList& open = *context.open_list;
-  open.driver_number = unused_list();
+  open.driver_number = unused_list(*context.group);
   found_driver.NewList(open.driver_number, open.mode);
 }
 
@@ -204,6 +236,11 @@ void mark_stale() {
   if (context == nullptr) return;
   context->inputs_stale = true;
   if (context->open_list != nullptr) context->open_list->stale = true;
+}
+
+void mark_images_changed() {
+  mark_stale();
+  if (Context* const context = current()) ++context->group->images_changed;
 }
 
 void end_in_list(Context& context) {
@@ -247,7 +284,11 @@ GLAPI void GLAPIENTRY glCallList(GLuint list) {
     context->open_list->draws = true;
     return found_driver.CallList(list);
   }
-  if (!context->touched && !context->group->had_steps) return found_driver.CallList(list);
+  if (!context->touched && !context->group->had_steps) {
+    ++context->group->images_changed;
+    return found_driver.CallList(list);
+  }
+  if (is_step_list(*context, list)) return;
   play(*context, list);
 }
 
@@ -269,16 +310,21 @@ GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
   if (!context->group->had_steps && (context->in_begin || !computes_colors(*context))) {
     if (!context->in_begin) prepare_draw(*context);
     found_driver.CallLists(n, type, lists);
+    ++context->group->images_changed;
     return context->forget();
   }
   const GLint base = driver_integer(GL_LIST_BASE);
-  for (GLsizei i = 0; i < n; ++i) glCallList(static_cast<GLuint>(base) + list_offset(lists, type, i));
+  for (GLsizei i = 0; i < n; ++i) {
+    const GLuint list = static_cast<GLuint>(base) + list_offset(lists, type, i);
+    if (list != 0) glCallList(list);  // alone, 0 is an error; here it is a list that does not exist
+  }
 }
 
 GLAPI void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range) {
-  find_driver().DeleteLists(list, range);
   Context* const context = current();
-  if (context == nullptr || range <= 0 || context->in_begin || !context->group->had_steps) return;
+  if (context == nullptr) return find_driver().DeleteLists(list, range);
+  delete_visible_lists(*context, list, range);
+  if (range <= 0 || context->in_begin || !context->group->had_steps) return;
   std::vector<GLuint> numbers;
   {
     const std::lock_guard lock(context->group->mutex);
@@ -288,4 +334,10 @@ GLAPI void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range) {
     }
   }
   for (const GLuint number : numbers) drop_list(*context, number);
+}
+
+GLAPI GLboolean GLAPIENTRY glIsList(GLuint list) {
+  const Context* const context = current();
+  if (context != nullptr && !context->in_begin && is_step_list(*context, list)) return GL_FALSE;
+  return find_driver().IsList(list);
 }

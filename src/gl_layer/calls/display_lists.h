@@ -22,6 +22,8 @@ void prepare_list_for_draw(Context& context);
 
 // After a command that changes what a shader depends on: the next draw call looks again.
 void mark_stale();
+// The same for a command that makes or deletes images of textures.
+void mark_images_changed();
 
 // After a glEnd that goes into a list.
 void end_in_list(Context& context);

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/extra_extensions.h"
 #include "src/gl_layer/driver/symbols.h"
 
 extern "C" {
@@ -14,6 +15,8 @@ void glXDestroyContext(void*, void*);
 int glXMakeCurrent(void*, unsigned long, void*);
 int glXMakeContextCurrent(void*, unsigned long, unsigned long, void*);
 void glXSwapBuffers(void*, unsigned long);
+void* glXAllocateMemoryNV(GLsizei, GLfloat, GLfloat, GLfloat);
+void glXFreeMemoryNV(void*);
 ninebit::gl_layer::AnyFunction glXGetProcAddress(const GLubyte*);
 ninebit::gl_layer::AnyFunction glXGetProcAddressARB(const GLubyte*);
 void* eglCreateContext(void*, void*, void*, const int*);
@@ -39,10 +42,11 @@ struct Entry {
 // clang-format off
 #define NINEBIT_OWN_FUNCTIONS(X, A) \
   X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglReleaseThread) \
-  X(eglSwapBuffers) X(glBegin) X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) \
-  X(glCallLists) A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
-  X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
-  A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
+  X(eglSwapBuffers) A(glAttachObjectARB, glAttachShader) X(glAttachShader) X(glBegin) X(glBindAttribLocation) \
+  A(glBindAttribLocationARB, glBindAttribLocation) X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) \
+  X(glCallList) X(glCallLists) A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) \
+  A(glCombinerOutput, glCombinerOutputNV) X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) \
+  X(glCombinerParameterfNV) A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
   A(glCombinerParameteri, glCombinerParameteriNV) X(glCombinerParameteriNV) \
   A(glCombinerParameteriv, glCombinerParameterivNV) X(glCombinerParameterivNV) \
   A(glCombinerStageParameterfv, glCombinerStageParameterfvNV) X(glCombinerStageParameterfvNV) \
@@ -50,38 +54,61 @@ struct Entry {
   A(glCompressedTexImage2DARB, glCompressedTexImage2D) X(glCompressedTexImage3D) \
   A(glCompressedTexImage3DARB, glCompressedTexImage3D) X(glCopyPixels) X(glCopyTexImage1D) \
   A(glCopyTexImage1DEXT, glCopyTexImage1D) X(glCopyTexImage2D) A(glCopyTexImage2DEXT, glCopyTexImage2D) \
-  X(glDeleteLists) X(glDeleteTextures) A(glDeleteTexturesEXT, glDeleteTextures) X(glDisable) X(glDrawArrays) \
-  A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysIndirect) X(glDrawArraysInstanced) \
-  A(glDrawArraysInstancedARB, glDrawArraysInstanced) A(glDrawArraysInstancedEXT, glDrawArraysInstanced) \
-  X(glDrawElements) X(glDrawElementsBaseVertex) X(glDrawElementsIndirect) X(glDrawElementsInstanced) \
-  A(glDrawElementsInstancedARB, glDrawElementsInstanced) X(glDrawElementsInstancedBaseVertex) \
-  A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) X(glDrawRangeElements) \
-  X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) X(glEnd) X(glEndList) \
-  X(glEvalMesh1) X(glEvalMesh2) A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFogf) \
-  X(glFogfv) X(glFogi) X(glFogiv) X(glGenerateMipmap) A(glGenerateMipmapEXT, glGenerateMipmap) X(glGetBooleanv) A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) \
-  X(glGetCombinerInputParameterfvNV) A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) \
-  X(glGetCombinerInputParameterivNV) A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) \
-  X(glGetCombinerOutputParameterfvNV) A(glGetCombinerOutputParameteriv, glGetCombinerOutputParameterivNV) \
-  X(glGetCombinerOutputParameterivNV) A(glGetCombinerStageParameterfv, glGetCombinerStageParameterfvNV) \
-  X(glGetCombinerStageParameterfvNV) X(glGetDoublev) X(glGetError) \
-  A(glGetFinalCombinerInputParameterfv, glGetFinalCombinerInputParameterfvNV) X(glGetFinalCombinerInputParameterfvNV) \
-  A(glGetFinalCombinerInputParameteriv, glGetFinalCombinerInputParameterivNV) X(glGetFinalCombinerInputParameterivNV) \
-  X(glGetFloatv) X(glGetHandleARB) X(glGetIntegerv) X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) \
-  X(glIsEnabled) X(glLightModelf) X(glLightModelfv) X(glLightModeli) X(glLightModeliv) X(glMultiDrawArrays) \
+  X(glDeleteFencesNV) X(glDeleteLists) X(glDeleteObjectARB) X(glDeleteProgram) X(glDeleteTextures) \
+  A(glDeleteTexturesEXT, glDeleteTextures) A(glDetachObjectARB, glDetachShader) X(glDetachShader) X(glDisable) \
+  X(glDisableClientState) X(glDrawArrays) A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysIndirect) \
+  X(glDrawArraysInstanced) A(glDrawArraysInstancedARB, glDrawArraysInstanced) \
+  A(glDrawArraysInstancedEXT, glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsBaseVertex) \
+  X(glDrawElementsIndirect) X(glDrawElementsInstanced) A(glDrawElementsInstancedARB, glDrawElementsInstanced) \
+  X(glDrawElementsInstancedBaseVertex) A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) \
+  X(glDrawRangeElements) X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) \
+  X(glEnableClientState) X(glEnd) X(glEndList) X(glEvalMesh1) X(glEvalMesh2) \
+  A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFinishFenceNV) \
+  X(glFlushVertexArrayRangeNV) X(glFogf) X(glFogfv) X(glFogi) X(glFogiv) X(glGenFencesNV) X(glGenerateMipmap) \
+  A(glGenerateMipmapEXT, glGenerateMipmap) X(glGetActiveAttrib) A(glGetActiveAttribARB, glGetActiveAttrib) \
+  X(glGetActiveUniform) A(glGetActiveUniformARB, glGetActiveUniform) \
+  A(glGetAttachedObjectsARB, glGetAttachedShaders) X(glGetAttachedShaders) X(glGetAttribLocation) \
+  A(glGetAttribLocationARB, glGetAttribLocation) X(glGetBooleanv) \
+  A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) X(glGetCombinerInputParameterfvNV) \
+  A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) X(glGetCombinerInputParameterivNV) \
+  A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) X(glGetCombinerOutputParameterfvNV) \
+  A(glGetCombinerOutputParameteriv, glGetCombinerOutputParameterivNV) X(glGetCombinerOutputParameterivNV) \
+  A(glGetCombinerStageParameterfv, glGetCombinerStageParameterfvNV) X(glGetCombinerStageParameterfvNV) \
+  X(glGetDoublev) X(glGetError) X(glGetFenceivNV) \
+  A(glGetFinalCombinerInputParameterfv, glGetFinalCombinerInputParameterfvNV) \
+  X(glGetFinalCombinerInputParameterfvNV) \
+  A(glGetFinalCombinerInputParameteriv, glGetFinalCombinerInputParameterivNV) \
+  X(glGetFinalCombinerInputParameterivNV) X(glGetFloatv) X(glGetHandleARB) X(glGetInfoLogARB) X(glGetIntegerv) \
+  X(glGetObjectParameterivARB) X(glGetPointerv) X(glGetProgramInfoLog) X(glGetProgramiv) X(glGetString) \
+  X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) X(glGetTexParameterfv) X(glGetTexParameteriv) \
+  X(glGetUniformLocation) A(glGetUniformLocationARB, glGetUniformLocation) X(glGetUniformfv) \
+  A(glGetUniformfvARB, glGetUniformfv) X(glGetUniformiv) A(glGetUniformivARB, glGetUniformiv) X(glIsEnabled) \
+  X(glIsFenceNV) X(glIsList) X(glIsProgram) X(glLightModelf) X(glLightModelfv) X(glLightModeli) X(glLightModeliv) \
+  X(glLinkProgram) A(glLinkProgramARB, glLinkProgram) X(glMultiDrawArrays) \
   A(glMultiDrawArraysEXT, glMultiDrawArrays) X(glMultiDrawArraysIndirect) X(glMultiDrawElements) \
   X(glMultiDrawElementsBaseVertex) A(glMultiDrawElementsEXT, glMultiDrawElements) X(glMultiDrawElementsIndirect) \
-  X(glNewList) X(glPixelTransferf) X(glPixelTransferi) X(glPopAttrib) X(glPushAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) \
-  X(glRects) X(glRectsv) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) \
-  X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) \
-  X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) \
-  X(glTexSubImage1D) A(glTexSubImage1DEXT, glTexSubImage1D) X(glTexSubImage2D) \
-  A(glTexSubImage2DEXT, glTexSubImage2D) X(glTexSubImage3D) A(glTexSubImage3DEXT, glTexSubImage3D) X(glUseProgram) X(glUseProgramObjectARB) \
-  X(glXCreateContext) X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXGetProcAddress) \
-  X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) A(glXMakeCurrentReadSGI, glXMakeContextCurrent) \
-  X(glXSwapBuffers)
+  X(glNewList) X(glPixelTransferf) X(glPixelTransferi) X(glPopAttrib) X(glPopClientAttrib) X(glPushAttrib) \
+  X(glPushClientAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) X(glRects) X(glRectsv) \
+  X(glSetFenceNV) X(glTestFenceNV) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) \
+  X(glTexImage2D) X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) \
+  X(glTexParameteri) X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) X(glTexSubImage1D) \
+  A(glTexSubImage1DEXT, glTexSubImage1D) X(glTexSubImage2D) A(glTexSubImage2DEXT, glTexSubImage2D) \
+  X(glTexSubImage3D) A(glTexSubImage3DEXT, glTexSubImage3D) X(glUseProgram) X(glUseProgramObjectARB) \
+  X(glValidateProgram) A(glValidateProgramARB, glValidateProgram) X(glVertexArrayRangeNV) X(glXAllocateMemoryNV) \
+  X(glXCreateContext) X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXFreeMemoryNV) \
+  X(glXGetProcAddress) X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) \
+  A(glXMakeCurrentReadSGI, glXMakeContextCurrent) X(glXSwapBuffers)
 // clang-format on
 
 constinit std::atomic<bool> combiners_wanted{false};
+
+constinit std::atomic<bool> unseen_images{false};
+
+// Functions that make images of textures that are not bound, or of something else.
+bool makes_unseen_images(std::string_view name) {
+  return name.find("TextureImage") != name.npos || name.find("MultiTexImage") != name.npos ||
+         name.find("BindTexImage") != name.npos || name.find("EGLImageTarget") != name.npos;
+}
 
 const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 
@@ -90,9 +117,17 @@ const Entry kFunctions[]{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)};
 AnyFunction own_function(std::string_view name) {
   const auto* const found = std::lower_bound(std::begin(kFunctions), std::end(kFunctions), name,
                                              [](const Entry& entry, std::string_view of) { return entry.name < of; });
-  if (found == std::end(kFunctions) || found->name != name) return nullptr;
+  if (found == std::end(kFunctions) || found->name != name) {
+    if (makes_unseen_images(name)) unseen_images.store(true, std::memory_order_relaxed);
+    return nullptr;
+  }
+  if (name.ends_with("NV") && belongs_to_unwanted(name)) return nullptr;
   if (name.starts_with("glCombiner")) combiners_wanted.store(true, std::memory_order_relaxed);
   return found->function;
+}
+
+bool unseen_image_calls_looked_up() {
+  return unseen_images.load(std::memory_order_relaxed);
 }
 
 bool combiners_looked_up() {

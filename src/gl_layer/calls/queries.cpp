@@ -21,6 +21,9 @@ std::vector<const char*> added_extensions(const Context& context) {
     names.push_back("GL_NV_texture_shader");
     names.push_back("GL_NV_texture_shader2");
   }
+  for (const ExtraExtension& one : kExtraExtensions) {
+    if (context.features.extras.have(one.extra)) names.push_back(one.name.data());
+  }
   const auto* const listed = reinterpret_cast<const char*>(found_driver.GetString(GL_EXTENSIONS));
   std::erase_if(names, [&](const char* name) { return listed != nullptr && has_word(listed, name); });
   return names;
@@ -59,14 +62,35 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_COLOR_SUM_CLAMP_NV:
     case GL_NUM_EXTENSIONS:
       return 1;
+    case GL_LIST_INDEX:
+      return context.open_list != nullptr ? 1 : 0;  // the driver may have another list open
     case GL_CURRENT_PROGRAM:
       return context.bound ? 1 : 0;
     case GL_PER_STAGE_CONSTANTS_NV:
       return context.combiners.profile().per_stage_constants ? 1 : 0;
     case GL_TEXTURE_SHADER_NV:
       return context.combiners.profile().texture_shaders ? 1 : 0;
+    case GL_VERTEX_ARRAY_RANGE_NV:
+    case GL_VERTEX_ARRAY_RANGE_LENGTH_NV:
+    case GL_VERTEX_ARRAY_RANGE_VALID_NV:
+    case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
+      return context.features.extras.have(Extra::vertex_array_range) ? 1 : 0;
     default:
       return is_pixel_transfer(pname) && context.combiners.profile().texture_shaders ? 1 : 0;
+  }
+}
+
+// The value of GL_NV_vertex_array_range's state.
+GLint range_value(const VertexRange& range, GLenum pname) {
+  switch (pname) {
+    case GL_VERTEX_ARRAY_RANGE_LENGTH_NV:
+      return range.length;
+    case GL_VERTEX_ARRAY_RANGE_VALID_NV:
+      return range.enabled && range.length != 0 ? 1 : 0;
+    case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
+      return 0xFFFF;  // the least that a driver may have; no index is too large here
+    default:
+      return range.enabled ? 1 : 0;
   }
 }
 
@@ -79,6 +103,10 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
   }
   if (pname == GL_TEXTURE_SHADER_NV) {
     *integers = context.combiners.texture_shader().enabled ? 1 : 0;
+  } else if (pname >= GL_VERTEX_ARRAY_RANGE_NV && pname <= GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV) {
+    *integers = range_value(context.vertex_range, pname);
+  } else if (pname == GL_LIST_INDEX) {
+    *integers = static_cast<GLint>(context.open_list->number);
   } else if (pname == GL_CURRENT_PROGRAM) {
     *integers = static_cast<GLint>(context.app_program);
   } else if (pname == GL_NUM_EXTENSIONS) {

@@ -111,6 +111,10 @@ GLAPI void GLAPIENTRY glDisable(GLenum cap) {
 
 GLAPI GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
   Context* const context = current();
+  if (context != nullptr && cap == GL_VERTEX_ARRAY_RANGE_NV &&
+      context->features.extras.have(Extra::vertex_array_range)) {
+    return context->outside_begin() && context->vertex_range.enabled ? GL_TRUE : GL_FALSE;
+  }
   if (context == nullptr || !is_the_layers(*context, cap)) return find_driver().IsEnabled(cap);
   if (!context->outside_begin()) return GL_FALSE;
   const front::CurrentContext current(context->combiners);

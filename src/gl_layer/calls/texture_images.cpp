@@ -164,7 +164,7 @@ GLAPI void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internal, G
   const auto call = find_driver().TexImage1D;
   const Pixels stored(format, type, pixels, {width, 1, 1});
   call(target, level, stored_format(internal), width, border, stored.format, stored.type, stored.data);
-  mark_stale();
+  mark_images_changed();
 }
 
 GLAPI void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
@@ -172,7 +172,7 @@ GLAPI void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internal, G
   const auto call = find_driver().TexImage2D;
   const Pixels stored(format, type, pixels, {width, height, 1});
   call(target, level, stored_format(internal), width, height, border, stored.format, stored.type, stored.data);
-  mark_stale();
+  mark_images_changed();
 }
 
 GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
@@ -181,7 +181,7 @@ GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internal, G
   if (call == nullptr) return;
   const Pixels stored(format, type, pixels, {width, height, depth});
   call(target, level, stored_format(internal), width, height, depth, border, stored.format, stored.type, stored.data);
-  mark_stale();
+  mark_images_changed();
 }
 
 GLAPI void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,

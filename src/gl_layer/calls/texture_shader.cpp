@@ -53,7 +53,11 @@ void set(const Setting& setting) {
   if (!is_set) return;
   const bool is_number = setting.pname == GL_OFFSET_TEXTURE_MATRIX_NV || setting.pname == GL_CONST_EYE_NV ||
                          setting.pname == GL_OFFSET_TEXTURE_SCALE_NV || setting.pname == GL_OFFSET_TEXTURE_BIAS_NV;
-  (is_number ? context->constants_stale : context->inputs_stale) = true;
+  if (is_number) {
+    context->constants_stale = true;
+  } else {
+    context->inputs_stale = context->program_stale = true;
+  }
 }
 
 template <class T>
@@ -100,7 +104,8 @@ void set_no_environment(bool is_none) {
 bool takes_environment(GLenum target, GLenum pname, GLfloat first) {
   Context* const context = current();
   if (context == nullptr || !context->combiners.profile().texture_shaders) return false;
-  mark_stale();
+  // Combiners take the environments' place.
+  if (!context->combiners.register_combiners_enabled() || context->open_list != nullptr) mark_stale();
   if (target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE) return false;
   const bool is_none = first == 0.0F;
   if (is_none && driver_integer(GL_ACTIVE_TEXTURE) >= GL_TEXTURE0 + static_cast<GLint>(kLayerUnits)) return false;

@@ -48,6 +48,12 @@ void destroyed(Handle handle) {
   all.groups.erase(handle);
 }
 
+// After contexts of its group may have gone.
+void clean_up_current() {
+  Context* const context = current();
+  if (context != nullptr && !context->in_begin) context->group->own_programs.delete_abandoned();
+}
+
 void made_current(Handle handle) {
   current_context = nullptr;
   delete held_context;
@@ -64,6 +70,7 @@ void made_current(Handle handle) {
   }
   held_context = new std::shared_ptr<Context>(context);
   if (context->features.enough) current_context = context.get();
+  clean_up_current();
 }
 
 void end_frame() {
@@ -109,6 +116,7 @@ void glXDestroyContext(void* display, void* context) {
   static const auto next = next_function_as<decltype(&glXDestroyContext)>("glXDestroyContext");
   if (next != nullptr) next(display, context);
   destroyed(context);
+  clean_up_current();
 }
 
 int glXMakeCurrent(void* display, unsigned long drawable, void* context) {
@@ -143,6 +151,7 @@ unsigned eglDestroyContext(void* display, void* context) {
   static const auto next = next_function_as<decltype(&eglDestroyContext)>("eglDestroyContext");
   const unsigned done = next != nullptr ? next(display, context) : 0;
   if (done != 0) destroyed(context);
+  clean_up_current();
   return done;
 }
 

@@ -28,7 +28,7 @@ Context::Context(std::shared_ptr<ShareGroup> of, const HardwareProfile& profile)
     : group(std::move(of)),
       combiners(profile),
       writes_inputs(!environment_value("NINEBIT_GL_WRITE_INPUTS").empty()),
-      programs(std::make_unique<ProgramCache>()) {}
+      programs(std::make_unique<ProgramCache>(group->own_programs)) {}
 Context::~Context() = default;
 
 void Context::raise(unsigned error) {

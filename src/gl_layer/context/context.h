@@ -8,12 +8,16 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_nv.h"
 #include "src/gl_layer/driver/driver_features.h"
 #include "src/gl_layer/driver/symbols.h"
+#include "src/gl_layer/shader/own_programs.h"
 #include "src/gl_layer/shader/shader_inputs.h"
 
 namespace ninebit::gl_layer {
@@ -33,6 +37,9 @@ struct ShareGroup {
   std::map<unsigned, std::shared_ptr<const StepList>>
       lists{};                          // by the program's number; others are the driver's alone
   std::atomic<bool> had_steps = false;  // whether there ever was one
+  std::set<unsigned> step_lists{};  // the driver's lists between their commands, whose numbers the program never got
+  OwnPrograms own_programs{};
+  std::atomic<std::uint64_t> images_changed = 0;  // how often images of textures may have been made or deleted
 };
 
 // Where a list of the driver leaves a context: between glBegin and glEnd, or not; `unchanged`: it has neither command.
@@ -65,6 +72,24 @@ struct SavedState {
   std::unique_ptr<gl::Context> combiners{};        // for the texture group, and for the enables
   std::array<bool, kLayerUnits> no_environment{};  // for the texture group
   StagePixelTransfer pixel_transfer{};             // for the pixel mode group
+};
+
+// What the last draw's texture shaders were compiled for, and which textures have all levels that they need.
+struct StageCache {
+  StageTextures textures{};
+  struct Levels {
+    std::uint64_t images_changed = 0;
+    std::array<int, 9> seen{};  // the base level, and what else it depends on that can change without an image
+    bool complete = false;
+  };
+  std::map<std::pair<unsigned, unsigned>, Levels> levels{};  // by target and name
+};
+
+// GL_NV_vertex_array_range.
+struct VertexRange {
+  bool enabled = false;
+  int length = 0;
+  const void* pointer = nullptr;
 };
 
 class Context {
@@ -100,7 +125,14 @@ class Context {
   int list_depth = 0;  // nested glCallList
   std::vector<SavedState> attribute_stack{};
 
+  StageCache stage_cache{};
+  std::map<unsigned, bool> fences{};  // GL_NV_fence, by name: whether it was set
+  VertexRange vertex_range{};
+  std::vector<std::optional<VertexRange>> saved_ranges{};  // for each glPushClientAttrib
+  Program shown{};  // the combiners' program, normalized, as of the last draw with a shader of the layer
+
   // Changes since the last draw.
+  bool inputs_changed = true;   // the inputs differ from those of the last draw
   bool inputs_stale = true;     // enabled textures, fog, lighting, the program's own shaders
   bool program_stale = true;    // the combiners' state, apart from constants
   bool constants_stale = true;  // and the numbers of texture-shader stages
@@ -144,6 +176,12 @@ extern constinit thread_local Context* current_context [[gnu::tls_model("initial
 
 [[nodiscard]] inline Context* current() {
   return current_context;
+}
+
+// The name that the driver gets for a program's name: one that no driver gives out for a program of the layer's own.
+[[nodiscard]] inline unsigned visible_program(unsigned name) {
+  const Context* const context = current();
+  return context != nullptr && context->group->own_programs.has(name) ? ~0U : name;
 }
 
 // The profile for new contexts: the one that NINEBIT_GL_PROFILE names, else the one of the GeForce 3 class, which has

@@ -41,10 +41,38 @@ UnitInput unit_input(StageTarget of) {
   return unit;
 }
 
+GLenum binding_of(GLenum target) {
+  switch (target) {
+    case GL_TEXTURE_1D:
+      return GL_TEXTURE_BINDING_1D;
+    case GL_TEXTURE_3D:
+      return GL_TEXTURE_BINDING_3D;
+    case GL_TEXTURE_CUBE_MAP:
+      return GL_TEXTURE_BINDING_CUBE_MAP;
+    case GL_TEXTURE_RECTANGLE:
+      return GL_TEXTURE_BINDING_RECTANGLE;
+    default:
+      return GL_TEXTURE_BINDING_2D;
+  }
+}
+
+// Asking for all levels takes the driver some microseconds, so the answer is kept until an image may have changed.
+bool is_complete(Context& context, GLenum target) {
+  const BaseImage base = base_image(target, context.features);
+  if (unseen_image_calls_looked_up()) return has_all_levels(target, base);
+  const auto name = static_cast<unsigned>(driver_integer(binding_of(target)));
+  StageCache::Levels& known = context.stage_cache.levels[{target, name}];
+  const std::uint64_t now = context.group->images_changed + 1;  // 0: not asked for yet
+  if (known.images_changed != now || known.seen != base.values()) {
+    known = {.images_changed = now, .seen = base.values(), .complete = has_all_levels(target, base)};
+  }
+  return known.complete;
+}
+
 // A texture as the rules of consistency see it.
-std::optional<StageTexture> stage_texture(const UnitInput& unit, const DriverFeatures& features) {
+std::optional<StageTexture> stage_texture(Context& context, const UnitInput& unit) {
   const GLenum target = gl_target(unit.target);
-  if (target == GL_NONE || !is_complete(target, features)) return std::nullopt;
+  if (target == GL_NONE || !is_complete(context, target)) return std::nullopt;
   StageTexture texture{.target = unit.target};
   switch (unit.kind) {
     case TexelKind::color:
@@ -95,13 +123,17 @@ void visit_units(const Context& context, const Visit& visit) {
 
 // The stages with the textures that are bound. Numbers that are uniforms are the defaults, so that equal stages make
 // one shader.
-TextureShaderProgram stages_of(const Context& context, std::array<UnitInput, kLayerUnits>& units) {
+StageTextures stage_textures(Context& context, std::array<UnitInput, kLayerUnits>& units) {
   StageTextures textures;
-  TextureShaderState state = context.combiners.texture_shader();
   visit_units(context, [&](std::size_t i) {
-    units[i] = unit_input(info_of(state.stage[i].operation).target);
-    textures[i] = stage_texture(units[i], context.features);
+    units[i] = unit_input(info_of(context.combiners.texture_shader().stage[i].operation).target);
+    textures[i] = stage_texture(context, units[i]);
   });
+  return textures;
+}
+
+TextureShaderProgram compile_stages(const Context& context, const StageTextures& textures) {
+  TextureShaderState state = context.combiners.texture_shader();
   for (TextureStage& stage : state.stage) {
     stage.matrix = TextureStage{}.matrix;
     stage.scale = TextureStage{}.scale;
@@ -113,10 +145,23 @@ TextureShaderProgram stages_of(const Context& context, std::array<UnitInput, kLa
     log_once("texture shaders: " + program.error().message);
     return {};
   }
-  for (std::size_t i = 0; i < kLayerUnits; ++i) {
-    if (!program->stage[i].inconsistent.empty()) units[i] = {};
-  }
   return *program;
+}
+
+// Finds the stages and the textures that they read. Those of the last draw stay if nothing of them has changed.
+void find_stages(Context& context, ShaderInputs& inputs) {
+  const StageTextures textures = stage_textures(context, inputs.units);
+  const bool same = !context.program_stale && textures == context.stage_cache.textures && context.inputs.stages;
+  if (same) {
+    inputs.stages = context.inputs.stages;
+  } else {
+    inputs.stages = compile_stages(context, textures);
+    context.stage_cache.textures = textures;
+    for (const std::string& warning : inputs.stages->warnings()) log_once(warning);
+  }
+  for (std::size_t i = 0; i < kLayerUnits; ++i) {
+    if (!inputs.stages->stage[i].inconsistent.empty()) inputs.units[i] = {};
+  }
 }
 
 FogFactor fog_factor() {
@@ -140,11 +185,10 @@ bool has_color(const TextureShaderProgram& stages, std::size_t i) {
   return has_texel && stage.is_visible[kRed];
 }
 
-ShaderInputs find_inputs(const Context& context) {
+ShaderInputs find_inputs(Context& context) {
   ShaderInputs inputs;
   if (context.combiners.texture_shader().enabled) {
-    inputs.stages = stages_of(context, inputs.units);
-    for (const std::string& warning : inputs.stages->warnings()) log_once(warning);
+    find_stages(context, inputs);
   } else {
     visit_units(context, [&](std::size_t i) { inputs.units[i] = unit_input(enabled_target(context.features)); });
   }
@@ -196,9 +240,11 @@ bool combiners_apply(Context& context) {
   }
   if (context.inputs_stale) {
     context.own_fragments = context.features.fragment_program && driver_enables(GL_FRAGMENT_PROGRAM_ARB);
-    const ShaderInputs inputs = find_inputs(context);
-    context.program_stale = context.program_stale || !(inputs == context.inputs);
-    context.inputs = inputs;
+    ShaderInputs inputs = find_inputs(context);
+    if (!(inputs == context.inputs)) {
+      context.inputs = std::move(inputs);
+      context.inputs_changed = true;
+    }
     context.inputs_stale = false;
   }
   return !context.own_fragments;
@@ -249,24 +295,27 @@ bool computes_colors(const Context& context) {
 bool needs_preparation(const Context& context) {
   if (!context.touched) return false;
   if (!computes_colors(context)) return context.bound;
-  return !context.bound || context.inputs_stale || context.program_stale || context.constants_stale;
+  return !context.bound || context.inputs_stale || context.inputs_changed || context.program_stale ||
+         context.constants_stale;
 }
 
 void prepare_draw(Context& context) {
   if (!context.touched) return;
   if (!combiners_apply(context)) return draw_without_combiners(context);
-  if (context.program == nullptr || context.program_stale || context.constants_stale) {
+  if (context.program == nullptr || context.inputs_changed || context.program_stale || context.constants_stale) {
     const HardwareProfile& profile = context.combiners.profile();
-    // Environments need no combiners; one program stands for all.
-    const Program program =
-        normalize(context.inputs.environments ? CombinerState{} : context.combiners.state(), profile);
+    if (context.program_stale || context.constants_stale) {
+      // Environments need no combiners; one program stands for all.
+      context.shown = normalize(context.inputs.environments ? CombinerState{} : context.combiners.state(), profile);
+    }
+    const Program& program = context.shown;
     CachedProgram* cached = context.program;
-    if (cached == nullptr || context.program_stale) {
+    if (cached == nullptr || context.inputs_changed || context.program_stale) {
       const std::size_t known = context.programs->size();
       cached = &context.programs->find(without_constants(program), profile, inputs_of(program, context.inputs));
       if (context.programs->size() != known) context.bound = false;  // the driver has another program current
     }
-    context.program_stale = context.constants_stale = false;
+    context.inputs_changed = context.program_stale = context.constants_stale = false;
     if (cached->driver_program == 0) {
       context.bound = true;  // whichever is current, it is not the one that belongs there
       draw_without_combiners(context);
@@ -281,9 +330,11 @@ void prepare_draw(Context& context) {
   }
 }
 
-bool is_consistent(const Context& context, int unit) {
+bool is_consistent(Context& context, int unit) {
   std::array<UnitInput, kLayerUnits> units{};
-  return stages_of(context, units).stage[static_cast<std::size_t>(unit)].inconsistent.empty();
+  return compile_stages(context, stage_textures(context, units))
+      .stage[static_cast<std::size_t>(unit)]
+      .inconsistent.empty();
 }
 
 void count_draw(const Context& context) {

@@ -16,7 +16,7 @@ namespace ninebit::gl_layer {
 void prepare_draw(Context& context);
 
 // GL_SHADER_CONSISTENT_NV of a unit, with the textures that are bound.
-[[nodiscard]] bool is_consistent(const Context& context, int unit);
+[[nodiscard]] bool is_consistent(Context& context, int unit);
 
 // A draw call with the shader of the last preparation follows.
 void count_draw(const Context& context);

@@ -14,27 +14,30 @@ namespace ninebit::gl_layer {
 // Needed of every driver.
 #define NINEBIT_CORE_FUNCTIONS(X) \
   X(Begin) X(BindTexture) X(Bitmap) X(CallList) X(CallLists) X(ColorMask) X(CopyPixels) X(CopyTexImage1D) X(CopyTexImage2D) \
-  X(DeleteLists) X(DeleteTextures) X(Disable) X(DrawArrays) X(DrawElements) X(DrawPixels) X(Enable) X(End) X(EndList) X(GenTextures) \
+  X(DeleteLists) X(DeleteTextures) X(Disable) X(DisableClientState) X(DrawArrays) X(DrawElements) X(DrawPixels) X(Enable) X(EnableClientState) X(End) X(EndList) X(GenTextures) \
   X(EvalMesh1) X(EvalMesh2) X(Fogf) X(Fogfv) X(Fogi) X(Fogiv) X(GetBooleanv) X(GetDoublev) X(GetError) X(GetFloatv) \
-  X(GetIntegerv) X(GetString) X(GetTexEnvfv) X(GetTexEnviv) X(GetTexImage) X(GetTexLevelParameteriv) X(GetTexParameteriv) \
+  X(GetIntegerv) X(GetPointerv) X(GetString) X(GetTexEnvfv) X(GetTexEnviv) X(GetTexImage) X(GetTexLevelParameteriv) X(GetTexParameterfv) X(GetTexParameteriv) \
   X(IsEnabled) X(IsList) X(LightModelf) X(LightModelfv) X(LightModeli) X(LightModeliv) X(NewList) X(PixelStorei) X(PixelTransferf) X(PixelTransferi) \
   X(PopAttrib) X(PopClientAttrib) X(PushAttrib) X(PushClientAttrib) X(ReadBuffer) X(ReadPixels) X(Rectd) X(Rectdv) X(Rectf) X(Rectfv) X(Recti) \
   X(Rectiv) X(Rects) X(Rectsv) X(TexEnvf) X(TexEnvfv) X(TexEnvi) X(TexEnviv) X(TexImage1D) X(TexImage2D) \
   X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv) X(TexSubImage1D) X(TexSubImage2D)
 // nullptr where the driver does not have them.
 #define NINEBIT_LATER_FUNCTIONS(X) \
-  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
+  X(ActiveTexture) X(AttachShader) X(BindAttribLocation) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
   X(CheckFramebufferStatus) X(ClearBufferfv) X(ColorMaski) X(CompileShader) X(CompressedTexImage1D) X(CompressedTexImage2D) \
-  X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFramebuffers) X(DeleteProgram) \
-  X(DeleteRenderbuffers) X(DeleteShader) X(Disablei) X(DrawArraysInstanced) X(DrawBuffers) \
+  X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFencesNV) X(DeleteFramebuffers) X(DeleteObjectARB) X(DeleteProgram) \
+  X(DeleteRenderbuffers) X(DeleteShader) X(DetachShader) X(Disablei) X(DrawArraysInstanced) X(DrawBuffers) \
   X(DrawElementsBaseVertex) X(DrawArraysIndirect) \
   X(DrawElementsIndirect) X(DrawElementsInstanced) X(DrawElementsInstancedBaseVertex) X(MultiDrawArraysIndirect) \
   X(MultiDrawElementsBaseVertex) X(MultiDrawElementsIndirect) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(FramebufferRenderbuffer) \
-  X(FramebufferTexture2D) X(GenerateMipmap) X(GenFramebuffers) X(GenRenderbuffers) X(GetBooleani_v) X(GetHandleARB) \
+  X(FinishFenceNV) X(FlushVertexArrayRangeNV) X(GenFencesNV) X(GetFenceivNV) X(IsFenceNV) X(SetFenceNV) X(TestFenceNV) X(VertexArrayRangeNV) \
+  X(FramebufferTexture2D) X(GenerateMipmap) X(GenFramebuffers) X(GenRenderbuffers) X(GetActiveAttrib) X(GetActiveUniform) \
+  X(GetAttachedShaders) X(GetAttribLocation) X(GetBooleani_v) X(GetHandleARB) X(GetInfoLogARB) X(GetObjectParameterivARB) \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
+  X(GetUniformfv) X(GetUniformiv) X(IsProgram) \
   X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
   X(TexStorage3D) X(TexSubImage3D) X(Uniform1i) X(Uniform2fv) X(Uniform3fv) \
-  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB)
+  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB) X(ValidateProgram)
 // clang-format on
 
 struct Driver {

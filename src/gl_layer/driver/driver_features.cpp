@@ -62,6 +62,7 @@ bool is_enough(const char* version_text) {
   NINEBIT_CHECK(CreateShader)
   NINEBIT_CHECK(DeleteProgram)
   NINEBIT_CHECK(DeleteShader)
+  NINEBIT_CHECK(DetachShader)
   NINEBIT_CHECK(GetProgramInfoLog)
   NINEBIT_CHECK(GetProgramiv)
   NINEBIT_CHECK(GetShaderInfoLog)
@@ -104,6 +105,9 @@ DriverFeatures find_features() {
   features.texture_shader_formats = has_word(extensions, "GL_EXT_texture_snorm") &&
                                     has_word(extensions, "GL_ARB_texture_rg") &&
                                     has_word(extensions, "GL_ARB_texture_float");
+  for (const ExtraExtension& one : kExtraExtensions) {
+    if (wanted_extras().have(one.extra) && !has_word(extensions, one.name.data())) features.extras.add(one.extra);
+  }
   features.texture_storage = has_word(extensions, "GL_ARB_texture_storage");
   return features;
 }

@@ -10,37 +10,23 @@
 namespace ninebit::gl_layer {
 namespace {
 
-using FindSymbol = void* (*)(void*, const char*) noexcept;  // as the C library declares it
 using GetProcAddress = AnyFunction (*)(const char*);
-
-// The C library's dlsym, by the version that it has on this processor.
-FindSymbol next_dlsym() noexcept {
-  static const FindSymbol found = [] {
-    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.0"}) {
-      if (void* const symbol = dlvsym(RTLD_NEXT, "dlsym", version)) return reinterpret_cast<FindSymbol>(symbol);
-    }
-    return FindSymbol{nullptr};
-  }();
-  return found;
-}
 
 // The window systems' lookups that a program has found in a library which is not in the global scope.
 constinit GetProcAddress loaded_glx = nullptr, loaded_egl = nullptr;
 
-// A library that the program has loaded without making its symbols global.
-AnyFunction from_loaded_library(const char* name) {
+// A symbol of an OpenGL driver that the program has loaded, perhaps without making its symbols global; nullptr: none
+// has it, or none that `accept` takes.
+template <class Accept>
+void* from_loaded_library(const char* name, const Accept& accept) {
   for (const char* file : {"libGL.so.1", "libOpenGL.so.0", "libGLX.so.0", "libEGL.so.1"}) {
     void* const library = dlopen(file, RTLD_LAZY | RTLD_NOLOAD);
     if (library == nullptr) continue;
     void* const symbol = next_dlsym()(library, name);
     dlclose(library);
-    if (symbol != nullptr) return reinterpret_cast<AnyFunction>(symbol);
+    if (symbol != nullptr && accept(symbol)) return symbol;
   }
   return nullptr;
-}
-
-[[maybe_unused]] bool may_be_ours(const char* name) {
-  return name != nullptr && ((name[0] == 'g' && name[1] == 'l') || (name[0] == 'e' && name[1] == 'g'));
 }
 
 void remember(std::string_view name, void* symbol) {
@@ -51,17 +37,24 @@ void remember(std::string_view name, void* symbol) {
   }
 }
 
-// The value that dlsym returns for a name that may be one of OpenGL's. A library without OpenGL has no function of ours
-// either.
-[[maybe_unused]] void* looked_up(void* handle, const char* name) {
-  void* const symbol = next_dlsym()(handle, name);
-  const AnyFunction own = own_function(name);
-  if (own == nullptr || symbol == reinterpret_cast<void*>(own)) return symbol;
-  if (symbol == nullptr) {
-    return next_dlsym()(handle, "glBegin") != nullptr ? reinterpret_cast<void*>(own) : nullptr;
+// Whether the library of a symbol makes contexts of a window system itself: a driver under a name of its own.
+bool is_of_a_window_systems_library(void* handle, void* symbol) {
+  Dl_info library{}, other{};
+  if (dladdr(symbol, &library) == 0) return false;
+  for (const char* name : {"glXCreateContext", "eglCreateContext"}) {
+    void* const creates = next_dlsym()(handle, name);
+    if (creates != nullptr && dladdr(creates, &other) != 0 && other.dli_fbase == library.dli_fbase) return true;
   }
-  remember(name, symbol);
-  return reinterpret_cast<void*>(own);
+  return false;
+}
+
+// Whether a symbol of OpenGL's name is the driver's, which this library stands in front of. It is not where a library
+// has functions of the same names for purposes of its own (OSMesa), or stands in front of this one (a tracer).
+bool is_the_drivers(void* handle, const char* name, void* symbol) {
+  const auto is_it = [symbol](void* found) { return found == symbol; };
+  if (is_it(next_dlsym()(RTLD_NEXT, name))) return true;
+  if (is_it(next_dlsym()(RTLD_DEFAULT, name))) return false;
+  return from_loaded_library(name, is_it) != nullptr || is_of_a_window_systems_library(handle, symbol);
 }
 
 AnyFunction proc_address(const char* name, const char* lookup, GetProcAddress loaded) {
@@ -74,9 +67,47 @@ AnyFunction proc_address(const char* name, const char* lookup, GetProcAddress lo
 
 }  // namespace
 
+FindSymbol next_dlsym() noexcept {
+  // By the version that it has on this processor.
+  static const FindSymbol found = [] {
+    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.0"}) {
+      if (void* const symbol = dlvsym(RTLD_NEXT, "dlsym", version)) return reinterpret_cast<FindSymbol>(symbol);
+    }
+    return FindSymbol{nullptr};
+  }();
+  return found;
+}
+
+void* own_symbol(void* handle, const char* name) {
+  const bool may_be_ours =
+      name != nullptr && ((name[0] == 'g' && name[1] == 'l') || (name[0] == 'e' && name[1] == 'g'));
+  const AnyFunction own = may_be_ours ? own_function(name) : nullptr;
+  return handle != RTLD_NEXT ? reinterpret_cast<void*>(own) : nullptr;
+}
+
+void* looked_up(void* handle, const char* name, void* own) {
+  void* symbol = next_dlsym()(handle, name);
+  if (symbol == own) return symbol;
+  if (symbol != nullptr) {
+    const bool ours = is_the_drivers(handle, name, symbol);
+    if (ours) remember(name, symbol);
+    dlerror();  // of the lookups since
+    return ours ? own : symbol;
+  }
+  // A driver that lacks the combiners' functions.
+  const char* const known = "glBegin";
+  symbol = std::strstr(name, "Combiner") != nullptr ? next_dlsym()(handle, known) : nullptr;
+  const bool ours = symbol != nullptr &&
+                    (symbol == reinterpret_cast<void*>(own_function(known)) || is_the_drivers(handle, known, symbol));
+  if (!ours) return next_dlsym()(handle, name);  // once more, for what dlerror says
+  dlerror();
+  return own;
+}
+
 AnyFunction next_function(const char* name) {
   if (void* const symbol = next_dlsym()(RTLD_NEXT, name)) return reinterpret_cast<AnyFunction>(symbol);
-  if (const AnyFunction found = from_loaded_library(name)) return found;
+  void* const loaded = from_loaded_library(name, [](void*) { return true; });
+  if (loaded != nullptr) return reinterpret_cast<AnyFunction>(loaded);
   for (const GetProcAddress get : {loaded_glx, loaded_egl}) {
     if (get == nullptr || std::strstr(name, "GetProcAddress") != nullptr) continue;
     if (const AnyFunction found = get(name)) return found;
@@ -118,33 +149,6 @@ const Driver& find_driver() {
 }  // namespace ninebit::gl_layer
 
 extern "C" {
-
-// The sanitizers' own start calls dlsym, before anything that they have compiled may run.
-#if defined(__has_feature)
-#define NINEBIT_SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define NINEBIT_SANITIZED 1
-#else
-#define NINEBIT_SANITIZED 0
-#endif
-
-#if !NINEBIT_SANITIZED
-// RTLD_NEXT means the library that calls: so the C library's function has to be jumped to, which GCC and Clang do with
-// a call at a function's end when they optimize.
-// Under a name of its own in C++, because Clang does not jump out of a function that may not throw, as <dlfcn.h> has
-// it.
-__attribute__((visibility("default"))) void* ninebit_dlsym(void* handle, const char* name) __asm__("dlsym");
-#if defined(__clang__)
-#define NINEBIT_JUMP [[clang::musttail]] return
-#else
-#define NINEBIT_JUMP return
-__attribute__((optimize("O2")))
-#endif
-void* ninebit_dlsym(void* handle, const char* name) {
-  if (ninebit::gl_layer::may_be_ours(name)) return ninebit::gl_layer::looked_up(handle, name);
-  NINEBIT_JUMP ninebit::gl_layer::next_dlsym()(handle, name);
-}
-#endif
 
 __attribute__((visibility("default"))) ninebit::gl_layer::AnyFunction glXGetProcAddress(const GLubyte* name) {
   return ninebit::gl_layer::proc_address(reinterpret_cast<const char*>(name), "glXGetProcAddress",

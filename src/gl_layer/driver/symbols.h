@@ -14,8 +14,19 @@ using AnyFunction = void (*)();
 // Whether the program has looked up an entry point of the combiners, and so may use them.
 [[nodiscard]] bool combiners_looked_up();
 
+// Whether it has looked up a function that makes images of textures without this library's knowledge.
+[[nodiscard]] bool unseen_image_calls_looked_up();
+
 // The function that a program would get without this library; nullptr if there is none.
 [[nodiscard]] AnyFunction next_function(const char* name);
+
+// The C library's dlsym.
+using FindSymbol = void* (*)(void*, const char*) noexcept;  // as it is declared there
+[[nodiscard]] FindSymbol next_dlsym() noexcept;
+// This library's function that dlsym may give for a name; nullptr: the C library's answer is right as it is.
+[[nodiscard]] void* own_symbol(void* handle, const char* name);
+// What dlsym gives for that name: the function, if the handle's library is a driver, else what the library has.
+[[nodiscard]] void* looked_up(void* handle, const char* name, void* own);
 
 template <class Function>
 Function next_function_as(const char* name) {

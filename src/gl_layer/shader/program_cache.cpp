@@ -35,8 +35,9 @@ GLuint link(const std::string& text) {
   }
   const GLuint program = driver.CreateProgram();
   driver.AttachShader(program, shader);
-  driver.DeleteShader(shader);  // when the program is deleted
   driver.LinkProgram(program);
+  driver.DetachShader(program, shader);
+  driver.DeleteShader(shader);
   driver.GetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked != GL_FALSE) return program;
   log_line("the driver does not link this shader, so fixed functions draw instead:\n" + text +
@@ -60,11 +61,19 @@ class Hash {
   void add(Values... values) {
     ((value_ = (value_ ^ static_cast<std::uint64_t>(values)) * 0x100000001B3U), ...);
   }
-  void add_input(const CombinerInput& in) { add(in.reg, in.mapping, in.usage); }
+  // Small numbers as one: a hash is computed at every change of a program, and multiplications wait for each other.
+  template <class... Values>
+  void add_bytes(Values... values) {
+    std::uint64_t all = 0;
+    ((all = all << 8U | static_cast<std::uint64_t>(values)), ...);
+    add(all ^ all >> 29U);
+  }
+  void add_input(const CombinerInput& in) { add_bytes(in.reg, in.mapping, in.usage); }
   void add_portion(const Portion& p) {
-    for (const CombinerInput* in : {&p.a, &p.b, &p.c, &p.d}) add_input(*in);
-    add(p.out.ab, p.out.cd, p.out.sum, p.out.scale, p.out.bias, p.out.ab_dot_product, p.out.cd_dot_product,
-        p.out.mux_sum);
+    add_bytes(p.a.reg, p.a.mapping, p.a.usage, p.b.reg, p.b.mapping, p.b.usage);
+    add_bytes(p.c.reg, p.c.mapping, p.c.usage, p.d.reg, p.d.mapping, p.d.usage);
+    add_bytes(p.out.ab, p.out.cd, p.out.sum, p.out.scale, p.out.bias, p.out.ab_dot_product, p.out.cd_dot_product,
+              p.out.mux_sum);
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
 
@@ -119,6 +128,14 @@ std::uint64_t hash_of(const Program& program, const ShaderInputs& inputs) {
   return hash.value();
 }
 
+ProgramCache::~ProgramCache() {
+  for (const auto& [hash, candidates] : programs_) {
+    for (const auto& cached : candidates) {
+      if (cached->driver_program != 0) own_.abandon(cached->driver_program);
+    }
+  }
+}
+
 CachedProgram& ProgramCache::find(const Program& program, const HardwareProfile& profile, const ShaderInputs& inputs) {
   auto& candidates = programs_[hash_of(program, inputs)];
   for (const auto& cached : candidates) {
@@ -130,6 +147,7 @@ CachedProgram& ProgramCache::find(const Program& program, const HardwareProfile&
   if (!text) {
     log_line("no shader for a program: " + text.error().message);
   } else if ((added->driver_program = link(*text)) != 0) {
+    own_.add(added->driver_program);
     added->shader = *text;
     set_samplers(added->driver_program);
     const auto location = [&](const char* name) {

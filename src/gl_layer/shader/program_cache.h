@@ -11,6 +11,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/glsl.h"
+#include "src/gl_layer/shader/own_programs.h"
 #include "src/gl_layer/shader/shader_inputs.h"
 
 namespace ninebit::gl_layer {
@@ -33,11 +34,16 @@ struct CachedProgram {
 
 class ProgramCache {
  public:
+  explicit ProgramCache(OwnPrograms& own) : own_(own) {}
+  ~ProgramCache();
+  ProgramCache(const ProgramCache&) = delete;
+  ProgramCache& operator=(const ProgramCache&) = delete;
   // The program for a state, compiled if it is new. Makes a program of the driver current when it compiles.
   CachedProgram& find(const Program& program, const HardwareProfile& profile, const ShaderInputs& inputs);
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
+  OwnPrograms& own_;  // of the context's group, which outlives it
   std::size_t size_ = 0;
   std::unordered_map<std::uint64_t, std::vector<std::unique_ptr<CachedProgram>>> programs_{};  // by hash
 };

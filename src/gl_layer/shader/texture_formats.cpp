@@ -75,23 +75,37 @@ LevelShape shape_of(GLenum image, GLint level) {
 
 }  // namespace
 
-bool is_complete(GLenum target, const DriverFeatures& features) {
+BaseImage base_image(GLenum target, const DriverFeatures& features) {
+  const bool is_cube = target == GL_TEXTURE_CUBE_MAP;
+  BaseImage image{.base = texture_value(target, GL_TEXTURE_BASE_LEVEL),
+                  .last = texture_value(target, GL_TEXTURE_MAX_LEVEL),
+                  .filter = texture_value(target, GL_TEXTURE_MIN_FILTER)};
+  image.immutable = features.texture_storage && texture_value(target, GL_TEXTURE_IMMUTABLE_FORMAT) != 0;
+  if (image.base >= 0 && image.base <= 16) {
+    image.shape = shape_of(is_cube ? GLenum{GL_TEXTURE_CUBE_MAP_POSITIVE_X} : target, image.base);
+  }
+  return image;
+}
+
+std::array<GLint, 9> BaseImage::values() const {
+  return {base, last, filter, immutable ? 1 : 0, shape[0], shape[1], shape[2], shape[3], shape[4]};
+}
+
+bool has_all_levels(GLenum target, const BaseImage& base) {
   const bool is_cube = target == GL_TEXTURE_CUBE_MAP;
   const GLenum image = is_cube ? GLenum{GL_TEXTURE_CUBE_MAP_POSITIVE_X} : target;
-  const GLint base = texture_value(target, GL_TEXTURE_BASE_LEVEL), last = texture_value(target, GL_TEXTURE_MAX_LEVEL);
-  if (base < 0 || base > 16) return false;
-  const LevelShape first = shape_of(image, base);
+  const LevelShape& first = base.shape;  // zeros where the level has no image
   if (first[0] == 0 || (is_cube && first[0] != first[1])) return false;
-  if (features.texture_storage && texture_value(target, GL_TEXTURE_IMMUTABLE_FORMAT) != 0) return true;
-  const GLint filter = texture_value(target, GL_TEXTURE_MIN_FILTER);
-  const bool mipmaps = filter != GL_NEAREST && filter != GL_LINEAR;
-  if (mipmaps && base > last) return false;
+  if (base.immutable) return true;
+  const bool mipmaps = base.filter != GL_NEAREST && base.filter != GL_LINEAR;
+  if (mipmaps && base.base > base.last) return false;
   for (GLenum face = 0; face < (is_cube ? 6U : 1U); ++face) {
     LevelShape expected = first;
-    for (GLint level = base;; ++level) {
-      if (shape_of(image + face, level) != expected) return false;
+    for (GLint level = base.base;; ++level) {
+      const bool is_known = face == 0 && level == base.base;
+      if (!is_known && shape_of(image + face, level) != expected) return false;
       const GLint border = 2 * first[3];
-      bool is_last = !mipmaps || level == last;
+      bool is_last = !mipmaps || level == base.last;
       if (!is_last) {
         is_last = true;
         for (std::size_t i = 0; i < 3; ++i) {

@@ -13,9 +13,18 @@ namespace ninebit::gl_layer {
 // A parameter of the base level of the texture that the active unit has bound.
 [[nodiscard]] GLint base_level_value(GLenum target, GLenum pname);
 
+// What completeness depends on, without the images of further levels.
+struct BaseImage {
+  GLint base = 0, last = 0, filter = 0;
+  bool immutable = false;
+  std::array<GLint, 5> shape{};  // width, height, depth, border and internal format of the base level
+  [[nodiscard]] std::array<GLint, 9> values() const;
+};
+[[nodiscard]] BaseImage base_image(GLenum target, const DriverFeatures& features);
+
 // Whether the texture that the active unit has bound is complete (OpenGL 2.1, 3.8.10): its base level is there, a cube
 // map's faces are alike, and with a filter of mip-maps all further levels are there, of their proper size and format.
-[[nodiscard]] bool is_complete(GLenum target, const DriverFeatures& features);
+[[nodiscard]] bool has_all_levels(GLenum target, const BaseImage& base);
 
 // The internal format that stores one of NV_texture_shader; others are returned as they are. The driver's formats end
 // at -1: -128 of a signed byte reads as -127, -32768 as -32767.

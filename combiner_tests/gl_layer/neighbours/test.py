@@ -1,0 +1,52 @@
+"""What else lives in a process beside the layer: interposers before it and after it, another OpenGL, a tracer.
+
+Each gets what it would get without the layer, and the combiners draw where the program looks them up.
+"""
+import re
+import subprocess
+
+from kit import HERE, build, display, require
+
+PACKAGES = "freeglut3-dev, gcc, libosmesa6, apitrace and xvfb"
+WAYS = ("library", "default", "next")
+
+
+def compiled(kit, name, options, libraries=(), output=None):
+    program = kit.output / "neighbours" / (output or name)
+    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", *options, HERE / f"neighbours/{name}.c", "-o", program,
+           *libraries])
+    return program
+
+
+def run(kit):
+    require(PACKAGES, ["gcc", "Xvfb", "apitrace"], ["/usr/include/GL/freeglut.h", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8"])
+    folder = kit.folder("neighbours")
+    interposer = compiled(kit, "interposer", ["-shared", "-fPIC"], output="libinterposer.so")
+    draws = compiled(kit, "draws", [], ["-lglut", "-lGL", "-ldl"])
+    layer = kit.ninebit_path.parent / "libninebit_gl.so"
+    expected = "pixel 0 255 0, error 0x0000\n"
+    counted = expected + "interposer: glBegin 1, glFlush 1\n"
+    with display() as environment:
+        for way in WAYS:
+            done = kit.run([draws, way], environment, layer=True)
+            kit.check(done.returncode == 0 and done.stdout == expected, f"functions by dlsym, {way}: {done.stdout.strip()}")
+        for wanted, word in ((None, " not"), ("none", " not"), ("SGIX_shadow,NV_fence", ""), ("all", "")):
+            options = ("--extensions", wanted) if wanted else ()
+            done = kit.run([draws, "library", "GL_NV_fence"], environment, layer=True, options=options)
+            kit.check(done.stdout == f"GL_NV_fence is{word} listed\n{expected}",
+                      f"--extensions {wanted}: {done.stdout.splitlines()[0]}")
+        for name, preloaded in (("before", f"{interposer}:{layer}"), ("after", f"{layer}:{interposer}")):
+            done = kit.run(["env", f"LD_PRELOAD={preloaded}", draws, "default"], environment)
+            kit.check(done.returncode == 0 and done.stdout == counted,
+                      f"an interposer {name} the layer: {done.stdout.strip()}")
+        trace = folder / "draws.trace"
+        done = kit.run(["apitrace", "trace", "--output", trace, draws, "library"], environment, layer=True)
+        dump = subprocess.run(["apitrace", "dump", "--color=never", trace], capture_output=True, text=True).stdout
+        calls = re.findall(r"^\d+ (gl\w*Combiner\w*)\(", dump, re.M)
+        kit.check(done.returncode == 0 and expected in done.stdout and len(calls) == 6 and "glBegin(" in dump,
+                  f"apitrace: exit {done.returncode}, {len(calls)} calls of the combiners in the trace")
+    for options in ((), ("-DWITH_GL",)):
+        program = compiled(kit, "osmesa", options, ["-ldl"])
+        without, done = kit.run([program], None), kit.run([program], None, layer=True)
+        kit.check(done.returncode == without.returncode == 0 and done.stdout == without.stdout,
+                  f"OSMesa {' '.join(options)}: {without.stdout.strip()}; with the layer {done.stdout.strip()}")

@@ -1,0 +1,69 @@
+"""Programs of 32 bits beside those of 64: the dynamic linker takes the layer of the program's own word length.
+
+Where there is a 32-bit OpenGL, old_ways draws with it: in NINEBIT_GL32_LIBRARIES, or where Debian has it.
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+
+from kit import HERE, Missing, build, display, require
+from old_ways.test import check_ways, compile_old_ways
+
+PACKAGES = "g++-multilib"
+OPENGL = "libglut3.12:i386, libglu1-mesa:i386 and libgl1-mesa-dri:i386"
+
+
+def check_loading(kit, folder):
+    found = {"": "%d bits, glCombinerParameteriNV of nobody\n", "layer": "%d bits, glCombinerParameteriNV of libninebit_gl.so\n"}
+    for bits, options in ((64, []), (32, ["-m32", "-mpreferred-stack-boundary=2"])):
+        program = folder / f"loads{bits}"
+        build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", *options, HERE / "word_lengths/loads.c", "-o", program])
+        for layer in ("", "layer"):
+            done = kit.run([program], None, layer=bool(layer))
+            kit.check(done.returncode == 0 and done.stdout == found[layer] % bits,
+                      f"{bits} bits{', with the layer' if layer else ''}: {done.stdout.strip()}")
+    # One program of each word length, started by a shell of 64 bits.
+    done = kit.run(["sh", "-c", f"{folder}/loads32 && {folder}/loads64 fails"], None, layer=True)
+    kit.check(done.returncode == 5 and done.stdout == found["layer"] % 32 + found["layer"] % 64,
+              f"both from one shell: {' '.join(done.stdout.split())}")
+
+
+def check_missing(kit, folder):
+    """A build without the layer of 32 bits says so of such a program, and runs others."""
+    alone = folder / "without_gl32"
+    alone.mkdir()
+    for name in ("ninebit", "libninebit_gl.so"):
+        shutil.copy(kit.ninebit_path.parent / name, alone)
+    for bits, expected in ((32, 3), (64, 0)):
+        done = subprocess.run([alone / "ninebit", "gl-run", "--", folder / f"loads{bits}"], capture_output=True, text=True)
+        said = "libninebit_gl32.so is missing" in done.stderr and done.stderr.count("\n") == 1
+        kit.check(done.returncode == expected and said == (bits == 32),
+                  f"without libninebit_gl32.so, {bits} bits: exit {done.returncode} {done.stderr.strip()}")
+
+
+def check_drawing(kit, folder):
+    libraries = pathlib.Path(os.environ.get("NINEBIT_GL32_LIBRARIES", "/usr/lib/i386-linux-gnu"))
+    linked = [libraries / name for name in ("libglut.so.3.12", "libGLU.so.1", "libGL.so.1")]
+    if not all(map(pathlib.Path.exists, linked)) or not shutil.which("Xvfb"):
+        print(f"      skipped: old_ways with 32 bits needs {OPENGL}, and xvfb")
+        return
+    for name, stack in (("32 bits", []), ("32 bits, a stack at multiples of 4", ["-mpreferred-stack-boundary=2"])):
+        program = folder / "old_ways32"
+        compile_old_ways(program, "-m32", *stack, libraries=[*linked, "-Wl,--allow-shlib-undefined", "-lm"])
+        with display() as environment:
+            environment |= {"LD_LIBRARY_PATH": str(libraries), "LIBGL_DRIVERS_PATH": str(libraries / "dri")}
+            check_ways(kit, kit.run([program], environment, layer=True), name)
+
+
+def run(kit):
+    require(PACKAGES, ["gcc"])
+    folder = kit.folder("word_lengths")
+    (folder / "none.c").write_text("#include <errno.h>\nint main(void) { return 0; }\n")
+    if subprocess.run(["gcc", "-m32", folder / "none.c", "-o", folder / "none"], capture_output=True).returncode:
+        raise Missing(f"gcc makes no programs of 32 bits; install the package {PACKAGES}")
+    if not (kit.ninebit_path.parent / "libninebit_gl32.so").exists():
+        raise Missing("libninebit_gl32.so is not built; configure again where g++-multilib is installed")
+    check_loading(kit, folder)
+    check_missing(kit, folder)
+    check_drawing(kit, folder)

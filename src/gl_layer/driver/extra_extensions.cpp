@@ -1,0 +1,26 @@
+#include "src/gl_layer/driver/extra_extensions.h"
+
+#include <cstdlib>
+#include <string>
+
+#include "src/gl_layer/driver/log.h"
+
+namespace ninebit::gl_layer {
+
+Extras wanted_extras() {
+  const char* const list = std::getenv("NINEBIT_GL_EXTENSIONS");
+  if (list == nullptr || *list == '\0') return {};
+  std::string unknown;
+  const auto extras = parse_extras(list, unknown);
+  if (!extras) log_once("NINEBIT_GL_EXTENSIONS: '" + unknown + "' is no extension that can be added");
+  return extras.value_or(Extras{});
+}
+
+bool belongs_to_unwanted(std::string_view function) {
+  const bool is_fence = function.ends_with("FenceNV") || function.ends_with("FencesNV") || function == "glGetFenceivNV";
+  if (is_fence) return !wanted_extras().have(Extra::fence);
+  const bool is_range = function.ends_with("ArrayRangeNV") || function.ends_with("MemoryNV");
+  return is_range && !wanted_extras().have(Extra::vertex_array_range);
+}
+
+}  // namespace ninebit::gl_layer

@@ -1,0 +1,48 @@
+// Extensions beside the combiners that programs of the time ask for, and that the OpenGL layer can add to a driver.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ninebit {
+
+enum class Extra : unsigned { fence = 1, vertex_array_range = 2, depth_texture = 4, shadow = 8 };
+
+struct ExtraExtension {
+  Extra extra;
+  std::string_view name;
+};
+inline constexpr std::array kExtraExtensions{
+    ExtraExtension{Extra::fence, "GL_NV_fence"}, ExtraExtension{Extra::vertex_array_range, "GL_NV_vertex_array_range"},
+    ExtraExtension{Extra::depth_texture, "GL_SGIX_depth_texture"}, ExtraExtension{Extra::shadow, "GL_SGIX_shadow"}};
+
+// Some of them.
+struct Extras {
+  unsigned bits = 0;
+  void add(Extra extra) { bits |= static_cast<unsigned>(extra); }
+  [[nodiscard]] bool have(Extra extra) const { return (bits & static_cast<unsigned>(extra)) != 0; }
+};
+
+// Those of a list with commas: names, with or without "GL_", "all" or "none". Empty: a word is none of these; `unknown`
+// is that word.
+inline std::optional<Extras> parse_extras(std::string_view list, std::string& unknown) {
+  Extras extras;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::string_view word = list.substr(begin, list.find(',', begin) - begin);
+    begin += word.size() + 1;
+    bool known = word == "none";
+    for (const ExtraExtension& one : kExtraExtensions) {
+      if (word != "all" && word != one.name && word != one.name.substr(3)) continue;
+      extras.add(one.extra);
+      known = true;
+    }
+    if (known) continue;
+    unknown = word;
+    return std::nullopt;
+  }
+  return extras;
+}
+
+}  // namespace ninebit
