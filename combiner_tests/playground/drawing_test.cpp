@@ -56,6 +56,18 @@ TEST(PlaygroundDraw, GivesThePictureFromTheTop) {
   EXPECT_EQ((std::vector<int>{bytes[0], bytes[1], bytes[2]}), (std::vector<int>{255, 128, 64}));
 }
 
+TEST(PlaygroundDraw, SaysWhereTheCameraIs) {
+  Engine engine;
+  PageJson request = draw_request();
+  EXPECT_EQ(ask(engine, request)["view"]["position"], (PageJson{0.0, 0.0, 3.0}));
+  request["effect"]["scene"] = {{"mesh", "sphere:8"}};
+  const PageJson framed = ask(engine, request)["view"];
+  EXPECT_NE(framed["position"], (PageJson{0.0, 0.0, 3.0}));
+  request["effect"]["scene"]["camera"] = framed["position"];
+  request["effect"]["scene"]["look_at"] = framed["target"];
+  EXPECT_EQ(ask(engine, request)["view"]["position"], framed["position"]);
+}
+
 TEST(PlaygroundDraw, TakesPicturesThatWerePut) {
   Engine engine;
   PageJson request = draw_request();

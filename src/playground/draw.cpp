@@ -8,6 +8,7 @@
 #include "src/effect/traced_pixel.h"
 #include "src/playground/drawing.h"
 #include "src/playground/plane_hash.h"
+#include "src/playground/shadow_answer.h"
 
 namespace ninebit::playground {
 namespace {
@@ -135,6 +136,7 @@ Reply Engine::draw(Request& request) {
   Json out{{"width", picture.width()}, {"height", picture.height()}};
   out["profile"] = asked.what.profile.profile().name;
   out["passes"] = pass_names(asked.what.effect);
+  out["view"] = view_of(drawn.renderer->scene());
   out["warnings"] = drawn.warnings;
   if (hashed) out["hash"] = hashes_of(picture);
   out["bytes"] = bytes_.size();

@@ -128,6 +128,8 @@ Json order_of(const IndexOrderReport& report) {
   return order;
 }
 
+}  // namespace
+
 Json view_of(const Scene& scene) {
   const auto list = [](const glm::vec3& v) { return Json{v.x, v.y, v.z}; };
   const Camera& camera = scene.cameras[0];
@@ -136,8 +138,6 @@ Json view_of(const Scene& scene) {
               {"fov", camera.vertical_fov_degrees},
               {"light", list(scene.lights[0].position)}};
 }
-
-}  // namespace
 
 std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, ShadowRequest& out) {
   const auto settings = page_settings();

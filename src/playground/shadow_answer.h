@@ -20,6 +20,9 @@ struct ShadowRequest {
 // Fills `out`, or returns why that is not possible.
 [[nodiscard]] std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, ShadowRequest& out);
 
+// Where the camera and the light of a complete scene are.
+[[nodiscard]] Json view_of(const Scene& scene);
+
 // {"do": "shadow", …}: the picture, then the index cube unfolded, as RGBA in `bytes`.
 [[nodiscard]] Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8_t>& bytes);
 

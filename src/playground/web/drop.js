@@ -44,14 +44,15 @@ export function acceptDrops(page, say) {
     } catch (error) {
       return say(error.message);
     }
+    const faults = [];
     for (const [number, file] of files.entries()) {
       try {
         await take(file, Math.min(3, unit + number), page);
       } catch (error) {
-        say(error.message);
+        faults.push(error.message);
       }
     }
-    return undefined;
+    return say(faults.join('\n') || null);
   };
   page.inputs.onfiles = (files) => takeAll(files, 0);
   const { body } = document;

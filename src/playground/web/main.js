@@ -16,16 +16,21 @@ import { ProfilesPanel } from './profiles_panel.js';
 import { ProgramPane } from './program_pane.js';
 import { ShadowPanel } from './shadow_panel.js';
 import { bytesOf, setFileOrigins, Shelf } from './shelf.js';
-import { newState, passOf, stateOf, Store } from './state.js';
+import { bare, newState, passOf, stateOf, Store } from './state.js';
 import { tabs } from './tabs.js';
 import { TracePanel } from './trace_panel.js';
 
-const content = JSON.parse(byId('content').textContent);
+const content = bare(JSON.parse(byId('content').textContent));
 const first = () => stateOf(content.effects.sepia ?? Object.values(content.effects)[0], content.programs);
 
-/** Shows a message above everything, or hides it. @param {string|null} text */
-function say(text) {
+/**
+ * Shows a message above everything, or hides it.
+ * @param {string|null} text
+ * @param {string} [about] "engine": the next drawing takes the message away
+ */
+function say(text, about = '') {
   byId('message').textContent = text ?? '';
+  byId('message').dataset.about = about;
   byId('message').hidden = !text;
 }
 
@@ -70,7 +75,7 @@ class Page {
     this.live.effectText = () => this.program.effectText;
     this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
     this.trace = new TracePanel(byId('trace'), byId('trace-place'), (pass) => this.live.trace(pass));
-    this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
+    this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, about);
     this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [],
       { compare: (profiles) => this.live.compare(profiles), engine });
     this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, engine);
@@ -105,7 +110,9 @@ class Page {
       this.live.pixel = null;
       this.program.shows = 'program';
       this.trace.clear();
+      this.picture.unmark();
       this.inputs.ofProgram = {};
+      this.inputs.view = null;
     }
     if (what === 'all' || (what === 'inputs' && this.program.shows === 'effect')) this.inputs.show();
     if (what === 'all') this.program.show();
@@ -113,6 +120,7 @@ class Page {
     if (what === 'all' || what === 'profile') {
       this.showProfile();
       this.profiles.show();
+      if (what === 'profile') this.inputs.show();
     }
   }
 
@@ -141,7 +149,10 @@ class Page {
   }
 
   drawn({ answer, bytes, milliseconds }) {
-    this.program.setFaults('draw', []);
+    const warnings = [...answer.warnings ?? [], ...this.shelf.doubtsOf(this.store.state.effect)];
+    this.program.setFaults('draw', warnings.map((message) => ({ message, severity: 'info' })));
+    if (byId('message').dataset.about === 'engine') say(null);
+    this.inputs.setView(answer.view);
     this.picture.show(bytes, answer.width, answer.height);
     byId('picture').dataset.hash = answer.hash?.color ?? '';
     byId('title').textContent = this.store.state.effect.title ?? 'Untitled';
@@ -152,10 +163,11 @@ class Page {
   failed(error) {
     byId('picture').dataset.hash = '';
     byId('drawing').textContent = 'not drawn: the last good picture is below';
-    const fault = { message: error.message };
-    if (error.file === 'effect' && this.program.shows === 'effect') Object.assign(fault, { line: error.line, column: error.column });
-    else if (error.file && error.file !== 'effect') fault.message = `${error.file}: ${error.message}`;
-    this.program.setFaults('draw', [fault]);
+    const ofEffect = this.program.shows === 'effect' && error.file === 'effect';
+    // The engine's sentences have a place, the schema's has none.
+    if (ofEffect) this.program.setFaults('read', []);
+    this.program.setFaults('draw', [error, ...error.others ?? []].map(({ file, line, column, message }) => (
+      file === 'effect' || !file ? { message, ...(ofEffect && { line, column }) } : { message: `${file}: ${message}` })));
     ready();
   }
 
@@ -220,9 +232,9 @@ function busyMark() {
 }
 
 async function start() {
-  const scripts = [byId('worker').textContent, await engineScript()];
-  const engine = new Engine(...scripts, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
-  const newEngine = () => new Engine(...scripts, () => {}, () => {});
+  const scripts = [await engineScript(), '\n', byId('worker').textContent];
+  const engine = new Engine(scripts, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`, 'engine'));
+  const newEngine = () => new Engine(scripts, () => {}, () => {});
   const store = new Store(await firstState());
   const { answer: about } = await engine.ask({ do: 'about' });
   byId('version').textContent = `ninebit ${about.version ?? ''}`;

@@ -20,6 +20,9 @@ export const setFileOrigins = (words) => {
 /** The file, or the six files, of a texture's source. @param {string} source */
 export const fileIn = (source) => source.replace(madeFrom, '');
 
+/** The names of the pictures that an effect reads. @param {any} effect @returns {string[]} */
+const picturesOf = ({ textures }) => Object.values(textures ?? {}).flatMap(({ source }) => fileIn(source).split(','));
+
 export class Shelf {
   /**
    * @param {import('./engine_client.js').Engine} engine
@@ -34,6 +37,8 @@ export class Shelf {
     this.dropped = new Set();
     /** @type {Map<string, Promise<void>>} */
     this.loading = new Map();
+    /** Why the texels of a picture may be others than the file's, by name. @type {Map<string, string>} */
+    this.doubts = new Map();
   }
 
   /** Names of pictures to choose from. */
@@ -55,9 +60,12 @@ export class Shelf {
 
   /** Loads all files that an effect names. @param {any} effect */
   async loadFor(effect) {
-    const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));
-    const names = sources.flatMap((source) => fileIn(source).split(','));
-    await Promise.all(names.map((name) => this.load(name)));
+    await Promise.all(picturesOf(effect).map((name) => this.load(name)));
+  }
+
+  /** What is not exact about the pictures that an effect names. @param {any} effect @returns {string[]} */
+  doubtsOf(effect) {
+    return picturesOf(effect).filter((name) => this.doubts.has(name)).map((name) => this.doubts.get(name));
   }
 
   async put(name, file) {
@@ -67,6 +75,8 @@ export class Shelf {
     }
     const picture = await decodePicture(file);
     this.pictures.set(name, picture);
+    this.doubts.delete(name);
+    if (picture.doubt) this.doubts.set(name, `${name}: ${picture.doubt}: the picture may differ from what ninebit draws`);
     await this.engine.put({ name, kind: 'pixels', width: picture.width, height: picture.height }, picture.pixels);
   }
 
