@@ -25,6 +25,9 @@ export function launch({ webgl = true } = {}) {
   return puppeteer.launch({ executablePath, args: [...flags, ...(webgl ? softwareWebgl : ['--disable-gpu', '--disable-software-rasterizer'])] });
 }
 
+/** Firefox without a screen. @param {string} executablePath */
+export const firefox = (executablePath) => puppeteer.launch({ browser: 'firefox', executablePath });
+
 /**
  * Opens the page and waits for its first picture. `page.complaints` are errors of the console, of scripts, dialogs, and
  * requests that leave the page.
