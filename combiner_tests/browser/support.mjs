@@ -33,7 +33,8 @@ export const firefox = (executablePath) => puppeteer.launch({ browser: 'firefox'
  * requests that leave the page.
  */
 export async function openPage(browser, { hash = '', width = 1280, height = 900 } = {}) {
-  const page = await browser.newPage();
+  // A context of its own, as pages of one browser share what it keeps.
+  const page = await (await browser.createBrowserContext()).newPage();
   page.complaints = [];
   const complain = (text) => page.complaints.push(text);
   page.on('console', (message) => { if (['error', 'warn'].includes(message.type())) complain(`console: ${message.text()}`); });
@@ -47,9 +48,12 @@ export async function openPage(browser, { hash = '', width = 1280, height = 900 
   });
   await page.setViewport({ width, height });
   await page.goto(`file://${pageFile}${hash}`);
-  await page.waitForFunction(() => document.body.dataset.ready, { timeout: 60_000 });
+  await waitForReady(page);
   return page;
 }
+
+/** Waits for the first picture. */
+export const waitForReady = (page) => page.waitForFunction(() => document.body?.dataset.ready && globalThis.ninebit, { timeout: 60_000 });
 
 /** One page for all tests of a file; its browser is closed after them. */
 export async function onePage(options) {

@@ -56,13 +56,16 @@ export function paint(canvas, pixels, width, height) {
  * A function that runs once the calls to it have paused.
  * @param {number} milliseconds
  * @param {() => void} run
+ * @returns {(() => void) & {cancel: () => void}}
  */
 export function afterPause(milliseconds, run) {
   let timer = 0;
-  return () => {
+  const later = () => {
     clearTimeout(timer);
     timer = setTimeout(run, milliseconds);
   };
+  later.cancel = () => clearTimeout(timer);
+  return later;
 }
 
 /** Offers a text as a file. @param {string} name @param {string|Blob} content */

@@ -5,7 +5,7 @@
 import { mostBytes } from './decode_picture.js';
 import { findEffect, stateOfDropped } from './effect_drop.js';
 import { meshEnding } from './shelf.js';
-import { mostCharacters, passOf } from './state.js';
+import { copied, mostCharacters, passOf } from './state.js';
 
 /**
  * @param {File} file
@@ -44,6 +44,7 @@ export function acceptDrops(page, say) {
     } catch (error) {
       return say(error.message);
     }
+    const before = copied(page.store.state);
     const faults = [];
     for (const [number, file] of files.entries()) {
       try {
@@ -52,6 +53,7 @@ export function acceptDrops(page, say) {
         faults.push(error.message);
       }
     }
+    if (faults.length < files.length) page.store.step(before);
     return say(faults.join('\n') || null);
   };
   page.inputs.onfiles = (files) => takeAll(files, 0);

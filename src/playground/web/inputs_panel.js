@@ -28,6 +28,8 @@ export class InputsPanel {
     this.ofProgram = {};
     /** Where the engine put the camera. @type {{position: number[], target: number[]}|null} */
     this.view = null;
+    /** How many pictures there were when the panel was shown: later ones have thumbnails, too. */
+    this.pictures = 0;
   }
 
   /** @param {{position: number[], target: number[]}} view of the last drawing */
@@ -36,7 +38,8 @@ export class InputsPanel {
     const moved = JSON.stringify(view) !== JSON.stringify(this.view);
     this.view = view;
     // Where the effect says nothing, the sliders show what the scene's file or the engine chose.
-    if (moved && scene?.mesh && !(scene.camera && scene.look_at)) this.show();
+    const chosen = moved && scene?.mesh && !(scene.camera && scene.look_at);
+    if (chosen || (this.pictures !== this.shelf.pictures.size && !this.parent.contains(document.activeElement))) this.show();
   }
 
   /** How many texture units the chip has, by the profile. */
@@ -55,6 +58,7 @@ export class InputsPanel {
 
   show() {
     const { state } = this.store;
+    this.pictures = this.shelf.pictures.size;
     const pass = passOf(state);
     const chip = this.units();
     const units = [0, 1, 2, 3].filter((unit) => unit < chip || pass.units?.[unit]).map((unit) => this.unit(unit, pass.units?.[unit] ?? null, chip));

@@ -15,8 +15,9 @@ import { Picture } from './picture.js';
 import { ProfilesPanel } from './profiles_panel.js';
 import { ProgramPane } from './program_pane.js';
 import { ShadowPanel } from './shadow_panel.js';
+import { keep, keptFiles, keptState } from './kept.js';
 import { bytesOf, setFileOrigins, Shelf } from './shelf.js';
-import { bare, newState, passOf, stateOf, Store } from './state.js';
+import { bare, copied, newState, passOf, stateOf, Store } from './state.js';
 import { tabs } from './tabs.js';
 import { TracePanel } from './trace_panel.js';
 
@@ -45,14 +46,31 @@ async function engineScript() {
   return new Response(stream).text();
 }
 
-/** The state of the address, or the first effect and a message. */
-async function firstState() {
-  try {
-    return await stateOfAddress(location.hash) ?? first();
-  } catch (error) {
-    say(`This link cannot be opened: ${error.message}.`);
-    return first();
-  }
+/** The state of the address, else what was kept, else the first effect; and the steps before it. */
+async function firstStore() {
+  const faults = [];
+  const tried = async (what, get) => {
+    try {
+      return await get();
+    } catch (error) {
+      faults.push(`${what} cannot be opened: ${error.message}.`);
+      return null;
+    }
+  };
+  const linked = await tried('This link', () => stateOfAddress(location.hash));
+  const kept = await tried('What was kept of your work', keptState);
+  if (faults.length) say(faults.join('\n'));
+  const past = kept?.past ?? [];
+  // A link does not take the place of one's work.
+  if (linked && kept && JSON.stringify(linked) !== JSON.stringify(kept.state)) past.push(kept.state);
+  return new Store(linked ?? kept?.state ?? first(), past);
+}
+
+/** Gives the shelf the dropped files of the state and its steps, as far as the browser kept them. */
+async function restoreFiles(store, shelf) {
+  const named = JSON.stringify([store.state, store.past]);
+  const files = await keptFiles((name) => named.includes(JSON.stringify(name).slice(1, -1))).catch(() => []);
+  for (const [name, bytes] of files) await shelf.restore(name, bytes).catch((error) => say(`${name} cannot be opened: ${error.message}.`));
 }
 
 /** Everything that shows the state. */
@@ -86,8 +104,12 @@ class Page {
     this.profileNames = (about.profiles ?? []).map(({ name }) => name);
     this.showPanel = tabs(document.querySelector('[role=tablist]'), (name) => this.panelShown(name));
     this.later = afterPause(150, () => this.refresh());
-    this.link = afterPause(400, () => this.writeAddress());
+    this.link = afterPause(400, () => this.keep());
+    /** The last writing of the address: each waits for the one before. */
+    this.writing = Promise.resolve();
     store.listen((what) => this.changed(what));
+    store.onstep = (before, navigated) => this.stepped(before, navigated);
+    this.shelf.onlost = () => this.showKept(false);
   }
 
   panelShown(name) {
@@ -113,10 +135,12 @@ class Page {
       this.picture.unmark();
       this.inputs.ofProgram = {};
       this.inputs.view = null;
+      this.program.editor.forget();
     }
     if (what === 'all' || (what === 'inputs' && this.program.shows === 'effect')) this.inputs.show();
     if (what === 'all') this.program.show();
     if (what === 'pass') this.inputs.show();
+    if (what === 'all') this.showSteps();
     if (what === 'all' || what === 'profile') {
       this.showProfile();
       this.profiles.show();
@@ -176,14 +200,42 @@ class Page {
     this.showPanel('trace');
   }
 
-  async writeAddress() {
-    history.replaceState(null, '', await addressOf(this.store.state));
+  /** Writes a state into the address, or into one behind it. @param {'replaceState'|'pushState'} [how] */
+  writeAddress(state = this.store.state, how = 'replaceState') {
+    const written = copied(state);
+    this.writing = this.writing.then(async () => history[how](null, '', await addressOf(written)));
+    return this.writing;
+  }
+
+  /** A step that a person took: Back returns to the state before it. */
+  stepped(before, navigated) {
+    this.link.cancel();
+    if (!navigated) {
+      this.writeAddress(before);
+      this.writeAddress(this.store.state, 'pushState');
+    }
+    this.showKept(keep(this.store));
+    this.showSteps();
+  }
+
+  keep() {
+    this.showKept(keep(this.store));
+    return this.writeAddress();
+  }
+
+  showKept(kept) {
+    byId('kept').textContent = kept ? 'Your work is kept in this browser.' : 'This browser does not keep your work: copy the link.';
+  }
+
+  showSteps() {
+    byId('undo').disabled = this.store.past.length === 0;
+    byId('redo').disabled = this.store.future.length === 0;
   }
 
   async copyLink() {
     await this.writeAddress();
     const { length } = location.href;
-    const dropped = [...this.shelf.dropped].some((name) => JSON.stringify(this.store.state.effect).includes(JSON.stringify(name).slice(1, -1)));
+    const dropped = [...this.shelf.dropped.keys()].some((name) => JSON.stringify(this.store.state.effect).includes(JSON.stringify(name).slice(1, -1)));
     try {
       await navigator.clipboard.writeText(location.href);
       say(null);
@@ -200,10 +252,22 @@ class Page {
       await this.shelf.loadFor(state.effect);
       return this.engine.ask(Live.request(state));
     };
-    const open = (state) => {
+    const open = (state, navigated = false) => {
       say(null);
-      this.store.replace(state);
+      this.store.open(state, navigated);
     };
+    const undo = (how) => {
+      say(null);
+      this.store[how]();
+    };
+    byId('undo').addEventListener('click', () => undo('undo'));
+    byId('redo').addEventListener('click', () => undo('redo'));
+    document.addEventListener('keydown', (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || event.target.closest?.('.cm-editor, dialog')) return;
+      event.preventDefault();
+      undo(event.shiftKey ? 'redo' : 'undo');
+    });
+    window.addEventListener('pagehide', () => keep(this.store));
     const gallery = new Gallery(byId('gallery'), content, draw, open);
     byId('open-gallery').addEventListener('click', () => gallery.show());
     byId('new-program').addEventListener('click', () => open(newState()));
@@ -211,9 +275,10 @@ class Page {
     byId('cancel').addEventListener('click', () => this.engine.restart('the engine was stopped'));
     acceptDrops({ store: this.store, shelf: this.shelf, inputs: this.inputs, editor: () => this.program.show(), open }, say);
     window.addEventListener('hashchange', async () => {
+      this.link.cancel();
       try {
         const state = await stateOfAddress(location.hash);
-        if (state) open(state);
+        if (state) open(state, true);
       } catch (error) {
         say(`This link cannot be opened: ${error.message}.`);
       }
@@ -235,10 +300,11 @@ async function start() {
   const scripts = [await engineScript(), '\n', byId('worker').textContent];
   const engine = new Engine(scripts, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`, 'engine'));
   const newEngine = () => new Engine(scripts, () => {}, () => {});
-  const store = new Store(await firstState());
+  const store = await firstStore();
   const { answer: about } = await engine.ask({ do: 'about' });
   byId('version').textContent = `ninebit ${about.version ?? ''}`;
   const page = new Page(store, { engine, newEngine }, about);
+  await restoreFiles(store, page.shelf);
   page.listen();
   page.showPanel('inputs');
   // For the console and the tests.

@@ -24,7 +24,7 @@ export class ProgramPane {
     const value = this.shows === 'effect' ? effectFile : String(state.pass);
     byId('file-choice').replaceChildren(choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
     const text = this.shows === 'effect' ? JSON.stringify(state.effect, null, 2) : state.files[passOf(state).program] ?? '';
-    this.editor.setText(text);
+    this.editor.open(this.shows === 'effect' ? effectFile : `program ${passOf(state).program ?? ''}`, text);
     this.effectText = this.shows === 'effect' ? text : null;
   }
 

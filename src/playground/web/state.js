@@ -116,16 +116,24 @@ export function sizeOf(state) {
   return Array.isArray(size) ? [size[0], size[1]] : [size, size];
 }
 
-/** The state, and who wants to hear of its changes. */
+/** So many steps can be undone. */
+export const mostSteps = 20;
+
+/** The state, who wants to hear of its changes, and the steps that can be undone: what opens, drops and links replace. */
 export class Store {
-  /** @param {State} state */
-  constructor(state) {
+  /** @param {State} state @param {State[]} [past] */
+  constructor(state, past = []) {
     this.state = bare(state);
+    this.past = past;
+    /** @type {State[]} */
+    this.future = [];
     /** @type {((what: string) => void)[]} */
     this.listeners = [];
+    /** Hears of each step. @type {(before: State, navigated: boolean) => void} */
+    this.onstep = () => {};
   }
 
-  /** @param {(what: string) => void} listener `what`: "all", "text", "inputs", "profile" or "pass" */
+  /** @param {(what: string) => void} listener `what`: "all", "text", "inputs", "profile", "pass" or "other" */
   listen(listener) {
     this.listeners.push(listener);
   }
@@ -140,5 +148,39 @@ export class Store {
   replace(state) {
     this.state = bare(state);
     for (const listener of this.listeners) listener('all');
+  }
+
+  /**
+   * Takes note of a step.
+   * @param {State} before
+   * @param {boolean} [navigated] whether the address has changed already
+   */
+  step(before, navigated = false) {
+    this.past = [...this.past, before].slice(-mostSteps);
+    this.future = [];
+    this.onstep(before, navigated);
+  }
+
+  /** Replaces the state in a step. @param {State} state @param {boolean} [navigated] */
+  open(state, navigated) {
+    const before = copied(this.state);
+    this.replace(state);
+    this.step(before, navigated);
+  }
+
+  undo() {
+    this.swap(this.past, this.future);
+  }
+
+  redo() {
+    this.swap(this.future, this.past);
+  }
+
+  /** @param {State[]} from @param {State[]} to */
+  swap(from, to) {
+    const state = from.pop();
+    if (!state) return;
+    to.push(copied(this.state));
+    this.replace(state);
   }
 }
