@@ -42,6 +42,7 @@ async function checkPage(run) {
   await patiently(() => run('return document.body?.dataset.ready'));
   assert.equal(await run("return document.getElementById('message').textContent"), '');
   const hash = () => run("return document.getElementById('picture').dataset.hash");
+  await run('globalThis.ninebit.page.live.hash = true; return globalThis.ninebit.page.live.draw()');
   assert.equal(await hash(), expectedHashes().sepia);
   // Alpha below 255, a mesh with a normal map, two passes with a depth texture.
   for (const name of ['dot3_specular', 'sprites', 'index_cube']) {

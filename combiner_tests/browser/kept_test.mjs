@@ -133,6 +133,7 @@ test('a reload, a new visit and a crash of the page give the work back, with its
   assert.deepEqual(page.complaints, []);
   // A crash of the page: it hears nothing of it.
   const second = await page.browserContext().newPage();
+  await second.evaluateOnNewDocument(() => { globalThis.ninebitHashes = true; });
   await page.goto('chrome://crash').catch(() => {});
   await second.goto(`file://${pageFile}`);
   await waitForReady(second);

@@ -32,7 +32,7 @@ export const firefox = (executablePath) => puppeteer.launch({ browser: 'firefox'
  * Opens the page and waits for its first picture. `page.complaints` are errors of the console, of scripts, dialogs, and
  * requests that leave the page.
  */
-export async function openPage(browser, { hash = '', width = 1280, height = 900 } = {}) {
+export async function openPage(browser, { hash = '', width = 1280, height = 900, hashes = true } = {}) {
   // A context of its own, as pages of one browser share what it keeps.
   const page = await (await browser.createBrowserContext()).newPage();
   page.complaints = [];
@@ -47,6 +47,7 @@ export async function openPage(browser, { hash = '', width = 1280, height = 900 
     if (!/^(blob:|data:)/.test(request.url()) && request.url().split('#')[0] !== `file://${pageFile}`) complain(`request: ${request.url()}`);
   });
   await page.setViewport({ width, height });
+  if (hashes) await page.evaluateOnNewDocument(() => { globalThis.ninebitHashes = true; });
   await page.goto(`file://${pageFile}${hash}`);
   await waitForReady(page);
   return page;

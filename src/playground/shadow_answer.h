@@ -16,6 +16,7 @@ struct ShadowRequest {
   Scene scene{};              // complete: one camera, one light
   RenderSettings settings{};  // their profile's name stays valid as long as `profile`
   ChosenProfile profile{};
+  bool hashed = true;  // whether the answer has the frame's hashes
 };
 // Fills `out`, or returns why that is not possible.
 [[nodiscard]] std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, ShadowRequest& out);

@@ -41,6 +41,18 @@ export function choice(label, options, chosen, change) {
 }
 
 /**
+ * Gives an element other children. The keyboard's focus stays on the control at its place.
+ * @param {HTMLElement} parent
+ * @param {...Node} children
+ */
+export function replaceChildren(parent, ...children) {
+  const controls = () => /** @type {HTMLElement[]} */ ([...parent.querySelectorAll('button, select, input')]);
+  const at = controls().indexOf(/** @type {HTMLElement} */ (document.activeElement));
+  parent.replaceChildren(...children);
+  if (at >= 0) controls()[at]?.focus();
+}
+
+/**
  * Puts pixels into a canvas of their size.
  * @param {HTMLCanvasElement} canvas
  * @param {Uint8Array} pixels RGBA8, rows from the top
@@ -66,6 +78,24 @@ export function afterPause(milliseconds, run) {
   };
   later.cancel = () => clearTimeout(timer);
   return later;
+}
+
+/**
+ * A function that runs once before the next frame, however often it is called; in a tab that is hidden, soon.
+ * @param {() => void} run
+ */
+export function nextFrame(run) {
+  let waiting = false;
+  const now = () => {
+    waiting = false;
+    run();
+  };
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    if (document.hidden) setTimeout(now, 0);
+    else requestAnimationFrame(now);
+  };
 }
 
 /** Offers a text as a file. @param {string} name @param {string|Blob} content */

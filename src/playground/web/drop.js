@@ -56,7 +56,10 @@ export function acceptDrops(page, say) {
     if (faults.length < files.length) page.store.step(before);
     return say(faults.join('\n') || null);
   };
-  page.inputs.onfiles = (files) => takeAll(files, 0);
+  // A drop waits for the one before: each is a step of its own.
+  let last = Promise.resolve();
+  const inTurn = (files, unit) => { last = last.then(() => takeAll(files, unit)); };
+  page.inputs.onfiles = (files) => inTurn(files, 0);
   const { body } = document;
   document.addEventListener('dragover', (event) => {
     event.preventDefault();
@@ -72,6 +75,6 @@ export function acceptDrops(page, say) {
     if (files.length === 0) return;
     event.preventDefault();
     event.stopPropagation();
-    takeAll(files, Number(event.target.closest?.('[data-unit]')?.dataset.unit ?? 0));
+    inTurn(files, Number(event.target.closest?.('[data-unit]')?.dataset.unit ?? 0));
   }, { capture: true });
 }

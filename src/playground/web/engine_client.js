@@ -72,11 +72,15 @@ export class Engine {
         reject(new Stopped(this.dead));
         return;
       }
-      if (key) {
-        for (const old of this.waiting.filter((entry) => entry.key === key)) old.reject(new Replaced());
-        this.waiting = this.waiting.filter((entry) => entry.key !== key);
+      const entry = { request, bytes, key, resolve, reject };
+      const old = key ? this.waiting.findIndex((other) => other.key === key) : -1;
+      if (old < 0) {
+        this.waiting.push(entry);
+      } else {
+        // At its place: at the end, requests that are replaced often would never come.
+        this.waiting[old].reject(new Replaced());
+        this.waiting[old] = entry;
       }
-      this.waiting.push({ request, bytes, key, resolve, reject });
       this.next();
     });
   }

@@ -2,7 +2,7 @@
  * What a pass reads: mesh, textures and their coordinates, colours, constants.
  */
 import { cameraSliders } from './camera.js';
-import { choice, element } from './dom.js';
+import { choice, element, replaceChildren } from './dom.js';
 import { fileIn } from './shelf.js';
 import { bare, passOf } from './state.js';
 
@@ -62,7 +62,7 @@ export class InputsPanel {
     const pass = passOf(state);
     const chip = this.units();
     const units = [0, 1, 2, 3].filter((unit) => unit < chip || pass.units?.[unit]).map((unit) => this.unit(unit, pass.units?.[unit] ?? null, chip));
-    this.parent.replaceChildren(
+    replaceChildren(this.parent,
       element('div', { class: 'cards' }, ...units,
         element('fieldset', {}, element('legend', {}, 'Vertices'), this.mesh(),
           choice('Primary colour', colours, pass.primary ?? 'constant:1,1,1', (value) => this.edit((now) => { now.primary = value; })),

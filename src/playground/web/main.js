@@ -3,7 +3,7 @@
  */
 import { CommandPanel, commandsOf } from './command_line.js';
 import { ConvertPanel } from './convert_panel.js';
-import { afterPause, byId, choice } from './dom.js';
+import { afterPause, byId, choice, nextFrame, replaceChildren } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { Engine, Replaced } from './engine_client.js';
 import { Gallery } from './gallery.js';
@@ -103,7 +103,9 @@ class Page {
     this.forms = new Map((about.forms ?? []).map(({ name, title }) => [name, title]));
     this.profileNames = (about.profiles ?? []).map(({ name }) => name);
     this.showPanel = tabs(document.querySelector('[role=tablist]'), (name) => this.panelShown(name));
-    this.later = afterPause(150, () => this.refresh());
+    /** The picture follows each change; panels and the trace follow a pause. */
+    this.soon = nextFrame(() => this.draw());
+    this.later = afterPause(150, () => this.updatePanels());
     this.link = afterPause(400, () => this.keep());
     /** The last writing of the address: each waits for the one before. */
     this.writing = Promise.resolve();
@@ -122,7 +124,10 @@ class Page {
   changed(what) {
     this.show(what);
     if (what === 'other') this.profiles.update();
-    else this.later();
+    else {
+      this.soon();
+      this.later();
+    }
     this.link();
   }
 
@@ -151,17 +156,20 @@ class Page {
   showProfile() {
     const { profile } = this.store.state;
     const name = typeof profile === 'string' ? profile : this.profiles.title();
-    byId('profile-choice').replaceChildren(choice('Profile', this.profileNames, name, (value) => {
+    replaceChildren(byId('profile-choice'), choice('Profile', this.profileNames, name, (value) => {
       if (this.profileNames.includes(value)) this.store.change('profile', (state) => { state.profile = value; });
     }));
   }
 
-  async refresh() {
-    const panels = [this.profiles, this.gpu, this.convert, this.command, this.shadow];
+  /** Reads the program and draws. A drawing that still waits gives way to a newer one. */
+  async draw() {
     if (this.program.shows === 'program') this.live.read();
     await this.live.draw();
+  }
+
+  updatePanels() {
     if (!byId('panel-trace').hidden) this.live.trace();
-    for (const panel of panels) panel.update();
+    for (const panel of [this.profiles, this.gpu, this.convert, this.command, this.shadow]) panel.update();
   }
 
   read(answer) {
@@ -312,7 +320,8 @@ async function start() {
   page.show('all');
   page.link();
   // The words can wait for the first picture.
-  await page.refresh();
+  await page.draw();
+  page.updatePanels();
   const { answer } = await engine.ask({ do: 'vocabulary' });
   page.program.editor.setWords(answer.words ?? []);
   page.words = answer.words?.length ?? 0;

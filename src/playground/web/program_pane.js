@@ -1,7 +1,7 @@
 /**
  * The left pane: which text is edited, the editor, the diagnostics as a list.
  */
-import { byId, choice, element } from './dom.js';
+import { byId, choice, element, replaceChildren } from './dom.js';
 import { Editor } from './editor.js';
 import { checkedEffect, effectFile, passOf } from './state.js';
 
@@ -22,7 +22,7 @@ export class ProgramPane {
     const { state } = this.store;
     const passes = state.effect.passes.map((pass, at) => [String(at), `${pass.name ?? `pass ${at}`}: ${pass.program ?? 'no program'}`]);
     const value = this.shows === 'effect' ? effectFile : String(state.pass);
-    byId('file-choice').replaceChildren(choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
+    replaceChildren(byId('file-choice'), choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
     const text = this.shows === 'effect' ? JSON.stringify(state.effect, null, 2) : state.files[passOf(state).program] ?? '';
     this.editor.open(this.shows === 'effect' ? effectFile : `program ${passOf(state).program ?? ''}`, text);
     this.effectText = this.shows === 'effect' ? text : null;
