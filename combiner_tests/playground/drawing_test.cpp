@@ -93,17 +93,22 @@ TEST(PlaygroundDraw, KeepsTexturesAndDrawsWhatANewEngineDraws) {
   request["profile"] = "nv2a";
   requests.push_back(request);
   Engine kept;
-  for (const std::uint8_t level : {std::uint8_t{1}, std::uint8_t{90}}) {
-    put(kept, level);
-    for (std::size_t i = 0; i < requests.size(); ++i) {
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    for (const std::uint8_t level : {std::uint8_t{1}, std::uint8_t{90}}) {
       Engine fresh;
       put(fresh, level);
+      put(kept, level);
       const PageJson expected = ask(fresh, requests[i]);
       ASSERT_EQ(fault_of_answer(expected), "");
       // The second time, all textures are kept: the warning about a picture's sides is, too.
       EXPECT_EQ(ask(kept, requests[i]), expected) << i;
       EXPECT_EQ(ask(kept, requests[i]), expected) << i;
     }
+    // Without a put in between, the textures of the request before are there.
+    Engine fresh;
+    put(fresh, 90);
+    const PageJson& next = requests[(i + 1) % requests.size()];
+    EXPECT_EQ(ask(kept, next), ask(fresh, next)) << i;
   }
 }
 
