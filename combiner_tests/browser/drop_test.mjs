@@ -3,57 +3,12 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { crc32, deflateSync } from 'node:zlib';
-import { nativeHash, onePage, root, stateOf, waitForHash } from './support.mjs';
+import { picture } from './png_files.mjs';
+import { dropOn, nativeHash, onePage, root, stateOf, waitForHash } from './support.mjs';
 
 const page = await onePage();
 
-/** The checksum of a PNG chunk; node's zlib has it only in later versions. */
-function checksum(bytes) {
-  if (crc32) return crc32(bytes);
-  let sum = ~0;
-  for (const byte of bytes) {
-    sum ^= byte;
-    for (let bit = 0; bit < 8; bit++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
-  }
-  return ~sum >>> 0;
-}
-
-/** A PNG whose colours stay where alpha is 0. */
-function picture(side) {
-  const rows = [];
-  for (let y = 0; y < side; y++) {
-    rows.push(0);
-    for (let x = 0; x < side; x++) rows.push((x * 37 + y) & 255, (y * 11) & 255, (x ^ y) & 255, (x * 4) & 255);
-  }
-  const chunk = (name, data) => {
-    const body = Buffer.concat([Buffer.from(name), data]);
-    const length = Buffer.alloc(4);
-    length.writeUInt32BE(data.length);
-    const sum = Buffer.alloc(4);
-    sum.writeUInt32BE(checksum(body));
-    return Buffer.concat([length, body, sum]);
-  };
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(side, 0);
-  header.writeUInt32BE(side, 4);
-  header.set([8, 6, 0, 0, 0], 8);
-  return Buffer.concat([Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]), chunk('IHDR', header), chunk('IDAT', deflateSync(Buffer.from(rows))),
-    chunk('IEND', Buffer.alloc(0))]);
-}
-
-/** Drops files on the picture. `content`: base64, or a number of zero bytes. */
-function dropAll(files) {
-  return page.evaluate((all) => {
-    const dataTransfer = new DataTransfer();
-    for (const { name, type, content } of all) {
-      const bytes = typeof content === 'number' ? new Uint8Array(content) : Uint8Array.from(atob(content), (character) => character.charCodeAt(0));
-      dataTransfer.items.add(new File([bytes], name, { type }));
-    }
-    document.getElementById('picture').dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer }));
-  }, files);
-}
-
+const dropAll = (files) => dropOn(page, files);
 const drop = (name, type, content) => dropAll([{ name, type, content }]);
 
 const message = () => page.$eval('#message', (element) => (element.hidden ? '' : element.textContent));
@@ -130,4 +85,18 @@ test('an effect file opens with the files that it names', async () => {
   await dropAll([...files, { name: 'program-001.gl', type: '', content: base64(program) }]);
   await page.waitForFunction(() => globalThis.ninebit.store.state.effect.title === 'Captured');
   await waitForHash(page, nativeHash(await stateOf(page), { 'dropped/draw-001.ply': Buffer.from(mesh), 'dropped/draw-001.texel0.png': picture(32) }));
+});
+
+test('several files that cannot be used are all named', async () => {
+  await dropAll([{ name: 'one.bin', type: '', content: 100 }, { name: 'two.bin', type: '', content: 100 }]);
+  await page.waitForFunction(() => /one\.bin: not a picture[^]*two\.bin: not a picture/.test(document.getElementById('message').textContent));
+});
+
+test('an effect file that its schema does not allow gets one sentence', async () => {
+  const before = await stateOf(page);
+  for (const [passes, expected] of [[[null], 'bad.json: passes[0] must be an object'], [[{ program: {} }], 'bad.json: passes[0].program must be a string']]) {
+    await drop('bad.json', 'application/json', Buffer.from(JSON.stringify({ ninebit: 'effect', version: 1, passes })).toString('base64'));
+    await page.waitForFunction((text) => document.getElementById('message').textContent === text, {}, expected);
+  }
+  assert.deepEqual(await stateOf(page), before);
 });

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, statSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { hashOf, launch, openPage, pageFile, type, waitForHash } from './support.mjs';
+import { hashOf, launch, openEffect, openPage, pageFile, type, waitForHash } from './support.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -20,6 +20,13 @@ test('the first picture', async (context) => {
   assert.ok(milliseconds > 0);
   // A figure, not a limit: the machine may be busy.
   context.diagnostic(`the first picture was there after ${milliseconds} ms`);
+  assert.deepEqual(page.complaints, []);
+});
+
+test('textures that are opened for the first time have their thumbnails', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'emboss');
+  await page.waitForSelector('#panel-inputs .texture-thumbnail');
   assert.deepEqual(page.complaints, []);
 });
 

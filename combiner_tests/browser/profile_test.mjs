@@ -36,6 +36,7 @@ test('a range follows, and the way back ends at the shipped profile', async () =
 });
 
 test('another arithmetic drops the fields that it does not read', async () => {
+  await page.waitForFunction(() => document.querySelector('[data-field="half"] input').max === '255');
   await (await control('half')).press('ArrowLeft');
   await page.waitForFunction(() => globalThis.ninebit.store.state.profile.half === 127);
   await page.evaluate(() => { delete document.getElementById('picture').dataset.hash; });

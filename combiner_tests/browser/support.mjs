@@ -16,19 +16,25 @@ const program = join(root, 'build/release/bin/ninebit');
 const puppeteer = createRequire(join(root, 'build/playground/npm/package.json'))('puppeteer-core');
 
 const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+  '--disable-component-update', '--disable-sync'];
+const softwareWebgl = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
-export function launch() {
+/** Chromium with WebGL by software, or with none. */
+export function launch({ webgl = true } = {}) {
   const executablePath = execFileSync('which', [process.env.CHROMIUM ?? 'chromium']).toString().trim();
-  return puppeteer.launch({ executablePath, args: flags });
+  return puppeteer.launch({ executablePath, args: [...flags, ...(webgl ? softwareWebgl : ['--disable-gpu', '--disable-software-rasterizer'])] });
 }
+
+/** Firefox without a screen. @param {string} executablePath */
+export const firefox = (executablePath) => puppeteer.launch({ browser: 'firefox', executablePath });
 
 /**
  * Opens the page and waits for its first picture. `page.complaints` are errors of the console, of scripts, dialogs, and
  * requests that leave the page.
  */
-export async function openPage(browser, { hash = '', width = 1280, height = 900 } = {}) {
-  const page = await browser.newPage();
+export async function openPage(browser, { hash = '', width = 1280, height = 900, hashes = true } = {}) {
+  // A context of its own, as pages of one browser share what it keeps.
+  const page = await (await browser.createBrowserContext()).newPage();
   page.complaints = [];
   const complain = (text) => page.complaints.push(text);
   page.on('console', (message) => { if (['error', 'warn'].includes(message.type())) complain(`console: ${message.text()}`); });
@@ -41,14 +47,18 @@ export async function openPage(browser, { hash = '', width = 1280, height = 900 
     if (!/^(blob:|data:)/.test(request.url()) && request.url().split('#')[0] !== `file://${pageFile}`) complain(`request: ${request.url()}`);
   });
   await page.setViewport({ width, height });
+  if (hashes) await page.evaluateOnNewDocument(() => { globalThis.ninebitHashes = true; });
   await page.goto(`file://${pageFile}${hash}`);
-  await page.waitForFunction(() => document.body.dataset.ready, { timeout: 60_000 });
+  await waitForReady(page);
   return page;
 }
 
+/** Waits for the first picture. */
+export const waitForReady = (page) => page.waitForFunction(() => document.body?.dataset.ready && globalThis.ninebit, { timeout: 60_000 });
+
 /** One page for all tests of a file; its browser is closed after them. */
-export async function onePage() {
-  const browser = await launch();
+export async function onePage(options) {
+  const browser = await launch(options);
   after(() => browser.close());
   return openPage(browser);
 }
@@ -82,6 +92,18 @@ export async function openEffect(page, name) {
   await page.waitForFunction(() => document.getElementById('picture').dataset.hash !== undefined, { timeout: 30_000 });
 }
 
+/** Drops files on the picture. `content`: base64, or a number of zero bytes. */
+export function dropOn(page, files) {
+  return page.evaluate((all) => {
+    const dataTransfer = new DataTransfer();
+    for (const { name, type, content } of all) {
+      const bytes = typeof content === 'number' ? new Uint8Array(content) : Uint8Array.from(atob(content), (character) => character.charCodeAt(0));
+      dataTransfer.items.add(new File([bytes], name, { type }));
+    }
+    document.getElementById('picture').dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer }));
+  }, files);
+}
+
 /** Clicks a pixel of the picture, counted from the upper left corner. */
 export async function clickPixel(page, x, y) {
   const place = await page.$eval('#picture canvas', (canvas, column, row) => {
@@ -95,10 +117,13 @@ export async function clickPixel(page, x, y) {
 /** The page's state as data. */
 export const stateOf = (page) => page.evaluate(() => structuredClone(globalThis.ninebit.store.state));
 
+const folders = [];
+process.on('exit', () => folders.forEach((folder) => rmSync(folder, { recursive: true, force: true })));
+
 /** A folder with the state's files and the gallery's pictures, for the native program. */
 export function folderOf(state, more = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'ninebit-browser-'));
-  process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+  folders.push(folder);
   cpSync(join(root, 'scenes/effects/textures'), join(folder, 'textures'), { recursive: true });
   for (const [name, content] of Object.entries({ ...state.files, ...more, 'effect.json': JSON.stringify(state.effect) })) {
     mkdirSync(dirname(join(folder, name)), { recursive: true });

@@ -85,6 +85,9 @@ const std::vector<GlFault> kWords{
     {"\xFF\xFE\x80 glEnable(GL_REGISTER_COMBINERS_NV);\n@",
      "f:1:1: expected a GL call, found '\\xff\\xfe\\x80'\n"
      "f:2:1: expected a GL call, found '@'\n"},
+    {"颜色();", "f:1:1: expected a GL call, found '颜色'\n"},
+    // A character that changes the direction of a line is escaped.
+    {"\u202E();", "f:1:1: expected a GL call, found '\\xe2\\x80\\xae'\n"},
 };
 
 TEST(GlCallsFaults, NameTheirPlace) {

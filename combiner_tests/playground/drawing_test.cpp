@@ -56,6 +56,62 @@ TEST(PlaygroundDraw, GivesThePictureFromTheTop) {
   EXPECT_EQ((std::vector<int>{bytes[0], bytes[1], bytes[2]}), (std::vector<int>{255, 128, 64}));
 }
 
+TEST(PlaygroundDraw, SaysWhereTheCameraIs) {
+  Engine engine;
+  PageJson request = draw_request();
+  EXPECT_EQ(ask(engine, request)["view"]["position"], (PageJson{0.0, 0.0, 3.0}));
+  request["effect"]["scene"] = {{"mesh", "sphere:8"}};
+  const PageJson framed = ask(engine, request)["view"];
+  EXPECT_NE(framed["position"], (PageJson{0.0, 0.0, 3.0}));
+  request["effect"]["scene"]["camera"] = framed["position"];
+  request["effect"]["scene"]["look_at"] = framed["target"];
+  EXPECT_EQ(ask(engine, request)["view"]["position"], framed["position"]);
+}
+
+TEST(PlaygroundDraw, KeepsTexturesAndDrawsWhatANewEngineDraws) {
+  const auto put = [](Engine& engine, std::uint8_t level) {
+    const auto buffer = engine.buffer(3 * 2 * 4);
+    for (std::size_t i = 0; i < buffer.size(); ++i) buffer[i] = static_cast<std::uint8_t>(level + 7 * i);
+    ask(engine, {{"do", "put"}, {"name", "a.png"}, {"kind", "pixels"}, {"width", 3}, {"height", 2}});
+  };
+  PageJson request = draw_request();
+  std::vector<PageJson> requests;
+  const auto with = [&](const char* source, const char* filter) {
+    request["effect"]["textures"]["squares"] = {{"source", source}, {"filter", filter}};
+    requests.push_back(request);
+  };
+  with("a.png", "nearest");
+  with("a.png", "trilinear");
+  with("normals:a.png", "trilinear");
+  request["effect"]["textures"]["squares"]["steepness"] = 1;
+  requests.push_back(request);
+  with("checker:8", "nearest");
+  with("checker:16", "nearest");
+  with("normalize-cube:16", "linear");
+  request["effect"]["textures"]["other"] = request["effect"]["textures"]["squares"];
+  requests.push_back(request);
+  request["profile"] = "nv2a";
+  requests.push_back(request);
+  Engine kept;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    for (const std::uint8_t level : {std::uint8_t{1}, std::uint8_t{90}}) {
+      Engine fresh;
+      put(fresh, level);
+      put(kept, level);
+      const PageJson expected = ask(fresh, requests[i]);
+      ASSERT_EQ(fault_of_answer(expected), "");
+      // The second time, all textures are kept: the warning about a picture's sides is, too.
+      EXPECT_EQ(ask(kept, requests[i]), expected) << i;
+      EXPECT_EQ(ask(kept, requests[i]), expected) << i;
+    }
+    // Without a put in between, the textures of the request before are there.
+    Engine fresh;
+    put(fresh, 90);
+    const PageJson& next = requests[(i + 1) % requests.size()];
+    EXPECT_EQ(ask(kept, next), ask(fresh, next)) << i;
+  }
+}
+
 TEST(PlaygroundDraw, TakesPicturesThatWerePut) {
   Engine engine;
   PageJson request = draw_request();

@@ -42,6 +42,8 @@ TEST(PlaygroundShadow, DrawsTheRoomAndItsCube) {
   ASSERT_EQ(fault_of_answer(other), "");
   EXPECT_NE(other["hash"], answer["hash"]);
   EXPECT_EQ(other["view"]["fov"], 40);
+  moved["hash"] = false;
+  EXPECT_FALSE(ask(engine, moved).contains("hash"));
   moved["order"] = "neighbour";
   EXPECT_EQ(ask(engine, moved)["order"]["used"], "neighbour");
 }

@@ -17,9 +17,9 @@ std::filesystem::path path_in(const Effect& effect, const std::string& file) {
 }
 
 // What an origin makes of the file's texture.
-Result<Texture> made_from(const Texture& file, const EffectTexture& texture) {
-  const auto steepness = static_cast<double>(texture.steepness);
-  switch (texture.origin) {
+Result<Texture> made_from(const Texture& file, const TextureRecipe& recipe) {
+  const auto steepness = static_cast<double>(recipe.steepness);
+  switch (recipe.origin) {
     case TextureOrigin::normals:
       return normal_map(file, steepness);
     case TextureOrigin::signed_normals:
@@ -41,34 +41,47 @@ Result<Texture> made_from(const Texture& file, const EffectTexture& texture) {
   }
 }
 
-Result<Texture> texture_of_files(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
+Result<Texture> texture_of_files(const TextureRecipe& recipe, const HardwareProfile& profile,
                                  const EffectReaders& readers) {
-  std::vector<std::filesystem::path> files;
-  for (const std::string& file : texture.files) files.push_back(path_in(effect, file));
-  if (texture.origin == TextureOrigin::rectangle && readers.rectangle) return readers.rectangle(files[0], profile);
+  const std::vector<std::filesystem::path>& files = recipe.files;
+  if (recipe.origin == TextureOrigin::rectangle && readers.rectangle) return readers.rectangle(files[0], profile);
   auto read = readers.texture(files, profile);
   if (!read) return read;
-  auto made = made_from(*read, texture);
+  auto made = made_from(*read, recipe);
   if (made) return made;
   Diagnostic fault = made.error();
   fault.file = files[0].string();
   return fault;
 }
 
-Result<Texture> made_texture(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
-                             const EffectReaders& readers) {
-  switch (texture.origin) {
+Result<Texture> texture_without_mipmaps(const TextureRecipe& recipe, const HardwareProfile& profile,
+                                        const EffectReaders& readers) {
+  switch (recipe.origin) {
     case TextureOrigin::normalize_cube:
-      return normalization_cube_map(texture.size);
+      return normalization_cube_map(recipe.size);
     case TextureOrigin::checker:
-      return checkerboard(texture.size);
+      return checkerboard(recipe.size);
     case TextureOrigin::gradient:
       return gradient();
     case TextureOrigin::falloff:
       return attenuation();
     default:
-      return texture_of_files(effect, texture, profile, readers);
+      return texture_of_files(recipe, profile, readers);
   }
+}
+
+Result<Texture> made_texture(const TextureRecipe& recipe, const HardwareProfile& profile,
+                             const EffectReaders& readers) {
+  auto made = texture_without_mipmaps(recipe, profile, readers);
+  if (made && recipe.mip_signs && made->faces[0].size() == 1) return with_mipmaps(*made, *recipe.mip_signs);
+  return made;
+}
+
+TextureRecipe recipe_of(const Effect& effect, const EffectTexture& texture) {
+  TextureRecipe recipe{.origin = texture.origin, .size = texture.size, .steepness = texture.steepness};
+  for (const std::string& file : texture.files) recipe.files.push_back(path_in(effect, file));
+  if (needs_mipmaps(texture.sampler)) recipe.mip_signs = texture.sampler.is_signed;
+  return recipe;
 }
 
 // Sets the camera and light of a rectangle from the setup.
@@ -128,9 +141,9 @@ Scene rectangle_scene(const Scene& scene) {
 Result<Texture> effect_texture(const Effect& effect, const EffectTexture& texture, const HardwareProfile& profile,
                                const EffectReaders& readers) {
   const std::string part = "texture " + effect_detail::in_quotes(texture.name);
-  auto made = made_texture(effect, texture, profile, readers);
-  if (made && needs_mipmaps(texture.sampler) && made->faces[0].size() == 1)
-    made = with_mipmaps(*made, texture.sampler.is_signed);
+  const TextureRecipe recipe = recipe_of(effect, texture);
+  const auto make = [&] { return made_texture(recipe, profile, readers); };
+  auto made = readers.kept ? readers.kept(recipe, make) : make();
   if (!made) return fault_in(part, made.error());
   return made;
 }

@@ -8,6 +8,7 @@
 #include "src/effect/traced_pixel.h"
 #include "src/playground/drawing.h"
 #include "src/playground/plane_hash.h"
+#include "src/playground/shadow_answer.h"
 
 namespace ninebit::playground {
 namespace {
@@ -77,13 +78,15 @@ std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what) {
   return std::nullopt;
 }
 
-Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options) {
+Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options,
+                  std::vector<KeptTexture>* kept) {
   Drawn drawn;
   if (std::string complaint = complaint_about_amount(what.effect, shelf); !complaint.empty()) {
     drawn.refused = refusal(std::move(complaint), "effect");
     return drawn;
   }
   ShelfReaders shelf_readers(what.files, shelf);
+  if (kept != nullptr) shelf_readers.reuse(std::exchange(*kept, {}));
   auto renderer = EffectRenderer::make(what.effect, what.profile.profile(), shelf_readers.readers(), options);
   Status done = renderer ? renderer->draw() : Status(renderer.error());
   if (!done) {
@@ -92,6 +95,7 @@ Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptio
     return drawn;
   }
   drawn.warnings = shelf_readers.warnings();
+  if (kept != nullptr) *kept = std::move(shelf_readers).textures();
   drawn.warnings.insert(drawn.warnings.end(), renderer->warnings().begin(), renderer->warnings().end());
   drawn.renderer.emplace(std::move(*renderer));
   return drawn;
@@ -128,13 +132,14 @@ Reply Engine::draw(Request& request) {
   const bool hashed = request.flag_or("hash", true);
   if (request.failed()) return request.refused();
   if (auto refused = choose_drawn_profile(request, asked.what)) return *refused;
-  Drawn drawn = draw_effect(asked.what, shelf_, {});
+  Drawn drawn = draw_effect(asked.what, shelf_, {}, &textures_);
   if (!drawn.renderer) return *drawn.refused;
   const Surface& picture = drawn.renderer->picture();
   append_picture(picture, bytes_);
   Json out{{"width", picture.width()}, {"height", picture.height()}};
   out["profile"] = asked.what.profile.profile().name;
   out["passes"] = pass_names(asked.what.effect);
+  out["view"] = view_of(drawn.renderer->scene());
   out["warnings"] = drawn.warnings;
   if (hashed) out["hash"] = hashes_of(picture);
   out["bytes"] = bytes_.size();

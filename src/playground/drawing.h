@@ -1,9 +1,11 @@
 // Drawing effects from what a request and the shelf hold.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ninebit/effect/effect_renderer.h"
@@ -14,6 +16,7 @@ namespace ninebit::playground {
 // Limits of a drawing, so that a browser's memory suffices.
 inline constexpr std::size_t kMaxDrawnPixels = std::size_t{1} << 24;  // of the picture and all targets together
 inline constexpr std::size_t kMaxTexels = std::size_t{1} << 25;       // of all textures together, without mip-maps
+inline constexpr std::size_t kMaxKeptTexels = std::size_t{1} << 20;   // of one texture that the next drawing takes over
 inline constexpr int kMaxDrawnSegments = 512;                         // N of a generated mesh
 
 inline constexpr std::uint64_t kMaxFileTriangles = std::uint64_t{1} << 19;  // of a scene file that was put
@@ -37,6 +40,11 @@ class ShelfReaders {
   // The views must outlive the readers.
   ShelfReaders(const FileTexts& texts, const Shelf& shelf) : texts_(texts), shelf_(shelf) {}
 
+  // Takes textures from those that were made before of the same shelf. The profile does not change a texture here.
+  void reuse(std::vector<KeptTexture> textures) { reused_ = std::move(textures); }
+  // The textures that were read or taken, for the next drawing.
+  [[nodiscard]] std::vector<KeptTexture> textures() && { return std::move(kept_); }
+
   [[nodiscard]] EffectReaders readers();
   // Faults of the program that was read last, with places in its text; none: the reading did not fail there.
   [[nodiscard]] const std::vector<TextFault>& program_faults() const { return program_faults_; }
@@ -46,12 +54,14 @@ class ShelfReaders {
  private:
   Result<TextProgram> read_program(const std::string& name, const HardwareProfile& profile);
   Result<Texture> read_texture(const std::vector<std::string>& names, bool is_rectangle);
+  Result<Texture> kept_texture(const TextureRecipe& recipe, const std::function<Result<Texture>()>& make);
   Result<TextureSamples> samples_of(const std::string& name, bool opaque, bool any_sides);
 
   const FileTexts& texts_;
   const Shelf& shelf_;
   std::vector<TextFault> program_faults_{};
   std::vector<std::string> warnings_{};
+  std::vector<KeptTexture> reused_{}, kept_{};
 };
 
 // An effect's request, without its profiles. Faults of the effect's own text are in `refused`.
@@ -70,7 +80,9 @@ struct Drawn {
   std::vector<std::string> warnings{};
   std::optional<Reply> refused{};  // if there is no renderer
 };
-[[nodiscard]] Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options);
+// `kept`: textures of an earlier drawing of the same shelf; then those of this one.
+[[nodiscard]] Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options,
+                                std::vector<KeptTexture>* kept = nullptr);
 
 // The picture's RGBA, rows from the top, appended to `bytes`.
 void append_picture(const Surface& surface, std::vector<std::uint8_t>& bytes);

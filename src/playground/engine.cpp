@@ -90,6 +90,7 @@ Reply Engine::put(Request& request) {
     return refusal("the buffer has " + std::to_string(buffer_.size()) + " bytes; these pixels have " +
                    std::to_string(expected));
   }
+  textures_.clear();
   shelf_.pixels.erase(name);
   shelf_.files.erase(name);
   std::size_t kept = buffer_.size();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ninebit/effect/effect.h"
+#include "ninebit/effect/effect_renderer.h"
 #include "src/playground/request.h"
 
 namespace ninebit::playground {
@@ -34,6 +35,13 @@ struct PutPixels {
 struct Shelf {
   std::map<std::string, PutPixels, std::less<>> pixels{};
   std::map<std::string, std::vector<std::uint8_t>, std::less<>> files{};
+};
+
+// Textures of the last drawing, for the next one, with the warnings that came with them.
+struct KeptTexture {
+  TextureRecipe recipe{};
+  Texture texture{};
+  std::vector<std::string> warnings{};
 };
 
 // The last drawing, for "pixel".
@@ -78,6 +86,7 @@ class Engine {
   std::vector<std::uint8_t> buffer_{};
   std::vector<std::uint8_t> bytes_{};
   std::optional<LastDrawing> last_{};
+  std::vector<KeptTexture> textures_{};  // of the last "draw"; none after a "put"
   std::unique_ptr<Judging> judging_;
 };
 

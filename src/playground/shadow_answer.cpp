@@ -128,6 +128,8 @@ Json order_of(const IndexOrderReport& report) {
   return order;
 }
 
+}  // namespace
+
 Json view_of(const Scene& scene) {
   const auto list = [](const glm::vec3& v) { return Json{v.x, v.y, v.z}; };
   const Camera& camera = scene.cameras[0];
@@ -137,15 +139,14 @@ Json view_of(const Scene& scene) {
               {"light", list(scene.lights[0].position)}};
 }
 
-}  // namespace
-
 std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, ShadowRequest& out) {
   const auto settings = page_settings();
-  std::vector<std::string_view> keys{"scene", "profile", "camera", "light", "size", "cartoon", "light_facing"};
+  std::vector<std::string_view> keys{"scene", "profile", "camera", "light", "size", "cartoon", "light_facing", "hash"};
   for (const auto& [key, setting] : settings) keys.push_back(key);
   request.allow(keys);
   AskedShadow asked = asked_shadow(request);
   out.profile = request.profile("profile");
+  out.hashed = request.flag_or("hash", true);
   if (request.failed()) return request.refused();
   out.settings = asked.settings;
   out.settings.profile = out.profile.profile();
@@ -180,7 +181,7 @@ Reply shadow_answer(Request& request, const Shelf& shelf, std::vector<std::uint8
   out["order"] = order_of(rendering->index_order);
   out["facts"] = facts_of(*rendering);
   out["view"] = view_of(asked.scene);
-  out["hash"] = hashes_of(rendering->frame);
+  if (asked.hashed) out["hash"] = hashes_of(rendering->frame);
   out["bytes"] = bytes.size();
   return out;
 }

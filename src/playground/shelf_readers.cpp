@@ -97,6 +97,9 @@ EffectReaders ShelfReaders::readers() {
   readers.rectangle = [this](const std::filesystem::path& file, const HardwareProfile&) {
     return read_texture({file.string()}, true);
   };
+  readers.kept = [this](const TextureRecipe& recipe, const std::function<Result<Texture>()>& make) {
+    return kept_texture(recipe, make);
+  };
   readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis> up) -> Result<Scene> {
     auto scene = shelf_scene(file.string(), shelf_, up);
     if (scene) {
@@ -115,6 +118,27 @@ Result<TextProgram> ShelfReaders::read_program(const std::string& name, const Ha
   if (parsed) return *parsed;
   program_faults_ = refusals(parsed.faults(), found->second).faults();
   return Diagnostic{.message = parsed.faults()[0].message, .file = name, .line = parsed.faults()[0].line};
+}
+
+Result<Texture> ShelfReaders::kept_texture(const TextureRecipe& recipe, const std::function<Result<Texture>()>& make) {
+  const auto is_it = [&](const KeptTexture& kept) { return kept.recipe == recipe; };
+  if (const auto found = std::find_if(reused_.begin(), reused_.end(), is_it); found != reused_.end()) {
+    kept_.push_back(std::move(*found));
+    reused_.erase(found);
+  }
+  if (const auto found = std::find_if(kept_.begin(), kept_.end(), is_it); found != kept_.end()) {
+    warnings_.insert(warnings_.end(), found->warnings.begin(), found->warnings.end());
+    return found->texture;
+  }
+  const auto before = static_cast<std::ptrdiff_t>(warnings_.size());
+  auto made = make();
+  if (!made) return made;
+  const auto& image = made->faces[0][0];
+  const auto side = [](int texels) { return static_cast<std::size_t>(texels); };
+  if (made->faces.size() * side(image.width) * side(image.height) <= kMaxKeptTexels) {
+    kept_.push_back({recipe, *made, {warnings_.begin() + before, warnings_.end()}});
+  }
+  return made;
 }
 
 Result<TextureSamples> ShelfReaders::samples_of(const std::string& name, bool opaque, bool any_sides) {

@@ -28,6 +28,16 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// All that decides the texels of a texture that is not a target's, besides the content of its files.
+struct TextureRecipe {
+  TextureOrigin origin = TextureOrigin::file;      // as in EffectTexture
+  std::vector<std::filesystem::path> files{};      // with the effect's folder in front of relative ones
+  int size = 0;                                    // as in EffectTexture
+  float steepness = 0.0F;                          // as in EffectTexture
+  std::optional<std::array<bool, 4>> mip_signs{};  // with mip-maps, whose components are signed; empty: without them
+  friend bool operator==(const TextureRecipe&, const TextureRecipe&) = default;
+};
+
 // How an effect's files are read. The paths are those of the effect, with its folder in front of relative ones.
 struct EffectReaders {
   // A program in any form, valid under the profile; its texture-shader stages are those of the pass, if enabled.
@@ -39,6 +49,9 @@ struct EffectReaders {
   std::function<Result<Texture>(const std::filesystem::path& file, const HardwareProfile& profile)> rectangle{};
   // A scene as read_scene() returns it with this axis as SceneReadOptions::up.
   std::function<Result<Scene>(const std::filesystem::path& file, std::optional<UpAxis> up)> scene{};
+  // The texture of a recipe: `make` makes it, by the readers above. For who keeps textures from one renderer to the
+  // next, and knows whether files or the profile have changed. Empty: each texture is made.
+  std::function<Result<Texture>(const TextureRecipe& recipe, const std::function<Result<Texture>()>& make)> kept{};
 };
 
 // Options: values to keep besides the pictures.

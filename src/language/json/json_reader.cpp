@@ -4,6 +4,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "src/system/printable_text.h"
+
 namespace ninebit::json {
 namespace {
 
@@ -209,19 +211,7 @@ TextPlace Places::operator()(std::size_t offset) const {
 }
 
 std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  std::string out = "\"";
-  for (const char c : text.substr(0, kLongest)) {
-    if (c >= ' ' && c <= '~') {
-      out += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      out += "\\x";
-      out += "0123456789abcdef"[byte >> 4];
-      out += "0123456789abcdef"[byte & 15];
-    }
-  }
-  return out + (text.size() > kLongest ? "…\"" : "\"");
+  return quoted_briefly(text, '"', 60);
 }
 
 namespace {

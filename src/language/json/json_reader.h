@@ -51,7 +51,7 @@ class Places {
   std::vector<std::size_t> line_starts_;
 };
 
-// A name quoted for a message: truncated to a readable length, with bytes that are not printable ASCII as escapes.
+// A name quoted for a message: truncated to a readable length, with bytes that are not printable UTF-8 as escapes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace json

@@ -210,7 +210,7 @@ class ShaderReader {
       if (!token.is_made) out.text = text_.substr(token.offset, version);
     } else if (token.kind == From::name || token.kind == From::number) {
       out.kind = token.kind == From::name ? ShaderToken::Kind::word : ShaderToken::Kind::number;
-    } else if (token.kind == From::punctuation) {
+    } else if (token.kind == From::punctuation && static_cast<unsigned char>(token.text[0]) < 0x80) {
       for (std::size_t i = 0; i + 1 < token.text.size(); ++i) {  // "--" is two signs
         out_.tokens.push_back({out.kind, token.is_made ? token.offset : token.offset + i, token.text.substr(i, 1)});
       }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ninebit/language/source_text.h"
+#include "src/system/printable_text.h"
 
 namespace ninebit::detail {
 
@@ -46,21 +47,7 @@ bool too_long(const SourceText& source, SourceFaults& faults) {
 }
 
 std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  constexpr char kHex[] = "0123456789abcdef";
-  std::string out = "'";
-  for (const char c : text.substr(0, kLongest)) {
-    if (c >= ' ' && c <= '~') {
-      out += c;
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(c);
-    out += "\\x";
-    out += kHex[byte >> 4];
-    out += kHex[byte & 15];
-  }
-  if (text.size() > kLongest) out += "…";
-  return out + "'";
+  return quoted_briefly(text, '\'', 40);
 }
 
 std::string not_needed(const Definition& definition) {

@@ -40,7 +40,7 @@ class SourceFaults {
 // Adds a fault and returns true if the text is longer than kMaxSourceBytes.
 [[nodiscard]] bool too_long(const SourceText& source, SourceFaults& faults);
 
-// The beginning of the text in single quotes, with bytes that are not printable ASCII as \xNN.
+// The beginning of the text in single quotes, with bytes that are not printable UTF-8 as \xNN.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 // The note about a definition that a text did not use.

@@ -14,18 +14,30 @@ function hereDocument(name, text) {
   return `cat > ${quoted(name)} <<'${end}'\n${text.replace(/\n?$/, '\n')}${end}\n`;
 }
 
+/** Whether a file of that name is below the folder and is not one that the script writes itself. */
+const isBelow = (name) => /^[^/\\\0-\x1f-][^\\\0-\x1f]*$/.test(name) && !name.split('/').some((part) => ['', '.', '..'].includes(part)) &&
+  !/^program-\d+\.txt$/.test(name) && !['effect.json', 'profile.json', 'picture.png', 'playground.sh'].includes(name);
+
+/** The effect and its files by names that lie in one folder. @param {import('./state.js').State} state */
+function inOneFolder({ effect, files }) {
+  const names = new Map(Object.keys(files).map((name, at) => [name, isBelow(name) ? name : `program-${at}.txt`]));
+  const passes = effect.passes.map((pass) => (names.has(pass.program) ? { ...pass, program: names.get(pass.program) } : pass));
+  return { effect: { ...effect, passes }, texts: Object.entries(files).map(([name, text]) => [names.get(name), text]) };
+}
+
 /**
  * @param {import('./state.js').State} state
  * @param {{x: number, y: number}|null} pixel the last traced pixel
  * @returns {string}
  */
 export function commandsOf(state, pixel) {
-  const { effect, files, profile } = state;
+  const { profile } = state;
+  const { effect, texts } = inOneFolder(state);
   const name = 'effect.json';
-  const folders = [...new Set(Object.keys(files).filter((file) => file.includes('/')).map((file) => file.replace(/\/[^/]*$/, '')))];
+  const folders = [...new Set(texts.map(([file]) => file).filter((file) => file.includes('/')).map((file) => file.replace(/\/[^/]*$/, '')))];
   const lines = [];
   if (folders.length) lines.push(`mkdir -p ${folders.map(quoted).join(' ')}\n`);
-  for (const [file, text] of Object.entries(files)) lines.push(hereDocument(file, text));
+  for (const [file, text] of texts) lines.push(hereDocument(file, text));
   lines.push(hereDocument(name, JSON.stringify(effect, null, 2)));
   if (typeof profile === 'object') lines.push(hereDocument('profile.json', JSON.stringify(profile, null, 2)));
   const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));

@@ -41,6 +41,18 @@ export function choice(label, options, chosen, change) {
 }
 
 /**
+ * Gives an element other children. The keyboard's focus stays on the control at its place.
+ * @param {HTMLElement} parent
+ * @param {...Node} children
+ */
+export function replaceChildren(parent, ...children) {
+  const controls = () => /** @type {HTMLElement[]} */ ([...parent.querySelectorAll('button, select, input')]);
+  const at = controls().indexOf(/** @type {HTMLElement} */ (document.activeElement));
+  parent.replaceChildren(...children);
+  if (at >= 0) controls()[at]?.focus();
+}
+
+/**
  * Puts pixels into a canvas of their size.
  * @param {HTMLCanvasElement} canvas
  * @param {Uint8Array} pixels RGBA8, rows from the top
@@ -56,12 +68,33 @@ export function paint(canvas, pixels, width, height) {
  * A function that runs once the calls to it have paused.
  * @param {number} milliseconds
  * @param {() => void} run
+ * @returns {(() => void) & {cancel: () => void}}
  */
 export function afterPause(milliseconds, run) {
   let timer = 0;
-  return () => {
+  const later = () => {
     clearTimeout(timer);
     timer = setTimeout(run, milliseconds);
+  };
+  later.cancel = () => clearTimeout(timer);
+  return later;
+}
+
+/**
+ * A function that runs once before the next frame, however often it is called; in a tab that is hidden, soon.
+ * @param {() => void} run
+ */
+export function nextFrame(run) {
+  let waiting = false;
+  const now = () => {
+    waiting = false;
+    run();
+  };
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    if (document.hidden) setTimeout(now, 0);
+    else requestAnimationFrame(now);
   };
 }
 

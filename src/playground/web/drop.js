@@ -5,7 +5,7 @@
 import { mostBytes } from './decode_picture.js';
 import { findEffect, stateOfDropped } from './effect_drop.js';
 import { meshEnding } from './shelf.js';
-import { mostCharacters, passOf } from './state.js';
+import { copied, mostCharacters, passOf } from './state.js';
 
 /**
  * @param {File} file
@@ -44,16 +44,22 @@ export function acceptDrops(page, say) {
     } catch (error) {
       return say(error.message);
     }
+    const before = copied(page.store.state);
+    const faults = [];
     for (const [number, file] of files.entries()) {
       try {
         await take(file, Math.min(3, unit + number), page);
       } catch (error) {
-        say(error.message);
+        faults.push(error.message);
       }
     }
-    return undefined;
+    if (faults.length < files.length) page.store.step(before);
+    return say(faults.join('\n') || null);
   };
-  page.inputs.onfiles = (files) => takeAll(files, 0);
+  // A drop waits for the one before: each is a step of its own.
+  let last = Promise.resolve();
+  const inTurn = (files, unit) => { last = last.then(() => takeAll(files, unit)); };
+  page.inputs.onfiles = (files) => inTurn(files, 0);
   const { body } = document;
   document.addEventListener('dragover', (event) => {
     event.preventDefault();
@@ -69,6 +75,6 @@ export function acceptDrops(page, say) {
     if (files.length === 0) return;
     event.preventDefault();
     event.stopPropagation();
-    takeAll(files, Number(event.target.closest?.('[data-unit]')?.dataset.unit ?? 0));
+    inTurn(files, Number(event.target.closest?.('[data-unit]')?.dataset.unit ?? 0));
   }, { capture: true });
 }

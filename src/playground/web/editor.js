@@ -19,29 +19,54 @@ export class Editor {
    */
   constructor(parent, changed) {
     this.language = new Compartment();
+    this.words = programLanguage([]);
     this.silent = false;
+    /** The file that is shown; each has its own history. @type {string|null} */
+    this.file = null;
+    /** @type {Map<string|null, EditorState>} */
+    this.kept = new Map();
     const listener = EditorView.updateListener.of((update) => {
       if (update.docChanged && !this.silent) changed(update.state.doc.toString());
     });
     // Tab leaves the editor, so that the keyboard alone suffices: Control-] and Control-[ indent.
-    this.view = new EditorView({
-      parent,
-      extensions: [
-        lineNumbers(), history(), drawSelection(), bracketMatching(), closeBrackets(), highlightActiveLine(),
-        highlightSelectionMatches(), autocompletion(), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
-        keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...completionKeymap, ...lintKeymap]),
-        this.language.of(programLanguage([])), EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
-      ],
-    });
+    this.extensions = () => [
+      lineNumbers(), history(), drawSelection(), bracketMatching(), closeBrackets(), highlightActiveLine(),
+      highlightSelectionMatches(), autocompletion(), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
+      keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...completionKeymap, ...lintKeymap]),
+      this.language.of(this.words), EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
+    ];
+    this.view = new EditorView({ parent, state: this.fresh('') });
+  }
+
+  /** A text without a history. @param {string} text */
+  fresh(text) {
+    return EditorState.create({ doc: text, extensions: this.extensions() });
   }
 
   /** @param {import('./language.js').Word[]} words */
   setWords(words) {
-    this.view.dispatch({ effects: this.language.reconfigure(programLanguage(words)) });
+    this.words = programLanguage(words);
+    this.view.dispatch({ effects: this.language.reconfigure(this.words) });
   }
 
-  /** @param {string} text */
-  setText(text) {
+  /** Forgets all histories: other files are opened. */
+  forget() {
+    this.file = null;
+    this.kept.clear();
+    this.view.setState(this.fresh(''));
+  }
+
+  /** Shows a file. A change of the text that is shown can be undone in the editor. @param {string} file @param {string} text */
+  open(file, text) {
+    if (file !== this.file) {
+      if (this.file !== null) this.kept.set(this.file, this.view.state);
+      const kept = this.kept.get(file);
+      this.file = file;
+      this.view.setState(kept?.doc.toString() === text ? kept : this.fresh(text));
+      this.view.dispatch({ effects: this.language.reconfigure(this.words) });
+      this.show([]);
+      return;
+    }
     if (text === this.view.state.doc.toString()) return;
     this.silent = true;
     this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text } });

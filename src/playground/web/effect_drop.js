@@ -2,7 +2,7 @@
  * An effect file dropped together with the files that it names: what `ninebit gl-run --dump-frame` writes, for one.
  */
 import { fileIn } from './shelf.js';
-import { mostCharacters, stateOf } from './state.js';
+import { bare, checkedEffect, mostCharacters, stateOf } from './state.js';
 
 const fileName = (path) => path.split('/').pop();
 
@@ -47,14 +47,18 @@ export async function findEffect(files) {
  * @returns {Promise<import('./state.js').State>}
  */
 export async function stateOfDropped(effect, name, files, shelf) {
-  if (!Array.isArray(effect.passes)) throw new Error(`${name}: an effect has a list of passes`);
+  try {
+    checkedEffect(effect);
+  } catch (error) {
+    throw new Error(`${name}: ${error.message}`);
+  }
   const find = (path) => {
     const file = files.find((candidate) => candidate.name === fileName(path));
     if (!file) throw new Error(`${name}: drop the file ${fileName(path)}, which it names, together with it`);
     return file;
   };
   const shelved = async (path) => (path in shelf.embedded ? path : shelf.take(find(path)));
-  const programs = {};
+  const programs = bare({});
   for (const pass of effect.passes) {
     if (typeof pass?.program !== 'string') continue;
     const file = find(pass.program);

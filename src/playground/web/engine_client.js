@@ -4,12 +4,13 @@
 
 /** What the engine said is wrong with a request. */
 export class Fault extends Error {
-  /** @param {{message: string, file?: string, line?: number, column?: number}} fault */
+  /** @param {{message: string, file?: string, line?: number, column?: number, others?: any[]}} fault */
   constructor(fault) {
     super(fault.message);
     this.file = fault.file;
     this.line = fault.line;
     this.column = fault.column;
+    this.others = fault.others ?? [];
   }
 }
 
@@ -23,14 +24,13 @@ const limit = 20_000;
 
 export class Engine {
   /**
-   * @param {string} workerScript
-   * @param {string} engineScript
+   * @param {string[]} scripts the engine's and the worker's: together they are the worker, as WebKit imports nothing into
+   *     a worker of a page from the disk
    * @param {(busy: boolean) => void} busy hears when work begins and ends
    * @param {(reason: string) => void} broken hears why the engine started anew
    */
-  constructor(workerScript, engineScript, busy, broken) {
-    this.workerScript = workerScript;
-    this.engineScript = engineScript;
+  constructor(scripts, busy, broken) {
+    this.scripts = scripts;
     this.busy = busy;
     this.broken = broken;
     /** @type {any[]} */
@@ -45,7 +45,7 @@ export class Engine {
   }
 
   start() {
-    const address = URL.createObjectURL(new Blob([this.workerScript], { type: 'text/javascript' }));
+    const address = URL.createObjectURL(new Blob(this.scripts, { type: 'text/javascript' }));
     this.worker = new Worker(address);
     URL.revokeObjectURL(address);
     this.worker.onmessage = ({ data }) => this.finished(data);
@@ -53,7 +53,7 @@ export class Engine {
       event.preventDefault();
       this.restart(`the engine crashed: ${event.message || 'out of memory'}`);
     };
-    const first = [{ script: this.engineScript }, ...this.kept.values()];
+    const first = [{ start: true }, ...this.kept.values()];
     for (const entry of first.reverse()) {
       this.waiting.unshift({ ...entry, resolve() {}, reject() {} });
     }
@@ -72,11 +72,15 @@ export class Engine {
         reject(new Stopped(this.dead));
         return;
       }
-      if (key) {
-        for (const old of this.waiting.filter((entry) => entry.key === key)) old.reject(new Replaced());
-        this.waiting = this.waiting.filter((entry) => entry.key !== key);
+      const entry = { request, bytes, key, resolve, reject };
+      const old = key ? this.waiting.findIndex((other) => other.key === key) : -1;
+      if (old < 0) {
+        this.waiting.push(entry);
+      } else {
+        // At its place: at the end, requests that are replaced often would never come.
+        this.waiting[old].reject(new Replaced());
+        this.waiting[old] = entry;
       }
-      this.waiting.push({ request, bytes, key, resolve, reject });
       this.next();
     });
   }
@@ -95,10 +99,10 @@ export class Engine {
     }
     this.running = this.waiting.shift();
     this.running.id = ++this.number;
-    const { id, request, bytes, script } = this.running;
+    const { id, request, bytes, start } = this.running;
     this.timer = setTimeout(() => this.restart(`the engine took longer than ${limit / 1000} s and was stopped`), limit);
     this.busy(true);
-    this.worker.postMessage({ id, request, bytes, script });
+    this.worker.postMessage({ id, request, bytes, start });
   }
 
   finished(data) {
@@ -123,7 +127,7 @@ export class Engine {
     const broken = this.running;
     this.running = null;
     broken?.reject(new Stopped(reason));
-    if (broken?.script) {
+    if (broken?.start) {
       this.dead = reason;
       for (const entry of this.waiting) entry.reject(new Stopped(reason));
       this.waiting = [];

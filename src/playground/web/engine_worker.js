@@ -1,18 +1,11 @@
 /**
- * The engine in its worker. One request in, one answer out; the first message is the engine's own script.
+ * The engine in its worker, behind the engine's own script, which defines `createNinebit`. One request in, one answer out;
+ * the first message starts the engine.
  *
  * A request is `{id, request, bytes?}`; an answer is `{id, answer, bytes?}`, or `{id, crash}` with what broke.
  */
 
 const state = { engine: null };
-
-/** Runs the engine's script, which defines `createNinebit`. */
-async function start(script) {
-  const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
-  importScripts(address);
-  URL.revokeObjectURL(address);
-  state.engine = await self.createNinebit({ print() {}, printErr() {} });
-}
 
 /** A text in the engine's memory, ended by a zero. */
 function textInMemory(text) {
@@ -49,8 +42,8 @@ function answer(request, bytes) {
 
 self.onmessage = async ({ data }) => {
   try {
-    if (data.script) {
-      await start(data.script);
+    if (data.start) {
+      state.engine = await self.createNinebit({ print() {}, printErr() {} });
       self.postMessage({ id: data.id, answer: {} });
       return;
     }

@@ -2,9 +2,9 @@
  * What a pass reads: mesh, textures and their coordinates, colours, constants.
  */
 import { cameraSliders } from './camera.js';
-import { choice, element } from './dom.js';
+import { choice, element, replaceChildren } from './dom.js';
 import { fileIn } from './shelf.js';
-import { passOf } from './state.js';
+import { bare, passOf } from './state.js';
 
 const vectors = ['uv', 'screen', 'projected', 'position', 'normal', 'from-light', 'light-vector', 'view-vector', 'half-vector',
   'reflection', 'tangent-light-vector', 'tangent-half-vector'];
@@ -20,12 +20,33 @@ export class InputsPanel {
    * @param {HTMLElement} parent
    * @param {import('./state.js').Store} store
    * @param {import('./shelf.js').Shelf} shelf
-   * @param {{textures: string[], meshes: string[]}} about what the engine offers
+   * @param {{textures: string[], meshes: string[], profiles: any[]}} about what the engine offers
    */
   constructor(parent, store, shelf, about) {
     Object.assign(this, { parent, store, shelf, about });
     /** The constants that the program sets itself. @type {Record<string, number[]>} */
     this.ofProgram = {};
+    /** Where the engine put the camera. @type {{position: number[], target: number[]}|null} */
+    this.view = null;
+    /** How many pictures there were when the panel was shown: later ones have thumbnails, too. */
+    this.pictures = 0;
+  }
+
+  /** @param {{position: number[], target: number[]}} view of the last drawing */
+  setView(view) {
+    const { scene } = this.store.state.effect;
+    const moved = JSON.stringify(view) !== JSON.stringify(this.view);
+    this.view = view;
+    // Where the effect says nothing, the sliders show what the scene's file or the engine chose.
+    const chosen = moved && scene?.mesh && !(scene.camera && scene.look_at);
+    if (chosen || (this.pictures !== this.shelf.pictures.size && !this.parent.contains(document.activeElement))) this.show();
+  }
+
+  /** How many texture units the chip has, by the profile. */
+  units() {
+    const { profile } = this.store.state;
+    const shipped = this.about.profiles.find(({ name }) => name === (profile.base ?? profile));
+    return profile.texture_units ?? shipped?.fields.find(({ name }) => name === 'texture_units')?.value ?? 4;
   }
 
   /** @param {Record<string, number[]>} constants */
@@ -37,9 +58,11 @@ export class InputsPanel {
 
   show() {
     const { state } = this.store;
+    this.pictures = this.shelf.pictures.size;
     const pass = passOf(state);
-    const units = [0, 1, 2, 3].map((unit) => this.unit(unit, pass.units?.[unit] ?? null));
-    this.parent.replaceChildren(
+    const chip = this.units();
+    const units = [0, 1, 2, 3].filter((unit) => unit < chip || pass.units?.[unit]).map((unit) => this.unit(unit, pass.units?.[unit] ?? null, chip));
+    replaceChildren(this.parent,
       element('div', { class: 'cards' }, ...units,
         element('fieldset', {}, element('legend', {}, 'Vertices'), this.mesh(),
           choice('Primary colour', colours, pass.primary ?? 'constant:1,1,1', (value) => this.edit((now) => { now.primary = value; })),
@@ -66,14 +89,19 @@ export class InputsPanel {
         else edited.scene.mesh = value;
         if (Object.keys(edited.scene).length === 0) delete edited.scene;
       });
+      this.view = null;
       this.show();
     });
-    if (now === rectangle) return mesh;
-    const camera = cameraSliders(effect.scene, (place) => this.edit((pass, edited) => { edited.scene.camera = place; }));
+    const { camera: position = this.view?.position, look_at: target = this.view?.target } = effect.scene ?? {};
+    if (now === rectangle || !position || !target) return mesh;
+    const rounded = target.map((value) => Math.round(value * 1000) / 1000);
+    const camera = cameraSliders({ camera: position, look_at: rounded }, (place) => this.edit((pass, edited) => {
+      Object.assign(edited.scene, { camera: place, look_at: edited.scene.look_at ?? rounded });
+    }));
     return element('div', { class: 'camera' }, mesh, camera);
   }
 
-  unit(number, unit) {
+  unit(number, unit, chip) {
     const { effect } = this.store.state;
     const texture = effect.textures?.[unit?.texture];
     const files = this.shelf.names();
@@ -87,7 +115,7 @@ export class InputsPanel {
         this.sampler('Wrap', 'wrap', ['repeat', 'clamp', 'clamp-to-edge', 'mirrored-repeat', 'clamp-to-border'], texture),
         choice('Coordinates', coordinates, unit.coordinates ?? 'uv', (value) => this.edit((pass) => { pass.units[number].coordinates = value; })));
     }
-    return element('fieldset', { 'data-unit': number }, element('legend', {}, `Texture ${number}`), picture ? thumbnail(picture) : null, ...rows);
+    return element('fieldset', { 'data-unit': number }, element('legend', {}, number < chip ? `Texture ${number}` : `Texture ${number}: the chip has ${chip} units`), picture ? thumbnail(picture) : null, ...rows);
   }
 
   /** A choice of how a texture is sampled; the default depends on its source. */
@@ -105,7 +133,7 @@ export class InputsPanel {
       if (source === off) {
         pass.units[number] = null;
       } else {
-        effect.textures ??= {};
+        effect.textures ??= bare({});
         const used = pass.units[number]?.texture ?? `tex${number}`;
         // Another pass may read the texture: it keeps its source.
         const shared = effect.passes.some((other) => (other.units ?? []).some((unit, at) => unit?.texture === used && (other !== pass || at !== number)));

@@ -17,6 +17,8 @@ export class Live {
     this.effectText = () => null;
     /** The pixel whose trace is shown. @type {{x: number, y: number}|null} */
     this.pixel = null;
+    /** Whether drawings are hashed: the tests ask for it, and it takes longer than many a drawing. */
+    this.hash = Boolean(globalThis.ninebitHashes);
   }
 
   /** The request that draws a state. @param {import('./state.js').State} state */
@@ -43,7 +45,7 @@ export class Live {
     try {
       await this.shelf.loadFor(this.store.state.effect);
       const { effect, ...rest } = Live.request(this.store.state);
-      const result = await this.engine.ask({ ...rest, effect: this.effectText() ?? effect, hash: true }, { key: 'draw' });
+      const result = await this.engine.ask({ ...rest, effect: this.effectText() ?? effect, hash: this.hash }, { key: 'draw' });
       this.view.drawn(result);
     } catch (error) {
       if (!(error instanceof Replaced)) this.view.failed(error);

@@ -3,7 +3,7 @@
  */
 import { CommandPanel, commandsOf } from './command_line.js';
 import { ConvertPanel } from './convert_panel.js';
-import { afterPause, byId, choice } from './dom.js';
+import { afterPause, byId, choice, nextFrame, replaceChildren } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { Engine, Replaced } from './engine_client.js';
 import { Gallery } from './gallery.js';
@@ -15,17 +15,23 @@ import { Picture } from './picture.js';
 import { ProfilesPanel } from './profiles_panel.js';
 import { ProgramPane } from './program_pane.js';
 import { ShadowPanel } from './shadow_panel.js';
+import { keep, keptFiles, keptState } from './kept.js';
 import { bytesOf, setFileOrigins, Shelf } from './shelf.js';
-import { newState, passOf, stateOf, Store } from './state.js';
+import { bare, copied, newState, passOf, stateOf, Store } from './state.js';
 import { tabs } from './tabs.js';
 import { TracePanel } from './trace_panel.js';
 
-const content = JSON.parse(byId('content').textContent);
+const content = bare(JSON.parse(byId('content').textContent));
 const first = () => stateOf(content.effects.sepia ?? Object.values(content.effects)[0], content.programs);
 
-/** Shows a message above everything, or hides it. @param {string|null} text */
-function say(text) {
+/**
+ * Shows a message above everything, or hides it.
+ * @param {string|null} text
+ * @param {string} [about] "engine": the next drawing takes the message away
+ */
+function say(text, about = '') {
   byId('message').textContent = text ?? '';
+  byId('message').dataset.about = about;
   byId('message').hidden = !text;
 }
 
@@ -40,14 +46,31 @@ async function engineScript() {
   return new Response(stream).text();
 }
 
-/** The state of the address, or the first effect and a message. */
-async function firstState() {
-  try {
-    return await stateOfAddress(location.hash) ?? first();
-  } catch (error) {
-    say(`This link cannot be opened: ${error.message}.`);
-    return first();
-  }
+/** The state of the address, else what was kept, else the first effect; and the steps before it. */
+async function firstStore() {
+  const faults = [];
+  const tried = async (what, get) => {
+    try {
+      return await get();
+    } catch (error) {
+      faults.push(`${what} cannot be opened: ${error.message}.`);
+      return null;
+    }
+  };
+  const linked = await tried('This link', () => stateOfAddress(location.hash));
+  const kept = await tried('What was kept of your work', keptState);
+  if (faults.length) say(faults.join('\n'));
+  const past = kept?.past ?? [];
+  // A link does not take the place of one's work.
+  if (linked && kept && JSON.stringify(linked) !== JSON.stringify(kept.state)) past.push(kept.state);
+  return new Store(linked ?? kept?.state ?? first(), past);
+}
+
+/** Gives the shelf the dropped files of the state and its steps, as far as the browser kept them. */
+async function restoreFiles(store, shelf) {
+  const named = JSON.stringify([store.state, store.past]);
+  const files = await keptFiles((name) => named.includes(JSON.stringify(name).slice(1, -1))).catch(() => []);
+  for (const [name, bytes] of files) await shelf.restore(name, bytes).catch((error) => say(`${name} cannot be opened: ${error.message}.`));
 }
 
 /** Everything that shows the state. */
@@ -70,7 +93,7 @@ class Page {
     this.live.effectText = () => this.program.effectText;
     this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
     this.trace = new TracePanel(byId('trace'), byId('trace-place'), (pass) => this.live.trace(pass));
-    this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, { textures: about.textures ?? [], meshes: about.meshes ?? [] });
+    this.inputs = new InputsPanel(byId('panel-inputs'), store, this.shelf, about);
     this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [],
       { compare: (profiles) => this.live.compare(profiles), engine });
     this.gpu = new GpuPanel(byId('panel-gpu'), store, this.shelf, engine);
@@ -80,9 +103,15 @@ class Page {
     this.forms = new Map((about.forms ?? []).map(({ name, title }) => [name, title]));
     this.profileNames = (about.profiles ?? []).map(({ name }) => name);
     this.showPanel = tabs(document.querySelector('[role=tablist]'), (name) => this.panelShown(name));
-    this.later = afterPause(150, () => this.refresh());
-    this.link = afterPause(400, () => this.writeAddress());
+    /** The picture follows each change; panels and the trace follow a pause. */
+    this.soon = nextFrame(() => this.draw());
+    this.later = afterPause(150, () => this.updatePanels());
+    this.link = afterPause(400, () => this.keep());
+    /** The last writing of the address: each waits for the one before. */
+    this.writing = Promise.resolve();
     store.listen((what) => this.changed(what));
+    store.onstep = (before, navigated) => this.stepped(before, navigated);
+    this.shelf.onlost = () => this.showKept(false);
   }
 
   panelShown(name) {
@@ -95,7 +124,10 @@ class Page {
   changed(what) {
     this.show(what);
     if (what === 'other') this.profiles.update();
-    else this.later();
+    else {
+      this.soon();
+      this.later();
+    }
     this.link();
   }
 
@@ -105,31 +137,39 @@ class Page {
       this.live.pixel = null;
       this.program.shows = 'program';
       this.trace.clear();
+      this.picture.unmark();
       this.inputs.ofProgram = {};
+      this.inputs.view = null;
+      this.program.editor.forget();
     }
     if (what === 'all' || (what === 'inputs' && this.program.shows === 'effect')) this.inputs.show();
     if (what === 'all') this.program.show();
     if (what === 'pass') this.inputs.show();
+    if (what === 'all') this.showSteps();
     if (what === 'all' || what === 'profile') {
       this.showProfile();
       this.profiles.show();
+      if (what === 'profile') this.inputs.show();
     }
   }
 
   showProfile() {
     const { profile } = this.store.state;
     const name = typeof profile === 'string' ? profile : this.profiles.title();
-    byId('profile-choice').replaceChildren(choice('Profile', this.profileNames, name, (value) => {
+    replaceChildren(byId('profile-choice'), choice('Profile', this.profileNames, name, (value) => {
       if (this.profileNames.includes(value)) this.store.change('profile', (state) => { state.profile = value; });
     }));
   }
 
-  async refresh() {
-    const panels = [this.profiles, this.gpu, this.convert, this.command, this.shadow];
+  /** Reads the program and draws. A drawing that still waits gives way to a newer one. */
+  async draw() {
     if (this.program.shows === 'program') this.live.read();
     await this.live.draw();
+  }
+
+  updatePanels() {
     if (!byId('panel-trace').hidden) this.live.trace();
-    for (const panel of panels) panel.update();
+    for (const panel of [this.profiles, this.gpu, this.convert, this.command, this.shadow]) panel.update();
   }
 
   read(answer) {
@@ -141,7 +181,10 @@ class Page {
   }
 
   drawn({ answer, bytes, milliseconds }) {
-    this.program.setFaults('draw', []);
+    const warnings = [...answer.warnings ?? [], ...this.shelf.doubtsOf(this.store.state.effect)];
+    this.program.setFaults('draw', warnings.map((message) => ({ message, severity: 'info' })));
+    if (byId('message').dataset.about === 'engine') say(null);
+    this.inputs.setView(answer.view);
     this.picture.show(bytes, answer.width, answer.height);
     byId('picture').dataset.hash = answer.hash?.color ?? '';
     byId('title').textContent = this.store.state.effect.title ?? 'Untitled';
@@ -152,10 +195,11 @@ class Page {
   failed(error) {
     byId('picture').dataset.hash = '';
     byId('drawing').textContent = 'not drawn: the last good picture is below';
-    const fault = { message: error.message };
-    if (error.file === 'effect' && this.program.shows === 'effect') Object.assign(fault, { line: error.line, column: error.column });
-    else if (error.file && error.file !== 'effect') fault.message = `${error.file}: ${error.message}`;
-    this.program.setFaults('draw', [fault]);
+    const ofEffect = this.program.shows === 'effect' && error.file === 'effect';
+    // The engine's sentences have a place, the schema's has none.
+    if (ofEffect) this.program.setFaults('read', []);
+    this.program.setFaults('draw', [error, ...error.others ?? []].map(({ file, line, column, message }) => (
+      file === 'effect' || !file ? { message, ...(ofEffect && { line, column }) } : { message: `${file}: ${message}` })));
     ready();
   }
 
@@ -164,14 +208,42 @@ class Page {
     this.showPanel('trace');
   }
 
-  async writeAddress() {
-    history.replaceState(null, '', await addressOf(this.store.state));
+  /** Writes a state into the address, or into one behind it. @param {'replaceState'|'pushState'} [how] */
+  writeAddress(state = this.store.state, how = 'replaceState') {
+    const written = copied(state);
+    this.writing = this.writing.then(async () => history[how](null, '', await addressOf(written)));
+    return this.writing;
+  }
+
+  /** A step that a person took: Back returns to the state before it. */
+  stepped(before, navigated) {
+    this.link.cancel();
+    if (!navigated) {
+      this.writeAddress(before);
+      this.writeAddress(this.store.state, 'pushState');
+    }
+    this.showKept(keep(this.store));
+    this.showSteps();
+  }
+
+  keep() {
+    this.showKept(keep(this.store));
+    return this.writeAddress();
+  }
+
+  showKept(kept) {
+    byId('kept').textContent = kept ? 'Your work is kept in this browser.' : 'This browser does not keep your work: copy the link.';
+  }
+
+  showSteps() {
+    byId('undo').disabled = this.store.past.length === 0;
+    byId('redo').disabled = this.store.future.length === 0;
   }
 
   async copyLink() {
     await this.writeAddress();
     const { length } = location.href;
-    const dropped = [...this.shelf.dropped].some((name) => JSON.stringify(this.store.state.effect).includes(JSON.stringify(name).slice(1, -1)));
+    const dropped = [...this.shelf.dropped.keys()].some((name) => JSON.stringify(this.store.state.effect).includes(JSON.stringify(name).slice(1, -1)));
     try {
       await navigator.clipboard.writeText(location.href);
       say(null);
@@ -188,10 +260,22 @@ class Page {
       await this.shelf.loadFor(state.effect);
       return this.engine.ask(Live.request(state));
     };
-    const open = (state) => {
+    const open = (state, navigated = false) => {
       say(null);
-      this.store.replace(state);
+      this.store.open(state, navigated);
     };
+    const undo = (how) => {
+      say(null);
+      this.store[how]();
+    };
+    byId('undo').addEventListener('click', () => undo('undo'));
+    byId('redo').addEventListener('click', () => undo('redo'));
+    document.addEventListener('keydown', (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || event.target.closest?.('.cm-editor, dialog')) return;
+      event.preventDefault();
+      undo(event.shiftKey ? 'redo' : 'undo');
+    });
+    window.addEventListener('pagehide', () => keep(this.store));
     const gallery = new Gallery(byId('gallery'), content, draw, open);
     byId('open-gallery').addEventListener('click', () => gallery.show());
     byId('new-program').addEventListener('click', () => open(newState()));
@@ -199,9 +283,10 @@ class Page {
     byId('cancel').addEventListener('click', () => this.engine.restart('the engine was stopped'));
     acceptDrops({ store: this.store, shelf: this.shelf, inputs: this.inputs, editor: () => this.program.show(), open }, say);
     window.addEventListener('hashchange', async () => {
+      this.link.cancel();
       try {
         const state = await stateOfAddress(location.hash);
-        if (state) open(state);
+        if (state) open(state, true);
       } catch (error) {
         say(`This link cannot be opened: ${error.message}.`);
       }
@@ -220,13 +305,14 @@ function busyMark() {
 }
 
 async function start() {
-  const scripts = [byId('worker').textContent, await engineScript()];
-  const engine = new Engine(...scripts, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`));
-  const newEngine = () => new Engine(...scripts, () => {}, () => {});
-  const store = new Store(await firstState());
+  const scripts = [await engineScript(), '\n', byId('worker').textContent];
+  const engine = new Engine(scripts, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`, 'engine'));
+  const newEngine = () => new Engine(scripts, () => {}, () => {});
+  const store = await firstStore();
   const { answer: about } = await engine.ask({ do: 'about' });
   byId('version').textContent = `ninebit ${about.version ?? ''}`;
   const page = new Page(store, { engine, newEngine }, about);
+  await restoreFiles(store, page.shelf);
   page.listen();
   page.showPanel('inputs');
   // For the console and the tests.
@@ -234,7 +320,8 @@ async function start() {
   page.show('all');
   page.link();
   // The words can wait for the first picture.
-  await page.refresh();
+  await page.draw();
+  page.updatePanels();
   const { answer } = await engine.ask({ do: 'vocabulary' });
   page.program.editor.setWords(answer.words ?? []);
   page.words = answer.words?.length ?? 0;

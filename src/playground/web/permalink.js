@@ -41,14 +41,13 @@ export async function stateOfAddress(hash) {
     throw new Error(`the address is of version ${match[1]}; this page reads versions up to ${version}: open it in a newer playground`);
   }
   if (Number(match[1]) < 1 || match[2].length > mostCharacters) throw new Error('the address is damaged or too long');
-  let text;
+  let found;
   try {
     const binary = atob(match[2].replaceAll('-', '+').replaceAll('_', '/'));
     const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
-    text = await (await through(new Blob([bytes]), 'decompress')).text();
-    text = JSON.parse(text);
+    found = JSON.parse(await (await through(new Blob([bytes]), 'decompress')).text());
   } catch {
     throw new Error('the address is damaged: part of it is missing or changed');
   }
-  return checkedState(text);
+  return checkedState(found);
 }

@@ -41,8 +41,15 @@ export class Picture {
     const opaque = pixels.slice();
     for (let at = 3; at < opaque.length; at += 4) opaque[at] = 255;
     paint(this.canvas, opaque, width, height);
+    if (!this.inside(this.chosen)) this.unmark();
     this.layout();
     this.say(this.chosen);
+  }
+
+  /** Takes the mark away: it was on another picture. */
+  unmark() {
+    this.mark.hidden = true;
+    this.chosen = { x: 0, y: 0 };
   }
 
   scale() {
@@ -96,28 +103,28 @@ export class Picture {
     this.choose(place.x, place.y);
   }
 
-  zoomBy(steps) {
+  zoomBy(steps, around) {
     const now = this.scale();
     const larger = zooms.findIndex((zoom) => zoom > now + 1e-6);
     const smaller = zooms.findLastIndex((zoom) => zoom < now - 1e-6);
     const found = steps > 0 ? (larger < 0 ? zooms.length - 1 : larger) : Math.max(0, smaller);
-    this.setZoom(zooms[found]);
+    this.setZoom(zooms[found], around);
   }
 
-  setZoom(zoom) {
+  /** @param {number} zoom @param {{x: number, y: number}} [around] the pixel that comes into the middle */
+  setZoom(zoom, around = this.chosen) {
     this.zoom = zoom;
     this.layout();
     const scale = this.scale();
-    this.scroll.scrollLeft = this.chosen.x * scale - this.scroll.clientWidth / 2;
-    this.scroll.scrollTop = this.chosen.y * scale - this.scroll.clientHeight / 2;
+    this.scroll.scrollLeft = around.x * scale - this.scroll.clientWidth / 2;
+    this.scroll.scrollTop = around.y * scale - this.scroll.clientHeight / 2;
   }
 
   wheel(event) {
     if (!event.ctrlKey && !event.metaKey) return;
     event.preventDefault();
     const place = this.at(event);
-    if (this.inside(place)) this.chosen = place;
-    this.zoomBy(event.deltaY < 0 ? 1 : -1);
+    this.zoomBy(event.deltaY < 0 ? 1 : -1, this.inside(place) ? place : undefined);
   }
 
   key(event) {

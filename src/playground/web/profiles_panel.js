@@ -1,7 +1,7 @@
 /**
  * The profile: a named one or one of one's own, field by field; and two profiles side by side with their difference.
  */
-import { choice, element, paint } from './dom.js';
+import { choice, element, paint, replaceChildren } from './dom.js';
 import { Replaced } from './engine_client.js';
 
 /**
@@ -27,6 +27,11 @@ export class ProfilesPanel {
     this.fields = element('div', { class: 'fields' });
     this.coupled = element('p', { role: 'status', id: 'coupled-fields' });
     this.other = element('div');
+    /** Values of fields that wait for the edits before. @type {Map<string, any>} */
+    this.waiting = new Map();
+    this.editing = Promise.resolve();
+    /** Whether a field's slider moves: the fields are not shown anew under the pointer. */
+    this.dragged = false;
     this.others = [[ARITHMETIC, 'exact combiners'], ...profiles.map(({ name }) => name)];
     parent.append(element('div', { class: 'bar' }, this.other, this.result),
       element('div', { class: 'trio' }, ...this.canvases.map((canvas, at) => element('figure', {}, canvas, this.captions[at]))),
@@ -42,8 +47,10 @@ export class ProfilesPanel {
   }
 
   show() {
+    // Not under the pointer.
+    if (this.dragged) return;
     const { state } = this.store;
-    this.other.replaceChildren(choice('Compare with', this.others, state.other, (value) => this.store.change('other', (now) => { now.other = value; })));
+    replaceChildren(this.other, choice('Compare with', this.others, state.other, (value) => this.store.change('other', (now) => { now.other = value; })));
     this.showFields(state.profile);
     this.update();
   }
@@ -52,15 +59,25 @@ export class ProfilesPanel {
   async showFields(profile) {
     try {
       const { answer } = await this.engine.ask({ do: 'profile', profile }, { key: 'profile' });
+      if (this.dragged) return;
       const base = this.profiles.find(({ name }) => name === (profile.base ?? profile));
-      this.fields.replaceChildren(...answer.fields.map((field, at) => this.field(field, base?.fields[at])));
+      replaceChildren(this.fields, ...answer.fields.map((field, at) => this.field(field, base?.fields[at])));
     } catch (error) {
       if (!(error instanceof Replaced)) this.fields.replaceChildren(element('p', {}, error.message));
     }
   }
 
-  /** Changes a field, and what depends on it. */
-  async edit(field, value) {
+  /** Changes a field, and what depends on it, after the edits before; of several values of a field that wait, the last. */
+  edit(field, value) {
+    this.waiting.set(field, value);
+    this.editing = this.editing.then(() => this.editNow(field));
+    return this.editing;
+  }
+
+  async editNow(field) {
+    if (!this.waiting.has(field)) return;
+    const value = this.waiting.get(field);
+    this.waiting.delete(field);
     try {
       const { answer } = await this.engine.ask({ do: 'edit_profile', profile: this.store.state.profile, field, value });
       const others = answer.coupled.map((other) => `${other.name} ${other.value}`);
@@ -72,12 +89,20 @@ export class ProfilesPanel {
     }
   }
 
+  /** @param {boolean} dragged */
+  hold(dragged) {
+    const ended = this.dragged && !dragged;
+    this.dragged = dragged;
+    if (ended) this.show();
+  }
+
   field({ name, value, evidence, choices, range, help, read }, base) {
     const write = (edited) => this.edit(name, edited);
     let control;
     if (choices?.length) control = choice(name, choices, String(value), write);
     else if (typeof value === 'boolean') control = choice(name, ['true', 'false'], String(value), (text) => write(text === 'true'));
-    else control = slider(name, Number(value), range, write);
+    else control = slider(name, Number(value), range, write, (dragged) => this.hold(dragged));
+    control.dataset.field = name;
     control.title = help ?? '';
     if (base && base.value !== value) control.classList.add('changed');
     if (read === false || (range && range[0] === range[1])) control.querySelector('select, input').disabled = true;
@@ -103,11 +128,30 @@ export class ProfilesPanel {
   }
 }
 
-/** A number as a slider. @param {string} name @param {number} value @param {[number, number]} range */
-function slider(name, value, [lowest, highest], write) {
+/**
+ * A number as a slider.
+ * @param {string} name @param {number} value @param {[number, number]} range
+ * @param {(value: number) => void} write
+ * @param {(dragged: boolean) => void} hold hears when the slider begins to move and when it is let go
+ */
+function slider(name, value, [lowest, highest], write, hold) {
   const shown = element('output', {}, value);
+  let written = value;
+  const take = () => {
+    if (Number(input.value) === written) return;
+    written = Number(input.value);
+    shown.textContent = input.value;
+    write(written);
+  };
+  const letGo = () => {
+    take();
+    hold(false);
+  };
   const input = element('input', {
-    type: 'range', min: lowest, max: highest, oninput: () => { shown.textContent = input.value; }, onchange: () => write(Number(input.value)),
+    type: 'range', min: lowest, max: highest, onpointerup: letGo, onblur: letGo, onchange: letGo, oninput: () => {
+      hold(true);
+      take();
+    },
   });
   input.value = String(value);
   return element('label', { class: 'field' }, element('span', {}, name), element('span', { class: 'slider' }, input, shown));

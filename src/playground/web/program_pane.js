@@ -1,9 +1,9 @@
 /**
  * The left pane: which text is edited, the editor, the diagnostics as a list.
  */
-import { byId, choice, element } from './dom.js';
+import { byId, choice, element, replaceChildren } from './dom.js';
 import { Editor } from './editor.js';
-import { effectFile, passOf } from './state.js';
+import { checkedEffect, effectFile, passOf } from './state.js';
 
 export class ProgramPane {
   /**
@@ -22,9 +22,9 @@ export class ProgramPane {
     const { state } = this.store;
     const passes = state.effect.passes.map((pass, at) => [String(at), `${pass.name ?? `pass ${at}`}: ${pass.program ?? 'no program'}`]);
     const value = this.shows === 'effect' ? effectFile : String(state.pass);
-    byId('file-choice').replaceChildren(choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
+    replaceChildren(byId('file-choice'), choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
     const text = this.shows === 'effect' ? JSON.stringify(state.effect, null, 2) : state.files[passOf(state).program] ?? '';
-    this.editor.setText(text);
+    this.editor.open(this.shows === 'effect' ? effectFile : `program ${passOf(state).program ?? ''}`, text);
     this.effectText = this.shows === 'effect' ? text : null;
   }
 
@@ -47,10 +47,11 @@ export class ProgramPane {
   editedEffect(text) {
     let effect;
     try {
-      effect = JSON.parse(text);
-      if (!Array.isArray(effect?.passes) || !effect.passes.every((pass) => typeof pass === 'object' && pass)) throw new Error('an effect needs "passes", a list of objects');
+      effect = checkedEffect(JSON.parse(text));
     } catch (error) {
-      this.setFaults('read', [{ ...placeIn(text, error.message), message: error.message }]);
+      this.setFaults('read', [{ message: error.message }]);
+      // The engine reads the text, too, and names the place.
+      this.store.change('text', () => {});
       return;
     }
     this.setFaults('read', []);
@@ -64,17 +65,12 @@ export class ProgramPane {
   /** @param {'read'|'draw'} of @param {import('./editor.js').Diagnostic[]} faults */
   setFaults(of, faults) {
     this.faults[of] = faults;
-    const all = [...this.faults.read, ...(this.faults.read.some(({ severity }) => severity !== 'info') ? [] : this.faults.draw)];
+    // A program's fault comes from both: from reading it with its place.
+    const known = this.faults.read.map(({ message }) => message);
+    const all = [...this.faults.read, ...this.faults.draw.filter(({ message }) => !known.some((other) => message.endsWith(other)))];
     this.editor.show(all.filter(({ line }) => line));
     byId('faults').replaceChildren(...all.map(({ line, column, message, severity }) => element('li', {},
       element('button', { type: 'button', class: severity === 'info' ? 'info' : 'error', onclick: () => line && this.editor.go(line, column) },
         line ? `${line}:${column ?? 1}  ` : '', message))));
   }
-}
-
-/** Where JSON.parse says that it stopped. */
-function placeIn(text, message) {
-  const found = /position (\d+)/.exec(message);
-  const before = text.slice(0, found ? Number(found[1]) : 0).split('\n');
-  return { line: before.length, column: before.at(-1).length + 1 };
 }

@@ -2,7 +2,7 @@
  * Index cube shadows: the picture with its wrong pixels, and beside it the cube map that the light sees, unfolded.
  */
 import { cameraOf, orbitOf } from './camera.js';
-import { choice, element, paint } from './dom.js';
+import { choice, element, paint, replaceChildren } from './dom.js';
 import { Replaced } from './engine_client.js';
 import { Judge } from './judge.js';
 import { WrongPixels } from './wrong_panel.js';
@@ -46,7 +46,7 @@ export class ShadowPanel {
       this.ask({ scene: value });
     });
     const sizes = [64, 128, 256, 512, 1024, 2048].map(String);
-    this.controls.replaceChildren(scene, choice('Order', order, this.asked.order, (value) => this.ask({ order: value })),
+    replaceChildren(this.controls, scene, choice('Order', order, this.asked.order, (value) => this.ask({ order: value })),
       slider('Step', { min: 1, max: 4, step: 1, value: this.asked.step }, (value) => this.ask({ step: value })),
       choice('Map size', sizes, String(this.asked.map_size), (value) => this.ask({ map_size: Number(value) })), ...this.camera());
   }
@@ -81,7 +81,7 @@ export class ShadowPanel {
 
   async draw() {
     try {
-      const request = { do: 'shadow', size: [480, 360], profile: this.store.state.profile, ...this.asked };
+      const request = { do: 'shadow', size: [480, 360], hash: false, profile: this.store.state.profile, ...this.asked };
       const { answer, bytes, milliseconds } = await this.engine.ask(request, { key: 'shadow' });
       const first = answer.width * answer.height * 4;
       paint(this.canvases[0], bytes.subarray(0, first), answer.width, answer.height);

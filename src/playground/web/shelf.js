@@ -2,6 +2,7 @@
  * The pictures and meshes that effects read: the gallery's pictures, which are part of the page, and what is dropped.
  */
 import { decodePicture, mostBytes } from './decode_picture.js';
+import { keepFile } from './kept.js';
 
 /** @param {string} text base64 */
 export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
@@ -20,6 +21,9 @@ export const setFileOrigins = (words) => {
 /** The file, or the six files, of a texture's source. @param {string} source */
 export const fileIn = (source) => source.replace(madeFrom, '');
 
+/** The names of the pictures that an effect reads. @param {any} effect @returns {string[]} */
+const picturesOf = ({ textures }) => Object.values(textures ?? {}).flatMap(({ source }) => fileIn(source).split(','));
+
 export class Shelf {
   /**
    * @param {import('./engine_client.js').Engine} engine
@@ -27,23 +31,29 @@ export class Shelf {
    */
   constructor(engine, embedded) {
     this.engine = engine;
+    /** Keeps a dropped file for the next time that the page is loaded. */
+    this.keepFile = keepFile;
+    /** Hears that the browser did not keep one. */
+    this.onlost = () => {};
     this.embedded = embedded;
     /** Small pictures to choose from, by name. @type {Map<string, {width: number, height: number, pixels: Uint8Array}>} */
     this.pictures = new Map();
-    /** Names of what was dropped. @type {Set<string>} */
-    this.dropped = new Set();
+    /** What was dropped, by name. @type {Map<string, Uint8Array>} */
+    this.dropped = new Map();
     /** @type {Map<string, Promise<void>>} */
     this.loading = new Map();
+    /** Why the texels of a picture may be others than the file's, by name. @type {Map<string, string>} */
+    this.doubts = new Map();
   }
 
   /** Names of pictures to choose from. */
   names() {
-    return [...Object.keys(this.embedded), ...[...this.dropped].filter((name) => !meshEnding.test(name))];
+    return [...Object.keys(this.embedded), ...[...this.dropped.keys()].filter((name) => !meshEnding.test(name))];
   }
 
   /** Names of meshes to choose from: the room, which the engine has, and what was dropped. */
   meshes() {
-    return ['index_room.gltf', ...[...this.dropped].filter((name) => meshEnding.test(name))];
+    return ['index_room.gltf', ...[...this.dropped.keys()].filter((name) => meshEnding.test(name))];
   }
 
   /** Puts a file of the page into the engine, once. @param {string} name */
@@ -55,9 +65,12 @@ export class Shelf {
 
   /** Loads all files that an effect names. @param {any} effect */
   async loadFor(effect) {
-    const sources = Object.values(effect.textures ?? {}).map((texture) => String(texture?.source ?? ''));
-    const names = sources.flatMap((source) => fileIn(source).split(','));
-    await Promise.all(names.map((name) => this.load(name)));
+    await Promise.all(picturesOf(effect).map((name) => this.load(name)));
+  }
+
+  /** What is not exact about the pictures that an effect names. @param {any} effect @returns {string[]} */
+  doubtsOf(effect) {
+    return picturesOf(effect).filter((name) => this.doubts.has(name)).map((name) => this.doubts.get(name));
   }
 
   async put(name, file) {
@@ -67,6 +80,8 @@ export class Shelf {
     }
     const picture = await decodePicture(file);
     this.pictures.set(name, picture);
+    this.doubts.delete(name);
+    if (picture.doubt) this.doubts.set(name, `${name}: ${picture.doubt}: the picture may differ from what ninebit draws`);
     await this.engine.put({ name, kind: 'pixels', width: picture.width, height: picture.height }, picture.pixels);
   }
 
@@ -79,14 +94,32 @@ export class Shelf {
     if (file.size > mostBytes) {
       throw new Error(`${file.name}: ${Math.round(file.size / 1e6)} MB; the page takes ${Math.round(mostBytes / 1e6)} MB at most`);
     }
-    // The effect's words take no commas or colons in a file's name.
-    const name = `dropped/${file.name.replace(/[,:\\]/g, '_')}`;
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const name = this.nameFor(file.name, bytes);
     try {
       await this.put(name, file);
     } catch (error) {
       throw new Error(`${file.name}: ${error.message}`);
     }
-    this.dropped.add(name);
+    this.dropped.set(name, bytes);
+    await this.keepFile(name, bytes).catch(() => this.onlost());
     return name;
+  }
+
+  /** A name that no other content has, so that a step back finds the old file. @param {string} file @param {Uint8Array} bytes */
+  nameFor(file, bytes) {
+    // The effect's words take no commas or colons in a file's name.
+    const [, stem, ending] = /^(.*?)(\.[^.]*)?$/s.exec(file.replace(/[,:\\]/g, '_'));
+    for (let number = 1; ; number++) {
+      const name = `dropped/${stem}${number > 1 ? ` ${number}` : ''}${ending ?? ''}`;
+      const there = this.dropped.get(name);
+      if (!there || (there.length === bytes.length && there.every((byte, at) => byte === bytes[at]))) return name;
+    }
+  }
+
+  /** Takes a file that was dropped before the page was loaded. @param {string} name @param {Uint8Array} bytes */
+  async restore(name, bytes) {
+    await this.put(name, new Blob([bytes]));
+    this.dropped.set(name, bytes);
   }
 }

@@ -9,8 +9,30 @@
  * @property {string} other the profile to compare with, or "arithmetic"
  */
 
+import effectSchema from '../../../docs/effect.schema.json' with { type: 'json' };
+import { complaint } from './schema.js';
+
 /** The name under which the editor offers the effect itself. */
 export const effectFile = 'effect.json';
+
+/** The profile to compare with: each effect can be drawn with exact combiners. */
+const defaultOther = 'arithmetic';
+
+/**
+ * The value with objects that inherit nothing: `__proto__` and `constructor` are names like others in them.
+ * @template T
+ * @param {T} value JSON, which is changed
+ * @returns {T}
+ */
+export function bare(value) {
+  if (typeof value !== 'object' || value === null) return value;
+  if (!Array.isArray(value)) Object.setPrototypeOf(value, null);
+  Object.values(value).forEach(bare);
+  return value;
+}
+
+/** A copy of JSON whose objects inherit nothing. @template T @param {T} value @returns {T} */
+export const copied = (value) => bare(structuredClone(value));
 
 /** The largest texts that the page takes from an address or a file. */
 export const mostCharacters = 1_000_000;
@@ -28,14 +50,14 @@ out.a = unsigned_invert(zero);
 
 /** An effect of one pass on a rectangle. @returns {State} */
 export function newState() {
-  return {
+  return bare({
     effect: {
       ninebit: 'effect', version: 1, title: 'Untitled', size: [256, 256],
       textures: { tex0: { source: 'checker:64', filter: 'nearest' } },
       passes: [{ name: 'draw', program: 'program.rc1', units: [{ texture: 'tex0', coordinates: 'uv' }] }],
     },
-    files: { 'program.rc1': newProgram }, pass: 0, profile: 'nv2a', other: 'geforce256-8bit',
-  };
+    files: { 'program.rc1': newProgram }, pass: 0, profile: 'nv2a', other: defaultOther,
+  });
 }
 
 /**
@@ -45,29 +67,41 @@ export function newState() {
  * @returns {State}
  */
 export function stateOf(effect, programs) {
-  const files = {};
+  const files = Object.create(null);
   for (const pass of effect.passes) if (pass.program) files[pass.program] = programs[pass.program] ?? '';
   const first = Math.max(0, effect.passes.findIndex((pass) => pass.program));
-  return { effect: structuredClone(effect), files, pass: first, profile: effect.profile ?? 'geforce2', other: 'geforce256-8bit' };
+  return { effect: copied(effect), files, pass: first, profile: effect.profile ?? 'geforce2', other: defaultOther };
+}
+
+/** A state's schema, beside the effect's own. */
+const kindOfState = {
+  type: 'object', required: ['effect', 'files'],
+  properties: {
+    files: { type: 'object', additionalProperties: { type: 'string' } },
+    pass: { type: 'integer', minimum: 0 },
+    profile: { anyOf: [{ type: 'string' }, { type: 'object', properties: { base: { type: 'string' }, name: { type: 'string' } } }] },
+    other: { type: 'string' },
+  },
+};
+
+/** The effect, if its schema allows it; else an error in one sentence. @param {any} found */
+export function checkedEffect(found) {
+  const wrong = complaint(effectSchema, found, 'the effect');
+  if (wrong) throw new Error(wrong.replace(/^the effect[.]/, ''));
+  return bare(found);
 }
 
 /**
- * A state from an address or from nowhere good: what is missing or of another kind is an error in words.
+ * A state from an address, a file or storage, if it may be used; else an error in one sentence.
  * @param {any} found
  * @returns {State}
  */
 export function checkedState(found) {
-  const object = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
-  if (!object(found) || !object(found.effect) || !Array.isArray(found.effect.passes) || !found.effect.passes.every(object)) {
-    throw new Error('the address holds no effect with passes');
-  }
-  if (!object(found.files) || !Object.values(found.files).every((text) => typeof text === 'string')) {
-    throw new Error('the address holds programs that are not texts');
-  }
-  const pass = Number.isInteger(found.pass) && found.pass >= 0 && found.pass < found.effect.passes.length ? found.pass : 0;
-  const profile = typeof found.profile === 'string' || object(found.profile) ? found.profile : 'nv2a';
-  const other = typeof found.other === 'string' ? found.other : 'geforce256-8bit';
-  return { effect: found.effect, files: { ...found.files }, pass, profile, other };
+  const wrong = complaint(kindOfState, found, 'the state');
+  if (wrong) throw new Error(wrong);
+  const { effect, files, pass = 0, profile = 'nv2a', other = defaultOther } = found;
+  checkedEffect(effect);
+  return bare({ effect, files, pass: pass < effect.passes.length ? pass : 0, profile, other });
 }
 
 /** The pass that the panels are about. @param {State} state */
@@ -82,16 +116,24 @@ export function sizeOf(state) {
   return Array.isArray(size) ? [size[0], size[1]] : [size, size];
 }
 
-/** The state, and who wants to hear of its changes. */
+/** So many steps can be undone. */
+export const mostSteps = 20;
+
+/** The state, who wants to hear of its changes, and the steps that can be undone: what opens, drops and links replace. */
 export class Store {
-  /** @param {State} state */
-  constructor(state) {
-    this.state = state;
+  /** @param {State} state @param {State[]} [past] */
+  constructor(state, past = []) {
+    this.state = bare(state);
+    this.past = past;
+    /** @type {State[]} */
+    this.future = [];
     /** @type {((what: string) => void)[]} */
     this.listeners = [];
+    /** Hears of each step. @type {(before: State, navigated: boolean) => void} */
+    this.onstep = () => {};
   }
 
-  /** @param {(what: string) => void} listener `what`: "all", "text", "inputs", "profile" or "pass" */
+  /** @param {(what: string) => void} listener `what`: "all", "text", "inputs", "profile", "pass" or "other" */
   listen(listener) {
     this.listeners.push(listener);
   }
@@ -104,7 +146,41 @@ export class Store {
 
   /** @param {State} state */
   replace(state) {
-    this.state = state;
+    this.state = bare(state);
     for (const listener of this.listeners) listener('all');
+  }
+
+  /**
+   * Takes note of a step.
+   * @param {State} before
+   * @param {boolean} [navigated] whether the address has changed already
+   */
+  step(before, navigated = false) {
+    this.past = [...this.past, before].slice(-mostSteps);
+    this.future = [];
+    this.onstep(before, navigated);
+  }
+
+  /** Replaces the state in a step. @param {State} state @param {boolean} [navigated] */
+  open(state, navigated) {
+    const before = copied(this.state);
+    this.replace(state);
+    this.step(before, navigated);
+  }
+
+  undo() {
+    this.swap(this.past, this.future);
+  }
+
+  redo() {
+    this.swap(this.future, this.past);
+  }
+
+  /** @param {State[]} from @param {State[]} to */
+  swap(from, to) {
+    const state = from.pop();
+    if (!state) return;
+    to.push(copied(this.state));
+    this.replace(state);
   }
 }

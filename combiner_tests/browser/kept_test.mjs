@@ -1,0 +1,201 @@
+/** Nothing is lost: histories of files, steps that are undone, Back, a reload, a crash of the page. */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { addressOf } from '../../src/playground/web/permalink.js';
+import { newState } from '../../src/playground/web/state.js';
+import { picture } from './png_files.mjs';
+import { dropOn, hashOf, launch, nativeHash, openEffect, openPage, pageFile, stateOf, type, waitForHash, waitForReady } from './support.mjs';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+const mine = '!!RC1.0\n# Mine.\nout.rgb = unsigned_invert(tex0);\nout.a = unsigned_invert(zero);\n';
+const editorText = (page) => page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString());
+const title = (page) => page.evaluate(() => globalThis.ninebit.store.state.effect.title);
+const waitForTitle = (page, wanted) => page.waitForFunction((text) => globalThis.ninebit.store.state.effect.title === text, {}, wanted);
+const waitForText = (page, text) => page.waitForFunction((wanted) => Object.values(globalThis.ninebit.store.state.files).includes(wanted), {}, text);
+
+async function press(page, ...keys) {
+  for (const key of keys.slice(0, -1)) await page.keyboard.down(key);
+  await page.keyboard.press(keys.at(-1));
+  for (const key of keys.slice(0, -1).reverse()) await page.keyboard.up(key);
+}
+
+/** A page on which something was typed, and its state. */
+async function typed() {
+  const page = await openPage(browser);
+  await type(page, mine);
+  await waitForText(page, mine);
+  return { page, state: await stateOf(page) };
+}
+
+test('Ctrl-Z in the editor stays in its file', async () => {
+  const { page } = await typed();
+  await openEffect(page, 'emboss');
+  const opened = await stateOf(page);
+  await page.focus('.cm-content');
+  for (let count = 0; count < 5; count++) await press(page, 'Control', 'z');
+  assert.deepEqual(await stateOf(page), opened);
+  // Each file of an effect has its own history.
+  await openEffect(page, 'index_cube');
+  const passes = (await stateOf(page)).effect.passes.map(({ program }, at) => [program, String(at)]).filter(([program]) => program);
+  const [[first, at], [, other]] = passes.filter(([program], index) => passes.findIndex(([same]) => same === program) === index);
+  await page.select('#file-choice select', at);
+  const old = await editorText(page);
+  await type(page, mine);
+  await waitForText(page, mine);
+  await page.select('#file-choice select', other);
+  await page.focus('.cm-content');
+  const second = await editorText(page);
+  await press(page, 'Control', 'z');
+  assert.equal(await editorText(page), second);
+  await page.select('#file-choice select', at);
+  await page.focus('.cm-content');
+  for (let count = 0; count < 3; count++) await press(page, 'Control', 'z');
+  assert.equal(await editorText(page), old);
+  assert.equal((await stateOf(page)).files[first], old);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+for (const [what, act] of [['New', (page) => page.click('#new-program')], ['the gallery', (page) => openEffect(page, 'emboss')],
+  ['a dropped picture', (page) => dropOn(page, [{ name: 'a.png', type: 'image/png', content: picture(16).toString('base64') }])],
+  ['a dropped program', (page) => dropOn(page, [{ name: 'a.rc1', type: '', content: Buffer.from('!!RC1.0\nout.rgb = tex0;\n').toString('base64') }])],
+  ['a link', async (page) => {
+    // The page writes its address after a pause.
+    await page.evaluate(() => globalThis.ninebit.page.keep());
+    const hash = await addressOf(newState());
+    await page.evaluate((link) => { location.hash = link; }, hash);
+  }]]) {
+  test(`${what} can be undone and redone, by the button, by Ctrl-Z and by Back`, async () => {
+    const { page, state } = await typed();
+    const hash = nativeHash(state);
+    await waitForHash(page, hash);
+    await act(page);
+    await page.waitForFunction((old) => JSON.stringify(globalThis.ninebit.store.state) !== old && globalThis.ninebit.store.past.length === 1, {}, JSON.stringify(state));
+    const later = await stateOf(page);
+    assert.notDeepEqual(later, state);
+    await page.click('#undo');
+    assert.deepEqual(await stateOf(page), state);
+    assert.equal(await editorText(page), mine);
+    await waitForHash(page, hash);
+    await page.click('#redo');
+    assert.deepEqual(await stateOf(page), later);
+    await page.focus('#tab-inputs');
+    await press(page, 'Control', 'z');
+    assert.deepEqual(await stateOf(page), state);
+    await press(page, 'Control', 'Shift', 'z');
+    assert.deepEqual(await stateOf(page), later);
+    await page.evaluate(() => globalThis.ninebit.page.keep());
+    await page.evaluate(() => history.back());
+    await page.waitForFunction((old) => JSON.stringify(globalThis.ninebit.store.state) === old, {}, JSON.stringify(state));
+    await waitForHash(page, hash);
+    // Back is a step, too.
+    await page.click('#undo');
+    assert.deepEqual(await stateOf(page), later);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+}
+
+test('edits are no steps of the address, and what is opened is one', async () => {
+  const { page } = await typed();
+  const length = () => page.evaluate(() => history.length);
+  const before = await length();
+  await type(page, `${mine}# more\n`);
+  await page.select('#profile-choice select', 'nv2a');
+  await page.evaluate(() => globalThis.ninebit.page.keep());
+  assert.equal(await length(), before);
+  await openEffect(page, 'emboss');
+  await page.waitForFunction((count) => history.length === count, {}, before + 1);
+  await page.close();
+});
+
+test('a reload, a new visit and a crash of the page give the work back, with its steps and its files', async () => {
+  const { page } = await typed();
+  await dropOn(page, [{ name: 'a.png', type: 'image/png', content: picture(16).toString('base64') }]);
+  await page.waitForFunction(() => globalThis.ninebit.store.past.length === 1 && globalThis.ninebit.page.shelf.dropped.size === 1);
+  const state = await stateOf(page);
+  const hash = nativeHash(state, { 'dropped/a.png': picture(16) });
+  await waitForHash(page, hash);
+  assert.match(await page.$eval('footer', ({ textContent }) => textContent), /Your work is kept in this browser/);
+  for (const again of [() => page.reload(), () => page.goto('about:blank').then(() => page.goto(`file://${pageFile}`))]) {
+    await again();
+    await waitForReady(page);
+    assert.deepEqual(await stateOf(page), state);
+    await waitForHash(page, hash);
+  }
+  await page.click('#undo');
+  assert.equal(await editorText(page), mine);
+  await page.click('#redo');
+  await page.evaluate(() => globalThis.ninebit.page.keep());
+  assert.deepEqual(page.complaints, []);
+  // A crash of the page: it hears nothing of it.
+  const second = await page.browserContext().newPage();
+  await second.evaluateOnNewDocument(() => { globalThis.ninebitHashes = true; });
+  await page.goto('chrome://crash').catch(() => {});
+  await second.goto(`file://${pageFile}`);
+  await waitForReady(second);
+  assert.deepEqual(await stateOf(second), state);
+  await waitForHash(second, hash);
+});
+
+test('a link does not take the place of what was kept', async () => {
+  const { page, state } = await typed();
+  await page.evaluate(() => globalThis.ninebit.page.keep());
+  await page.goto('about:blank');
+  await page.goto(`file://${pageFile}${await addressOf(newState())}`);
+  await waitForReady(page);
+  assert.equal(await title(page), 'Untitled');
+  await page.click('#undo');
+  assert.deepEqual(await stateOf(page), state);
+  await page.close();
+});
+
+test('what was kept and cannot be opened gets a message', async () => {
+  for (const [text, expected] of [['{', /What was kept of your work cannot be opened/], ['{"version": 9}', /another version of this page wrote it/],
+    ['{"version": 1, "state": {"effect": {"passes": [null]}, "files": {}}}', /cannot be opened: .*/]]) {
+    const page = await openPage(browser);
+    await page.evaluate((kept) => {
+      addEventListener('pagehide', (event) => {
+        event.stopImmediatePropagation();
+        localStorage.setItem('ninebit-playground', kept);
+      }, { capture: true });
+      globalThis.ninebit.page.link.cancel();
+    }, text);
+    await page.evaluate((kept) => {
+      const set = Storage.prototype.setItem;
+      Storage.prototype.setItem = () => {};
+      set.call(localStorage, 'ninebit-playground', kept);
+    }, text);
+    await page.goto('about:blank');
+    await page.goto(`file://${pageFile}`);
+    await waitForReady(page);
+    assert.match(await page.$eval('#message', ({ textContent }) => textContent), expected);
+    assert.notEqual(await hashOf(page), '');
+    await page.close();
+  }
+});
+
+test('a browser that keeps nothing says so, and works', async () => {
+  const page = await openPage(browser);
+  await page.evaluate(() => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; });
+  await type(page, mine);
+  await page.waitForFunction(() => document.getElementById('kept').textContent.includes('does not keep your work'));
+  await openEffect(page, 'emboss');
+  await waitForTitle(page, await title(page));
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('a file of the same name and other content does not take the place of the first', async () => {
+  const { page } = await typed();
+  for (const side of [16, 32, 16]) await dropOn(page, [{ name: 'a.png', type: 'image/png', content: picture(side).toString('base64') }]);
+  await page.waitForFunction(() => globalThis.ninebit.store.past.length === 3);
+  assert.deepEqual(await page.evaluate(() => [...globalThis.ninebit.page.shelf.dropped.keys()]), ['dropped/a.png', 'dropped/a 2.png']);
+  assert.equal(Object.values((await stateOf(page)).effect.textures).at(-1).source, 'dropped/a.png');
+  await page.click('#undo');
+  await waitForHash(page, nativeHash(await stateOf(page), { 'dropped/a 2.png': picture(32), 'dropped/a.png': picture(16) }));
+  await page.close();
+});
