@@ -76,6 +76,13 @@ struct JudgedProgram {
   const std::vector<Value>*given, *expected;  // by fragment
 };
 
+// The group that fails first because of a mistake; empty: the mistakes of a pack do not say it.
+template <class Mistake>
+std::string group_of(const Mistake& mistake) {
+  if constexpr (requires { mistake.group; }) return mistake.group;
+  return {};
+}
+
 // Judges programs in the pack's order. `run(mistake, program)` gives what a mistake computes, by fragment; `mistakes`
 // have names and rules.
 template <class Value, class Mistake, class Run>
@@ -113,7 +120,7 @@ Result<VectorVerdict> judge(const std::vector<JudgedProgram<Value>>& programs, s
   });
   if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   for (std::size_t m = 0; m < mistakes.size(); ++m) {
-    VectorMistake one{mistakes[m].name, mistakes[m].rules};
+    VectorMistake one{mistakes[m].name, mistakes[m].rules, group_of(mistakes[m])};
     for (const std::vector<Count>& of : counts) {
       one.explains += of[m].explains;
       one.agree += of[m].agree;
