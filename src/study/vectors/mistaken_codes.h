@@ -1,6 +1,7 @@
 // The arithmetic of the combiners with rules broken, in codes or, for models that compute in real numbers, without
 // narrowing. It is written here a second time, in floating point, because mistakes are made together: any set of them
-// is a model. Without a mistake it gives what combiner/arithmetic.inl gives: VectorModels.WithoutMistakesIsTheReference.
+// is a model. Without a mistake it gives what combiner/arithmetic.inl gives:
+// VectorModels.WithoutMistakesIsTheReference.
 #pragma once
 
 #include <array>
@@ -43,8 +44,9 @@ class MistakenNumbers {
 
   // The byte of a colour in [0, one].
   [[nodiscard]] std::uint8_t byte_of(const HardwareProfile& profile, T color) const {
-    const double code = has(BrokenRule::colors_cut) ? static_cast<double>(std::floor(color * (static_cast<T>(d_.one) / one_)))
-                                                    : std::floor(code_of(color) + 0.5);
+    const double code = has(BrokenRule::colors_cut)
+                            ? static_cast<double>(std::floor(color * (static_cast<T>(d_.one) / one_)))
+                            : std::floor(code_of(color) + 0.5);
     return to_byte(profile, static_cast<s9>(code));
   }
 
@@ -164,8 +166,8 @@ class MistakenGeneral {
   [[nodiscard]] T narrowed(T scaled) const {
     const T one = n_.one();
     if (n_.is_real()) return scaled / one;
-    const bool down = n_.has(BrokenRule::rounded_down) || n_.has(BrokenRule::sums_shifted) ||
-                      n_.has(BrokenRule::products_shifted);
+    const bool down =
+        n_.has(BrokenRule::rounded_down) || n_.has(BrokenRule::sums_shifted) || n_.has(BrokenRule::products_shifted);
     if (down) return std::floor(scaled / one);
     if (n_.has(BrokenRule::halves_from_zero)) {
       return std::copysign(n_.narrow(Narrowing::nearest_halves_up, std::abs(scaled), one), scaled);
@@ -173,8 +175,7 @@ class MistakenGeneral {
     return n_.narrow(n_.datapath().general_narrowing, scaled, one);
   }
   [[nodiscard]] T clamped(std::size_t k, T number) const {
-    const bool is_free =
-        n_.has(BrokenRule::outputs_unclamped) || (k == 2 && n_.has(BrokenRule::thirds_unclamped));
+    const bool is_free = n_.has(BrokenRule::outputs_unclamped) || (k == 2 && n_.has(BrokenRule::thirds_unclamped));
     constexpr T kMost{1e15F};  // keeps later products finite
     if (is_free) return std::clamp(number, -kMost, kMost);
     const T lowest = n_.has(BrokenRule::outputs_from_zero) ? T{0}
@@ -213,7 +214,8 @@ class MistakenFinal {
   T sum_part(bool inverted, Register r, int component) const {
     const T number = registers_[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)];
     if (!inverted) return number;
-    return number < 0 && !n_.has(BrokenRule::negative_inputs) ? n_.one() : n_.map(InputMapping::unsigned_invert, number);
+    return number < 0 && !n_.has(BrokenRule::negative_inputs) ? n_.one()
+                                                              : n_.map(InputMapping::unsigned_invert, number);
   }
   T sum(bool clamp, T spare0, T secondary) const {
     const bool negative = n_.has(BrokenRule::negative_inputs) || n_.has(BrokenRule::sum_negative);

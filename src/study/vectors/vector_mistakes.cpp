@@ -215,8 +215,7 @@ const NamedBrokenRule kBrokenRules[] = {
     {"a sum has the bias of each of its products", "3", "bias", BrokenRule::bias_of_products},
     {"each product is rounded before the sum", "7", "sum", BrokenRule::products_narrowed},
     {"sums are clamped before bias and scale", "22", "scale-by-one-half", BrokenRule::sums_clamped},
-    {"the third output beside a dot product is of the products", "", "dot-product-sum",
-     BrokenRule::thirds_of_products},
+    {"the third output beside a dot product is of the products", "", "dot-product-sum", BrokenRule::thirds_of_products},
     {"the mux takes AB for CD", "11", "mux-threshold", BrokenRule::mux_swapped},
     {"the mux compares spare0's alpha by > instead of >=", "11", "mux-threshold", BrokenRule::mux_above_half},
     {"the alpha portion reads what the RGB portion wrote", "12", "reads-before-writes", BrokenRule::portions_in_turn},
@@ -231,8 +230,7 @@ const NamedBrokenRule kBrokenRules[] = {
     {"general combiners shift by 8, bias half * 255", "4, 5, 8", "general-reads", BrokenRule::shifted_bias_255, true,
      false},
     {"a shift by 8 before the bias", "7, 9, 10", "final-reads", BrokenRule::sums_shifted},
-    {"general combiners shift by 8 before the bias", "5, 7, 8", "general-reads", BrokenRule::sums_shifted, true,
-     false},
+    {"general combiners shift by 8 before the bias", "5, 7, 8", "general-reads", BrokenRule::sums_shifted, true, false},
     {"a shift by 8 of each product", "7, 9, 10", "final-reads", BrokenRule::products_shifted},
     {"general combiners shift each product by 8", "5, 7, 8", "general-reads", BrokenRule::products_shifted, true,
      false},
@@ -301,12 +299,15 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
       found.push_back({name, "5, 8", "mapping-half-bias-normal",
                        [arithmetic](HardwareProfile& p) { p.arithmetic.value = arithmetic; }});
     }
-    found.push_back({"arithmetic = float32, and bytes of the colour are cut, not rounded", "5, 8, 9", "mapping-unsigned-invert",
-                     [](HardwareProfile& p) { p.arithmetic.value = Arithmetic::float32; }, {},
+    found.push_back({"arithmetic = float32, and bytes of the colour are cut, not rounded",
+                     "5, 8, 9",
+                     "mapping-unsigned-invert",
+                     [](HardwareProfile& p) { p.arithmetic.value = Arithmetic::float32; },
+                     {},
                      only(BrokenRule::colors_cut, true)});
     for (const NamedBrokenRule& one : kBrokenRules) {
-      found.push_back({one.name, one.rules, one.group, {}, only(one.broken, one.in_general),
-                       only(one.broken, one.in_final)});
+      found.push_back(
+          {one.name, one.rules, one.group, {}, only(one.broken, one.in_general), only(one.broken, one.in_final)});
     }
   }
   for (const Edit& one : kEdits) found.push_back({one.name, one.rules, one.group, {}, {}, {}, one.edit});

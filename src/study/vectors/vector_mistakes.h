@@ -54,10 +54,10 @@ using BrokenRules = std::bitset<static_cast<std::size_t>(BrokenRule::count)>;
 
 struct Mistake {
   std::string name, rules;
-  std::string group;                              // the first of a pack's groups that fails because of it
-  std::function<void(HardwareProfile&)> set{};    // gives a field another value; null: none
-  BrokenRules in_general{}, in_final{};           // what the combiners break
-  void (*edit)(CombinerState&) = nullptr;         // what the model does to every program; null: nothing
+  std::string group;                            // the first of a pack's groups that fails because of it
+  std::function<void(HardwareProfile&)> set{};  // gives a field another value; null: none
+  BrokenRules in_general{}, in_final{};         // what the combiners break
+  void (*edit)(CombinerState&) = nullptr;       // what the model does to every program; null: nothing
 };
 
 // The mistakes that may be made instead of a profile's rules.

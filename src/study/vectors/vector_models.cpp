@@ -94,7 +94,10 @@ bool Model::keeps_registers() const {
 }
 
 Bytes4 Model::run(const Program& program, const RegisterFile& input, Registers& kept) const {
-  if (breaks_nothing()) return bytes_of(profile_, evaluate(program, input));
+  // Exact fractions are computed in doubles, which is faster by far.
+  if (breaks_nothing() && profile_.arithmetic.value != Arithmetic::exact) {
+    return bytes_of(profile_, evaluate(program, input));
+  }
   return profile_.arithmetic.value == Arithmetic::float32 ? run_in<float>(program, input, kept)
                                                           : run_in<double>(program, input, kept);
 }
@@ -106,7 +109,8 @@ Bytes4 Model::run_in(const Program& program, const RegisterFile& input, Register
   for (std::size_t r = 0; r < kRegisterCount; ++r) {
     for (std::size_t c = 0; c < 4; ++c) registers[r][c] = general.of_code(input.value[r][c]);
   }
-  constexpr auto kSpare0 = static_cast<std::size_t>(Register::spare0), kSpare1 = static_cast<std::size_t>(Register::spare1);
+  constexpr auto kSpare0 = static_cast<std::size_t>(Register::spare0),
+                 kSpare1 = static_cast<std::size_t>(Register::spare1);
   if (general.has(BrokenRule::spare0_alpha_zero)) registers[kSpare0][kAlpha] = 0;
   if (general.has(BrokenRule::spare1_alpha_tex1)) {
     registers[kSpare1][kAlpha] = registers[static_cast<std::size_t>(Register::texture1)][kAlpha];

@@ -1,7 +1,7 @@
 // How a plan is made. A model starts without mistakes. Each round adds the mistake that makes most fragments agree
 // with the results and breaks next to none of those that agree. Then mistakes that others have made needless are
-// dropped. Rounds look at a sample of each group, with programs that differ and programs that agree; what is accepted is
-// counted over all fragments.
+// dropped. Rounds look at a sample of each group, with programs that differ and programs that agree; what is accepted
+// is counted over all fragments.
 #include "src/study/vectors/vector_plan.h"
 
 #include <algorithm>
@@ -180,14 +180,13 @@ class Planner {
       so_far.push_back(m);
       const Agreement after = agreement(model_of(so_far), all_);
       const Count count = compare(before, after);
-      VectorVerdict::Step step{{mistakes_[m].name, mistakes_[m].rules, mistakes_[m].group, count.gains, 0}, count.breaks,
-                               {}, 0, 0};
+      VectorVerdict::Step step{
+          {mistakes_[m].name, mistakes_[m].rules, mistakes_[m].group, count.gains, 0}, count.breaks, {}, 0, 0};
       std::optional<std::size_t> smallest;
       for (std::size_t p = 0; p < after.size(); ++p) {
         for (std::size_t f = 0; f < after[p].size(); ++f) {
           step.mistake.agree += after[p][f] ? 1U : 0U;
-          const bool is_smaller =
-              after[p][f] && !before[p][f] && (!smallest || size_of(p) < size_of(*smallest));
+          const bool is_smaller = after[p][f] && !before[p][f] && (!smallest || size_of(p) < size_of(*smallest));
           if (!is_smaller) continue;
           smallest = p;
           step.program = given_[p].program;
@@ -211,7 +210,8 @@ class Planner {
         other[i] = m;
         const Agreement of_sample = agreement(model_of(other), sample_);
         if (compare(all, of_sample) != Count{}) continue;
-        if (compare(all, agreement(model_of(other), all_)) == Count{}) verdict.plan[i].same.push_back(mistakes_[m].name);
+        if (compare(all, agreement(model_of(other), all_)) == Count{})
+          verdict.plan[i].same.push_back(mistakes_[m].name);
       }
     }
   }
@@ -220,8 +220,8 @@ class Planner {
   const Given& given_;
   const std::vector<Mistake>& mistakes_;
   const VectorProgress& go_on_;
-  std::vector<std::size_t> programs_{};        // of the pack, by program of the results
-  std::vector<std::size_t> sample_{}, all_{};  // programs of the results
+  std::vector<std::size_t> programs_{};             // of the pack, by program of the results
+  std::vector<std::size_t> sample_{}, all_{};       // programs of the results
   std::vector<std::vector<std::size_t>> rivals_{};  // by mistake: others that explained as much when it was accepted
   bool stopped_ = false;
 };

@@ -103,8 +103,8 @@ std::vector<std::size_t> programs_by_group(const std::vector<int>& weights, std:
 
 namespace {
 
-// A byte of a row: 255, 128 or 0 throughout in three rows of 16, all bytes in turn in the even rows, else a random byte, often
-// at an edge.
+// A byte of a row: 255, 128 or 0 throughout in three rows of 16, all bytes in turn in the even rows, else a random
+// byte, often at an edge.
 std::uint8_t byte_of_row(std::size_t row, std::size_t component, VectorRandom& random) {
   constexpr std::array kEdges{0, 1, 2, 63, 64, 126, 127, 128, 129, 191, 253, 254, 255};
   const int edge = kEdges[static_cast<std::size_t>(random.below(static_cast<int>(kEdges.size())))];

@@ -134,4 +134,29 @@ Result<VectorVerdict> judge(const std::vector<JudgedProgram<Value>>& programs, s
   return verdict;
 }
 
+// Fills the plan with the best mistake alone, if it breaks nothing: for mistakes that are not made together.
+template <class Value, class Mistake, class Run>
+void plan_one(const std::vector<JudgedProgram<Value>>& programs, const std::vector<Mistake>& mistakes, const Run& run,
+              VectorVerdict& verdict) {
+  verdict.unexplained = verdict.differ;
+  if (verdict.mistakes.empty()) return;
+  const VectorMistake& best = verdict.mistakes.front();
+  if (best.agree - best.explains != verdict.fragments - verdict.differ) return;
+  const auto mistake =
+      std::find_if(mistakes.begin(), mistakes.end(), [&](const Mistake& one) { return one.name == best.name; });
+  for (const auto& [program, group, given, expected] : programs) {
+    const std::vector<Value> mistaken = run(*mistake, program);
+    for (std::size_t i = 0; i < given->size(); ++i) {
+      if (mistaken[i] != (*given)[i] || (*given)[i] == (*expected)[i]) continue;
+      verdict.plan.push_back({.mistake = best, .same = {}, .program = program, .fragment = i});
+      for (const VectorMistake& other : verdict.mistakes) {
+        const bool is_same = other.agree == best.agree && other.explains == best.explains && other.name != best.name;
+        if (is_same && best.agree == verdict.fragments) verdict.plan.back().same.push_back(other.name);
+      }
+      verdict.unexplained = verdict.fragments - best.agree;
+      return;
+    }
+  }
+}
+
 }  // namespace ninebit::vectors
