@@ -214,6 +214,30 @@ TEST_F(Vectors, StagesAreCompared) {
   EXPECT_NE(text.substr(stage, text.find('\n', stage + 1) - stage).find(" (yours is "), std::string::npos) << text;
 }
 
+// The runner prints a program in each of the layouts of an emulator's words, and all are read as the same program.
+TEST_F(Vectors, TheRunnerPrintsAProgramAsWords) {
+  const std::string folder = pack();
+  (void)check(folder, kRight);
+  const std::string run = "'" + (folder_ / "check") + "' '" + folder + "/vectors.txt' --print 1100";
+  const auto explained = [&](const std::string& flags) {
+    const auto [text, status] = in_shell(run + flags);
+    EXPECT_EQ(status, 0) << text;
+    const Outcome outcome =
+        ninebit({"convert", write_bytes(folder_ / "p.words", text), "--to", "json", "--profile", "nv2a"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err << text;
+    return std::pair(text, outcome.out);
+  };
+  const auto [names, program] = explained("");
+  EXPECT_TRUE(names.starts_with("RC_ENABLE = 0x")) << names;
+  const auto [registers, same] = explained(" --pgraph");
+  EXPECT_TRUE(registers.starts_with("NV_PGRAPH_COMBINECTL = 0x")) << registers;
+  EXPECT_EQ(same, program);
+  const auto [addresses, also] = explained(" --address");
+  EXPECT_TRUE(addresses.starts_with("0x401940 = 0x")) << addresses;
+  EXPECT_EQ(also, program);
+  EXPECT_EQ(in_shell("'" + (folder_ / "check") + "' '" + folder + "/vectors.txt' --print 5000").second, 2);
+}
+
 TEST_F(Vectors, ThirtyLinesOfCReadAPack) {
   const std::string folder = pack(), program = folder_ / "read", source = read_bytes(kReader);
   EXPECT_LE(std::count(source.begin(), source.end(), '\n'), 30);
