@@ -110,6 +110,7 @@ TEST(VectorPlan, TheModelWithoutFaultsPasses) {
 
 // One fault gives a plan of one mistake, the right one. What is not rounded before D is added shows nothing alone.
 TEST(VectorPlan, SingleFaultsAreNamed) {
+  if (test::kSanitized) GTEST_SKIP() << "too slow; the build without sanitizers runs this";
   std::size_t exact = 0, seen = 0;
   std::string others;
   for (const NamedFault& one : kFaults) {
@@ -175,6 +176,7 @@ const Emulator kEmulators[] = {
 // At least 80 % of the faults of each are named, and nothing that it does not do.
 TEST(VectorPlan, EmulatorsWithManyFaultsAreMended) {
   for (const Emulator& emulator : kEmulators) {
+    if (test::kSanitized && emulator.name != std::string("xemu")) continue;  // too slow
     SCOPED_TRACE(emulator.name);
     const VectorVerdict verdict = judged(emulator.faults);
     std::size_t named = 0;
