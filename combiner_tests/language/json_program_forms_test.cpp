@@ -99,6 +99,22 @@ TEST(ProgramForms, WordsAreReadByRegistersAddressesAndMembers) {
                       "0x401940 = 0x00011101\n0x401900 = 0x08040000\n0x401920 = 0x000000c0\n0x401944 = 12\n"
                       "0x401948 = 7296\n"),
               expected);
+  // Lists with colons, and nv2a-trace's with addresses and both forms of a value; detected, too.
+  for (const char* const text :
+       {"NV_PGRAPH_COMBINECTL: 0x00011101\nNV_PGRAPH_COMBINECOLORI0: 0x08040000\nNV_PGRAPH_COMBINECOLORO0: 0xc0\n"
+        "NV_PGRAPH_COMBINESPECFOG0: 0xc\nNV_PGRAPH_COMBINESPECFOG1: 7296\n",
+        "0x401940: 0x00011101\n0x401900: 0x08040000\n0x401920: 0xc0\n0x401944: 0xc\n0x401948: 7296\n",
+        "NV_PGRAPH_CTX_CONTROL<0x400144> (1 <0x1>)\nNV_PGRAPH_COMBINECTL<0x401940> (69889 <0x11101>)\n"
+        "NV_PGRAPH_COMBINECOLORI0<0x401900> (134479872 <0x8040000>)\nNV_PGRAPH_COMBINECOLORO0<0x401920> (192 <0xC0>)\n"
+        "NV_PGRAPH_COMBINESPECFOG0<0x401944> (12 <0xc>)\nNV_PGRAPH_COMBINESPECFOG1<0x401948> (7296 <0x1C80>)\n"}) {
+    expect_same(read_as(ProgramForm::words, text), expected);
+    EXPECT_EQ(detected_form(text), ProgramForm::words) << text;
+  }
+  for (const char* const text :
+       {"NV_PGRAPH_COMBINECTL<0x401940> (69889 <0x11102>)\n", "NV_PGRAPH_COMBINECTL<0x401944> (69889 <0x11101>)\n",
+        "NV_PGRAPH_COMBINECTL<0x401940> (69889)\n", "NV_PGRAPH_COMBINECTL<0x401940>\n"}) {
+    EXPECT_FALSE(read_as(ProgramForm::words, text)) << text;
+  }
   const auto printed = read_as(ProgramForm::words,
                                "$1 = {combiner_control = 69889, shader_stage_program = 33, other_stage_input = 69632,\n"
                                "  final_inputs_0 = 0xc, final_inputs_1 = 7296, rgb_inputs = {134479872}, rgb_outputs = "

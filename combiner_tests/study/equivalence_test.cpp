@@ -117,7 +117,8 @@ TEST(Equivalence, ConstantsThatAreNotSet) {
   // In real numbers, too.
   const auto in_real = [](const ProofSubject& side) { return subject(side.state, profiles::ideal); };
   EXPECT_EQ(ask(in_real(product), in_real(alone)).answer, ProofAnswer::refuted);
-  if (!kSanitized) EXPECT_EQ(ask(in_real(product), in_real(turned)).answer, ProofAnswer::proved);
+  if (kSanitized) return;  // too long
+  EXPECT_EQ(ask(in_real(product), in_real(turned)).answer, ProofAnswer::proved);
 }
 
 // A shader's constants are told apart by their numbers, wherever the combiners have them.

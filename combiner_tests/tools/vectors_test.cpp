@@ -115,7 +115,7 @@ TEST_F(Vectors, ARightEmulatorPasses) {
   const std::string folder = pack();
   const auto [text, status] = check(folder, kRight);
   EXPECT_EQ(status, 0);
-  EXPECT_EQ(text, "profile nv2a: 7200 fragments, 0 differ; 61 of 61 groups pass\n");
+  EXPECT_EQ(text, "profile nv2a: 7200 fragments, 0 differ; 65 of 65 groups pass\n");
   const Json object = verdict(folder, 0);
   EXPECT_EQ(object["count"], 7200);
   EXPECT_EQ(object["agree"], 7200);
@@ -162,19 +162,47 @@ TEST_F(Vectors, BrokenEmulatorsAreNamed) {
   }
 }
 
-// Two mistakes at once: neither explains all, and both are listed.
-TEST_F(Vectors, TwoMistakesAreListed) {
+// Two mistakes at once: neither explains all, the plan has both, each with a program and a fragment.
+TEST_F(Vectors, TwoMistakesArePlanned) {
   const std::string folder = pack();
   EXPECT_EQ(check(folder, "-DROUNDS=1 -DHALF=127").second, 1);
   const Json object = verdict(folder, 1);
-  std::vector<std::string> names;
-  for (const Json& mistake : object["mistakes"]) names.push_back(mistake["mistake"]);
-  ASSERT_FALSE(names.empty());
-  EXPECT_EQ(names.front(), "half = 127");
-  EXPECT_NE(std::find(names.begin(), names.end(), "mux always by the threshold of spare0's alpha"), names.end());
-  EXPECT_LT(object["mistakes"][0]["agree_then"], object["count"]);
+  const Json& plan = object["plan"];
+  ASSERT_EQ(plan.size(), 2U) << plan.dump();
+  EXPECT_EQ(keys_of(plan[0]), (Words{"mistake", "rules", "group", "explains", "share", "breaks", "same", "program",
+                                     "fragment", "shown", "expected", "calls", "inputs"}));
+  EXPECT_EQ(plan[0]["mistake"], "half = 127");
+  EXPECT_EQ(plan[1]["mistake"], "mux always by the threshold of spare0's alpha");
+  EXPECT_EQ(object["unexplained"], 0);
+  int explained = 0;
+  for (const Json& step : plan) explained += step["explains"].get<int>() - step["breaks"].get<int>();
+  EXPECT_EQ(explained, object["differ"].get<int>());
+  EXPECT_NEAR(plan[0]["share"].get<double>() + plan[1]["share"].get<double>(), 1.0, 0.01);
+  // The program and the fragment of a step give what is expected, and not what is shown.
+  const std::string program = write_bytes(folder_ / "step.gl", plan[0]["calls"].get<std::string>());
+  std::vector<std::string> trace{"trace", program, "--profile", "nv2a", "--json"};
+  std::istringstream inputs(plan[0]["inputs"].get<std::string>());
+  for (std::string one; inputs >> one;) {
+    trace.emplace_back("--set");
+    trace.push_back(one);
+  }
+  const Outcome traced = ninebit(trace);
+  EXPECT_EQ(traced.code, 0) << traced.err;
+  EXPECT_EQ(json_of(traced)["out"]["bytes"], plan[0]["expected"]) << traced.out;
+  EXPECT_NE(plan[0]["shown"], plan[0]["expected"]);
+  // The mux by the lowest bit is not in GL: its program is words.
+  EXPECT_NE(plan[1]["calls"].get<std::string>().find("RC_OUT_RGB[0] = 0x"), std::string::npos);
   const Outcome outcome = ninebit({"verify", results_, "--vectors", folder, "--most", "0"});
-  EXPECT_NE(outcome.out.find("\nNo single mistake explains all of them.\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n1. half = 127 (rules 4, 11): explains "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nTogether they explain all of them.\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Vectors, QuickPacksAreSmall) {
+  const Json object = json_of(ninebit({"vectors", "-o", folder_ / "quick", "--profile", "nv2a", "--quick", "--json"}));
+  EXPECT_EQ(object["programs"], 2000);
+  expect_error(ninebit({"vectors", "-o", folder_ / "x", "--quick", "--programs", "100"}), 2, {"--quick"});
+  expect_error(ninebit({"vectors", "-o", folder_ / "x", "--profile", "nv2a", "--quick", "--texture-shader"}), 2,
+               {"--quick", "--programs"});
 }
 
 // With combine_stage the runner names the emulator's first wrong register.
@@ -184,6 +212,30 @@ TEST_F(Vectors, StagesAreCompared) {
   const std::size_t stage = text.find("\n  after stage 0: ");
   ASSERT_NE(stage, std::string::npos) << text;
   EXPECT_NE(text.substr(stage, text.find('\n', stage + 1) - stage).find(" (yours is "), std::string::npos) << text;
+}
+
+// The runner prints a program in each of the layouts of an emulator's words, and all are read as the same program.
+TEST_F(Vectors, TheRunnerPrintsAProgramAsWords) {
+  const std::string folder = pack();
+  (void)check(folder, kRight);
+  const std::string run = "'" + (folder_ / "check") + "' '" + folder + "/vectors.txt' --print 1100";
+  const auto explained = [&](const std::string& flags) {
+    const auto [text, status] = in_shell(run + flags);
+    EXPECT_EQ(status, 0) << text;
+    const Outcome outcome =
+        ninebit({"convert", write_bytes(folder_ / "p.words", text), "--to", "json", "--profile", "nv2a"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err << text;
+    return std::pair(text, outcome.out);
+  };
+  const auto [names, program] = explained("");
+  EXPECT_TRUE(names.starts_with("RC_ENABLE = 0x")) << names;
+  const auto [registers, same] = explained(" --pgraph");
+  EXPECT_TRUE(registers.starts_with("NV_PGRAPH_COMBINECTL = 0x")) << registers;
+  EXPECT_EQ(same, program);
+  const auto [addresses, also] = explained(" --address");
+  EXPECT_TRUE(addresses.starts_with("0x401940 = 0x")) << addresses;
+  EXPECT_EQ(also, program);
+  EXPECT_EQ(in_shell("'" + (folder_ / "check") + "' '" + folder + "/vectors.txt' --print 5000").second, 2);
 }
 
 TEST_F(Vectors, ThirtyLinesOfCReadAPack) {

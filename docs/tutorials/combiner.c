@@ -119,7 +119,8 @@ static double color_sum_part(double v, int inverted) {
 
 void combine(const uint32_t words[], const int16_t in[], uint8_t out[4]);
 void combine(const uint32_t words[], const int16_t in[], uint8_t out[4]) {
-  const uint32_t abcd = words[FINAL0], efg = words[FINAL1];
+  const int has_final = words[FINAL0] != 0 || words[FINAL1] != 0; /* without one, spare0 is shown */
+  const uint32_t abcd = has_final ? words[FINAL0] : SPARE0, efg = has_final ? words[FINAL1] : (SPARE0 | 16) << 8;
   int c;
   run(words, in, (int)(words[ENABLE] & 15));
   load_color(CONST0, words[COLOR0]);

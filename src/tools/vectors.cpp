@@ -24,6 +24,7 @@ struct VectorsFlags {
   VectorSettings settings;
   std::string folder;
   bool texture_shader = false;  // a pack of texture-shader stages
+  bool quick = false;           // a small pack of combiners
 };
 
 // A pack of either half of a pixel.
@@ -215,9 +216,11 @@ void add_vectors(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   verb->add_flag("--texture-shader", flags->texture_shader,
                  "Check texture-shader stages instead of combiners (1000 programs by default)");
-  verb->add_option("--programs", flags->settings.programs, "Number of programs")
-      ->capture_default_str()
-      ->check(whole_in_range(1, kMostVectorPrograms));
+  CLI::Option* const programs = verb->add_option("--programs", flags->settings.programs, "Number of programs")
+                                    ->capture_default_str()
+                                    ->check(whole_in_range(1, kMostVectorPrograms));
+  verb->add_flag("--quick", flags->quick, "Write 2000 programs, for engines that take long for each")
+      ->excludes(programs);
   verb->add_option("--fragments", flags->settings.fragments, "Number of fragments of each program")
       ->capture_default_str()
       ->check(whole_in_range(1, kMostVectorFragments));
@@ -225,7 +228,11 @@ void add_vectors(CLI::App& app, int& exit_code) {
       ->capture_default_str()
       ->check(CLI::Validator(wrong_seed, ""));
   verb->callback([flags, verb, &exit_code] {
+    if (flags->texture_shader && flags->quick) {
+      throw CLI::ValidationError("--quick", "packs of --texture-shader have 1000 programs; choose with --programs");
+    }
     if (flags->texture_shader && verb->count("--programs") == 0) flags->settings.programs = kStageVectorPrograms;
+    if (flags->quick) flags->settings.programs = kQuickVectorPrograms;
     exit_code = run(*flags);
   });
 }

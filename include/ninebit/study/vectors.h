@@ -32,6 +32,9 @@ inline constexpr std::array kVectorRegisters{Register::fog,      Register::prima
 // Limits of a pack: programs, fragments of each, fragments of all together.
 inline constexpr int kMostVectorPrograms = 100'000, kMostVectorFragments = 256, kMostVectorColors = 1 << 23;
 
+// Programs of a small pack, for engines that take long for each. Every group and every pattern of the words occurs.
+inline constexpr int kQuickVectorPrograms = 2000;
+
 // The parameters of a pack.
 struct VectorSettings {
   int programs = 10000;    // from least_vector_programs() to kMostVectorPrograms
@@ -112,12 +115,21 @@ struct VectorResults {
 struct VectorMistake {
   std::string name;          // "general_narrowing = toward-zero", "bias after the scale"
   std::string rules;         // of docs/numerics.md that it breaks; empty: none has a number
+  std::string group;         // the first of a pack's groups that fails because of it; empty: not known
   std::size_t explains = 0;  // differing fragments that it gives as they are
   std::size_t agree = 0;     // fragments of all that it gives as they are
 };
 
 // The verdict on an emulator's results.
 struct VectorVerdict {
+  // One mistake of a plan.
+  struct Step {
+    VectorMistake mistake;          // `explains` and `agree`: together with the mistakes before it
+    std::size_t breaks = 0;         // fragments that agreed with the mistakes before it and no longer do
+    std::vector<std::string> same;  // other mistakes that give the same for every fragment
+    std::size_t program = 0;        // index of the smallest program that it explains
+    std::size_t fragment = 0;       // index of the first fragment of that program that it explains
+  };
   // A fragment.
   struct Place {
     std::size_t program = 0;   // index in the pack
@@ -133,6 +145,10 @@ struct VectorVerdict {
   std::vector<GroupCount> groups;       // by group
   std::vector<Place> first;             // that differ, in the pack's order: at most as many as were asked for
   std::vector<VectorMistake> mistakes;  // that explain more fragments than they break; the best first
+  // Mistakes that are made together, in the order in which to mend them: each explains most of what those before it
+  // leave, and breaks next to nothing.
+  std::vector<Step> plan;
+  std::size_t unexplained = 0;  // fragments that differ from what the mistakes of the plan give
 };
 
 // Compares results with the pack and, if any differ, with every mistake. Fails with Fault::cancelled if `go_on` ends
@@ -143,8 +159,9 @@ struct VectorVerdict {
 // Returns the names of all mistakes that results of a profile's packs are compared with, in their order.
 [[nodiscard]] std::vector<VectorMistake> vector_mistakes(const HardwareProfile& profile);
 
-// Returns what one of them computes for a program's fragment: `mistake` is an index of vector_mistakes(profile).
-[[nodiscard]] Bytes4 mistaken_color(const HardwareProfile& profile, std::size_t mistake, const CombinerState& state,
-                                    const RegisterFile& input);
+// Returns what an emulator with some of these mistakes shows: colours by program and fragment. `mistakes` has indices
+// of vector_mistakes(pack.profile).
+[[nodiscard]] std::vector<std::vector<Bytes4>> mistaken_colors(const VectorPack& pack,
+                                                               const std::vector<std::size_t>& mistakes);
 
 }  // namespace ninebit

@@ -83,7 +83,8 @@ bool is_json_program(std::string_view, std::string_view content) {
 
 // Whether a text is a definition, and not a log with columns of numbers or a source that fills one.
 bool is_definition(std::string_view text, std::string_view content) {
-  if (!is_xbox_pixel_shader(text)) return false;
+  // A register's address is not the offset of a row of bytes.
+  if (!is_xbox_pixel_shader(text) || words::is_listed_register(content)) return false;
   if (content.starts_with('{') || content.starts_with('[') || is_assignment(content)) return true;
   if (is_source_code(text)) return false;
   // A hex dump has offsets that fit its rows; few logs have as many numbers as a definition.
@@ -266,8 +267,10 @@ const std::array kForms{
     Form{.name = "words",
          .title = "Register words",
          .kind = "register words",
-         .detect = [](std::string_view,
-                      std::string_view content) { return is_assignment(content) || words::is_printed_struct(content); },
+         .detect =
+             [](std::string_view, std::string_view content) {
+               return is_assignment(content) || words::is_printed_struct(content) || words::is_listed_register(content);
+             },
          .parse = parse_words,
          .print =
              [](const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {

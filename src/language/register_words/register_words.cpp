@@ -45,7 +45,8 @@ class Line {
     word.name = read_name();
     if (word.name.empty()) return fail("expected NAME = 0x…, where NAME is a register word");
     skip_blanks();
-    if (at_ >= text_.size() || text_[at_] != '=') return fail("expected = after " + word.name);
+    if (at_ < text_.size() && text_[at_] == '<') return read_dumped(std::move(word));
+    if (at_ >= text_.size() || (text_[at_] != '=' && text_[at_] != ':')) return fail("expected = after " + word.name);
     ++at_;
     skip_blanks();
     const TextPlace value_place = place();
@@ -95,6 +96,55 @@ class Line {
     const std::size_t start = at_;
     while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
     return text_.substr(start, at_ - start);
+  }
+
+  // The rest of nv2a-trace's "NAME<0xADDRESS> (DECIMAL <0xHEXADECIMAL>)". Registers that are not of the combiners are
+  // skipped: such a list has all of them.
+  std::optional<RegisterWord> read_dumped(RegisterWord word) {
+    const std::optional<std::uint32_t> address = read_number_after("<0x", 16);
+    const std::optional<std::uint32_t> value = address && take('>') ? read_number_after("(", 10) : std::nullopt;
+    const std::optional<std::uint32_t> again = value ? read_number_after("<0x", 16) : std::nullopt;
+    if (!again || !take('>') || !take(')') || !at_end()) {
+      return fail("expected NAME<0xADDRESS> (DECIMAL <0xHEXADECIMAL>)");
+    }
+    if (*value != *again)
+      return fail_at(word.place,
+                     word.name + " has two values: " + std::to_string(*value) + " and " + words::hex_text(*again));
+    const bool is_known =
+        words::find_slot(word.name, ChipClass::nv20).slot || !words::find_other_word(word.name).empty();
+    const std::string at_address = words::hex_text(*address, 6);
+    const bool is_known_there =
+        words::find_slot(at_address, ChipClass::nv20).slot || !words::find_other_word(at_address).empty();
+    if (is_known != is_known_there || (is_known && !is_same_word(word.name, at_address))) {
+      return fail_at(word.place, word.name + " is not the register at " + at_address);
+    }
+    word.value = *value;
+    return is_known ? std::optional(std::move(word)) : std::nullopt;
+  }
+
+  static bool is_same_word(const std::string& name, const std::string& address) {
+    const words::FoundSlot one = words::find_slot(name, ChipClass::nv20),
+                           other = words::find_slot(address, ChipClass::nv20);
+    if (!one.slot || !other.slot) return words::find_other_word(name) == words::find_other_word(address);
+    return one.slot->kind == other.slot->kind && one.slot->index == other.slot->index;
+  }
+
+  std::optional<std::uint32_t> read_number_after(std::string_view begin, int base) {
+    skip_blanks();
+    if (!text_.substr(std::min(at_, text_.size())).starts_with(begin)) return std::nullopt;
+    at_ += begin.size();
+    const std::string_view digits = read_token();
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+    const bool is_number = error == std::errc{} && end == digits.data() + digits.size() && !digits.empty();
+    return is_number ? std::optional(value) : std::nullopt;
+  }
+
+  bool take(char c) {
+    skip_blanks();
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
   }
 
   std::nullopt_t fail(const std::string& expected) {
@@ -238,6 +288,16 @@ bool words::is_printed_struct(std::string_view text) {
     return end > 1 && end != std::string_view::npos && text.substr(end).starts_with(" = {");
   }
   return text.starts_with("{combiner_control = ");
+}
+
+bool words::is_listed_register(std::string_view text) {
+  std::string_view line = text.substr(0, text.find('\n'));
+  const std::size_t end = line.find_first_of("<: \t");
+  if (end == std::string_view::npos) return false;
+  const std::string name = bare_name(line.substr(0, end));
+  const bool is_name = line.starts_with("NV_PGRAPH_") || (line.starts_with("0x") && !name.empty());
+  line.remove_prefix(end);
+  return is_name && (line.starts_with("<0x") || line.starts_with(": 0x") || line.starts_with(":0x"));
 }
 
 Parsed<CombinerState> parse_register_words(const SourceText& source, ChipClass chip, const HardwareProfile& profile,

@@ -62,6 +62,10 @@ struct FoundSlot {
 // Whether a text begins like a struct that gdb printed: "$1 = {", or "{combiner_control = " of xemu's PshState.
 [[nodiscard]] bool is_printed_struct(std::string_view text);
 
+// Whether a text begins like a list of the NV2A's registers: "NV_PGRAPH_COMBINECTL<0x401940> (69889 <0x11101>)" of
+// nv2a-trace, "NV_PGRAPH_COMBINECTL: 0x00011101" or "0x401940: 0x00011101".
+[[nodiscard]] bool is_listed_register(std::string_view text);
+
 // "0x0badcafe".
 [[nodiscard]] std::string hex_text(std::uint32_t value, int digits = 8);
 

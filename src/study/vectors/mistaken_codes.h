@@ -1,188 +1,247 @@
-// The arithmetic of the combiners with one rule broken. All other rules are those of combiner/arithmetic.inl.
+// The arithmetic of the combiners with rules broken, in codes or, for models that compute in real numbers, without
+// narrowing. It is written here a second time, in floating point, because mistakes are made together: any set of them
+// is a model. Without a mistake it gives what combiner/arithmetic.inl gives:
+// VectorModels.WithoutMistakesIsTheReference.
 #pragma once
+
+#include <array>
+#include <cmath>
 
 #include "ninebit/combiner/evaluate.h"
 #include "src/study/vectors/vector_mistakes.h"
 
 namespace ninebit::vectors {
 
-using reference::V;
+template <class T>
+using NumberFile = std::array<std::array<T, 4>, kRegisterCount>;
 
-// A mapping that does not clamp negative codes: the line through what it gives for 0 and for 1.
-constexpr V map_unclamped(const Datapath& d, InputMapping mapping, V e) {
-  const V at_0 = reference::map_input(d, mapping, 0);
-  return e >= 0 ? reference::map_input(d, mapping, e) : at_0 + (reference::map_input(d, mapping, 1) - at_0) * e;
-}
-
-// Registers that are not clamped hold what fits 12 bits, so that their products fit 32.
-inline constexpr V kMostUnclamped = 2047;
-
-// The value domain (portion_walk.h) of a mistake.
-class MistakenCodes {
+// What both combiners share. T is double for codes, whose wide values are whole numbers below 2^53, and float for
+// fractions of 1.
+template <class T>
+class MistakenNumbers {
  public:
-  using Input = V;
-  using Wide = V;
-  using Output = V;
+  MistakenNumbers(const Datapath& d, const BrokenRules& broken)
+      : d_(d),
+        broken_(broken),
+        is_real_(d.arithmetic != Arithmetic::integer),
+        one_(of_code(d.one)),
+        half_(is_real_ || has(BrokenRule::half_exact) ? one_ / 2 : of_code(d.half)) {}
 
-  constexpr MistakenCodes(const Datapath& d, BrokenRule broken, const ProgramStage& stage, RegisterFile& registers)
-      : d_(d), broken_(broken), stage_(stage), registers_(registers), right_(d, stage, registers) {}
+  [[nodiscard]] bool has(BrokenRule rule) const { return broken_[static_cast<std::size_t>(rule)]; }
+  [[nodiscard]] bool is_real() const { return is_real_; }
+  [[nodiscard]] T one() const { return one_; }
+  [[nodiscard]] T half() const { return half_; }
+  [[nodiscard]] const Datapath& datapath() const { return d_; }
 
-  constexpr V input(const CombinerInput& in, int component) const {
-    if (broken_ == BrokenRule::half_exact) return twice(in, component);
-    return broken_ == BrokenRule::negative_inputs ? map_unclamped(d_, in.mapping, fetched(in, component))
-                                                  : right_.input(in, component);
+  [[nodiscard]] T of_code(int code) const {
+    if constexpr (std::is_same_v<T, float>) return static_cast<float>(code) / static_cast<float>(d_.one);
+    return static_cast<T>(code);
   }
-  constexpr V product(V x, V y) const {
-    const V wide = right_.product(x, y);
-    if (broken_ == BrokenRule::products_shifted) return wide >> 8;
-    if (broken_ != BrokenRule::products_narrowed) return wide;
-    return reference::narrow(d_.general_narrowing, wide, d_.one, 2 * d_.one) * d_.one;
+  // A number as a code that need not be whole.
+  [[nodiscard]] double code_of(T x) const {
+    return std::is_same_v<T, float> ? static_cast<double>(x) * d_.one : static_cast<double>(x);
   }
-  constexpr V sum(V x, V y) const {
-    const V wide = right_.sum(x, y);
-    return broken_ == BrokenRule::sums_clamped ? reference::clamp_to(wide, -d_.one * d_.one, d_.one * d_.one) : wide;
+
+  // The byte of a colour in [0, one].
+  [[nodiscard]] std::uint8_t byte_of(const HardwareProfile& profile, T color) const {
+    const double code = has(BrokenRule::colors_cut)
+                            ? static_cast<double>(std::floor(color * (static_cast<T>(d_.one) / one_)))
+                            : std::floor(code_of(color) + 0.5);
+    return to_byte(profile, static_cast<s9>(code));
   }
-  constexpr V mux(V ab, V cd) const {
-    if (broken_ == BrokenRule::mux_above_half) {
-      Datapath above = d_;
-      ++above.half;
-      return reference::CodeDomain(above, stage_, registers_).mux(ab, cd);
+
+  [[nodiscard]] T map(InputMapping mapping, T e) const {
+    const bool keeps = e < 0 && (has(BrokenRule::negative_inputs) ||
+                                 (has(BrokenRule::signed_mappings) && mapping != InputMapping::unsigned_identity));
+    const T positive = keeps ? e : std::max(e, T{0});
+    const T expand = is_real_ ? one_ : of_code(d_.expand_offset);
+    switch (mapping) {
+      case InputMapping::unsigned_identity:
+        return positive;
+      case InputMapping::unsigned_invert:
+        return one_ - (has(BrokenRule::invert_above_one) ? positive : std::min(positive, one_));
+      case InputMapping::expand_normal:
+        return 2 * positive - expand;
+      case InputMapping::expand_negate:
+        return expand - 2 * positive;
+      case InputMapping::half_bias_normal:
+        return positive - half_;
+      case InputMapping::half_bias_negate:
+        return half_ - positive;
+      case InputMapping::signed_identity:
+        return e;
+      case InputMapping::signed_negate:
+        return -e;
     }
-    return broken_ == BrokenRule::mux_swapped ? right_.mux(cd, ab) : right_.mux(ab, cd);
+    return e;
   }
-  constexpr V output(const detail::Target& target, V wide) const {
-    const PortionOutput& out = target.out;
-    switch (broken_) {
-      case BrokenRule::outputs_from_zero:
-        return reference::max_of(right_.output(target, wide), 0);
-      case BrokenRule::outputs_unclamped:
-        return reference::clamp_to(narrowed(scaled(out, wide)), -kMostUnclamped, kMostUnclamped);
-      case BrokenRule::bias_after_scale: {
-        // scale_output doubles, so the bias is added twice.
-        const V doubled = reference::scale_output(out.scale, wide);
-        return clamped(reference::add_bias(d_, out.bias, reference::add_bias(d_, out.bias, doubled)));
-      }
-      case BrokenRule::rounded_down:
-        // To the nearest code, of half a unit less.
-        return reference::clamp_output(d_, nearest(scaled(out, wide) - reference::scaled_unit(d_) / 2));
-      case BrokenRule::halves_from_zero: {
-        const V n = scaled(out, wide);
-        return reference::clamp_output(d_, reference::negate_where_negative(n, nearest(reference::abs_of(n))));
-      }
-      case BrokenRule::half_exact: {
-        // Inputs are doubled, so that half a code is whole: wide values are four times what they are.
-        const V bias = out.bias == Bias::none ? 0 : 2 * d_.one * d_.one;
-        return reference::clamp_output(
-            d_, reference::narrow(d_.general_narrowing, reference::scale_output(out.scale, wide - bias), 8 * d_.one,
-                                  kMostCodes));
-      }
-      case BrokenRule::shifted:
-      case BrokenRule::shifted_bias_255: {
-        const V unit = broken_ == BrokenRule::shifted ? d_.one + 1 : d_.one;
-        const V bias = out.bias == Bias::none ? 0 : d_.half * unit;
-        return reference::clamp_output(d_, floor_of(reference::scale_output(out.scale, wide - bias), 2 * (d_.one + 1)));
-      }
-      case BrokenRule::sums_shifted:
-      case BrokenRule::products_shifted: {
-        const V code = broken_ == BrokenRule::sums_shifted ? wide >> 8 : wide;
-        const V bias = out.bias == Bias::none ? 0 : d_.half;
-        return reference::clamp_output(d_, reference::scale_output(out.scale, code - bias) >> 1);
-      }
-      default:
-        return right_.output(target, wide);
-    }
+  // n / divisor as a whole number.
+  [[nodiscard]] static T narrow(Narrowing narrowing, T n, T divisor) {
+    return narrowing == Narrowing::toward_zero ? std::trunc(n / divisor) : std::floor((n + divisor / 2) / divisor);
   }
-  constexpr void write(Register to, int component, V code) { right_.write(to, component, code); }
+  [[nodiscard]] static T shift(T wide) { return std::floor(wide / 256); }
+  [[nodiscard]] bool shifts() const {
+    return has(BrokenRule::shifted) || has(BrokenRule::shifted_bias_255) || has(BrokenRule::sums_shifted) ||
+           has(BrokenRule::products_shifted);
+  }
 
  private:
-  // Wide values of unclamped registers, times the scale, stay below this many codes.
-  static constexpr int kMostCodes = 400'000;
-
-  [[nodiscard]] constexpr V fetched(const CombinerInput& in, int component) const {
-    return reference::fetch(registers_, in.reg, component, stage_.constant0, stage_.constant1);
-  }
-  // Twice a mapped input with a half of one / 2: the expanding mappings, 2x - one, are twice the half-bias mappings.
-  [[nodiscard]] constexpr V twice(const CombinerInput& in, int component) const {
-    Datapath expanding = d_;
-    expanding.expand_offset = d_.one;
-    const V code = fetched(in, component);
-    if (in.mapping == InputMapping::half_bias_normal) {
-      return reference::map_input(expanding, InputMapping::expand_normal, code);
-    }
-    if (in.mapping == InputMapping::half_bias_negate) {
-      return reference::map_input(expanding, InputMapping::expand_negate, code);
-    }
-    return 2 * reference::map_input(d_, in.mapping, code);
-  }
-  [[nodiscard]] constexpr V scaled(const PortionOutput& out, V wide) const {
-    return reference::scale_output(out.scale,
-                                   reference::narrow_before_scale(d_, reference::add_bias(d_, out.bias, wide)));
-  }
-  [[nodiscard]] constexpr V narrowed(V scaled) const { return reference::narrow_output(d_, scaled, kMostCodes); }
-  [[nodiscard]] constexpr V clamped(V scaled) const { return reference::clamp_output(d_, narrowed(scaled)); }
-  [[nodiscard]] constexpr V nearest(V scaled) const {
-    return reference::narrow(Narrowing::nearest_halves_up, scaled, reference::scaled_unit(d_), kMostCodes);
-  }
-  [[nodiscard]] static constexpr V floor_of(V n, int divisor) {
-    return reference::narrow(Narrowing::nearest_halves_up, n - divisor / 2, divisor, kMostCodes);
-  }
-
-  const Datapath d_;
-  BrokenRule broken_;
-  const ProgramStage& stage_;
-  RegisterFile& registers_;
-  reference::CodeDomain right_;
+  Datapath d_;
+  BrokenRules broken_;
+  bool is_real_;
+  T one_, half_;
 };
 
-// The value domain (final_walk.h) of a mistake in the final combiner.
-class MistakenFinal {
+// The value domain (portion_walk.h) of the general combiners. Wide values are products of two numbers.
+template <class T>
+class MistakenGeneral {
  public:
-  using Input = V;
-  using Code = V;
-  static constexpr bool kEveryStep = false;
+  using Input = T;
+  using Wide = T;
+  using Output = T;
 
-  constexpr MistakenFinal(const Program& program, BrokenRule broken, const RegisterFile& registers)
-      : d_(program.datapath), broken_(broken), program_(program), registers_(registers), right_(program, registers) {}
+  MistakenGeneral(const MistakenNumbers<T>& numbers, const ProgramStage& stage, NumberFile<T>& registers)
+      : n_(numbers), stage_(stage), registers_(registers) {}
 
-  constexpr V input(const CombinerInput& in, int component) const {
-    return map(in.mapping, reference::fetch(registers_, in.reg, component, program_.constant0, program_.constant1));
+  // C and D of a portion read other registers.
+  void read_second(const Portion& portion, const NumberFile<T>& registers) {
+    c_ = &portion.c;
+    d_ = &portion.d;
+    second_ = &registers;
   }
-  constexpr V map(InputMapping mapping, V e) const {
-    return broken_ == BrokenRule::negative_inputs ? map_unclamped(d_, mapping, e) : right_.map(mapping, e);
+
+  T input(const CombinerInput& in, int component) const {
+    if (in.usage == ComponentUsage::blue && n_.has(BrokenRule::alpha_reads_red)) component = kRed;
+    const bool is_second = &in == c_ || &in == d_;
+    return n_.map(in.mapping, fetched(is_second ? *second_ : registers_, in.reg, static_cast<std::size_t>(component)));
   }
-  constexpr V sum_part(bool inverted, Register r, int component) const {
-    return inverted && broken_ == BrokenRule::negative_inputs
-               ? map(InputMapping::unsigned_invert, registers_[r][static_cast<std::size_t>(component)])
-               : right_.sum_part(inverted, r, component);
+  T product(T x, T y) const {
+    if (n_.is_real()) return x * y;
+    if (n_.has(BrokenRule::products_shifted)) return n_.shift(x * y) * n_.one();
+    if (!n_.has(BrokenRule::products_narrowed)) return x * y;
+    return n_.narrow(n_.datapath().general_narrowing, x * y, n_.one()) * n_.one();
   }
-  constexpr V sum(bool clamp, V spare0, V secondary) const {
-    if (broken_ != BrokenRule::negative_inputs) return right_.sum(clamp, spare0, secondary);
-    return clamp ? reference::min_of(spare0 + secondary, d_.one) : spare0 + secondary;
+  T sum(T x, T y) const {
+    const T most = n_.one() * n_.one();
+    return n_.has(BrokenRule::sums_clamped) ? std::clamp(x + y, -most, most) : x + y;
   }
-  constexpr V product(V e, V f) const { return shifts() ? shift(e * f) : narrow(e * f); }
-  constexpr V rgb(int, V a, V b, V c, V added) const {
-    const V ab = a * b, rest = reference::one_minus_a_times_c(d_, a, c);
-    if (broken_ == BrokenRule::products_shifted) return reference::clamp_final(d_, shift(ab) + shift(rest) + added);
-    return reference::clamp_final(d_, (shifts() ? shift(ab + rest) : narrow(ab + rest)) + added);
+  T mux(T ab, T cd) const {
+    const T alpha = registers_[static_cast<std::size_t>(Register::spare0)][kAlpha];
+    const T half = n_.is_real() ? n_.half() : n_.of_code(n_.datapath().half);
+    const bool takes_cd = stage_.mux_by_lowest_bit
+                              ? std::fmod(std::floor(n_.code_of(std::max(alpha, T{0})) + 0.5), 2.0) == 1.0
+                          : n_.has(BrokenRule::mux_above_half) ? alpha > half
+                                                               : alpha >= half;
+    return takes_cd == n_.has(BrokenRule::mux_swapped) ? ab : cd;
   }
-  constexpr V alpha(V g) const { return right_.alpha(g); }
+  T output(const detail::Target& target, T wide) const {
+    const Datapath& d = n_.datapath();
+    const PortionOutput& out = target.out;
+    const T one = n_.one();
+    const bool shifts = !n_.is_real() && (n_.has(BrokenRule::shifted) || n_.has(BrokenRule::shifted_bias_255));
+    T bias = 0;
+    if (out.bias != Bias::none) bias = n_.half() * (shifts && n_.has(BrokenRule::shifted) ? one + 1 : one);
+    if (target.k == 2 && !out.mux_sum && n_.has(BrokenRule::bias_of_products)) bias = 2 * bias;
+    if (!n_.is_real() && n_.has(BrokenRule::sums_shifted)) wide = n_.shift(wide) * one;
+    const bool after = n_.has(BrokenRule::bias_after_scale);
+    if (!after) wide -= bias;
+    if (!n_.is_real() && !n_.shifts() && d.narrowing_point == NarrowingPoint::before_scale) {
+      wide = n_.narrow(d.general_narrowing, wide, one) * one;
+    }
+    constexpr std::array kScales{T{1}, T{2}, T{4}, T{0.5}};
+    const T scaled = wide * kScales[static_cast<std::size_t>(out.scale)] - (after ? bias : T{0});
+    return clamped(target.k, shifts ? n_.shift(scaled) : narrowed(scaled));
+  }
+  void write(Register to, int component, T number) {
+    registers_[static_cast<std::size_t>(to)][static_cast<std::size_t>(component)] = number;
+  }
 
  private:
-  // Inputs that are not clamped reach ±2 and more: quotients stay below 16.
-  [[nodiscard]] constexpr V narrow(V wide) const {
-    return reference::narrow(d_.final_narrowing, wide, d_.one, 16 * d_.one);
+  [[nodiscard]] T fetched(const NumberFile<T>& registers, Register reg, std::size_t component) const {
+    if (reg == Register::zero) return 0;
+    if (reg == Register::constant0) return n_.of_code(stage_.constant0[component]);
+    if (reg == Register::constant1) return n_.of_code(stage_.constant1[component]);
+    return registers[static_cast<std::size_t>(reg)][component];
   }
-  [[nodiscard]] constexpr bool shifts() const {
-    return broken_ == BrokenRule::shifted || broken_ == BrokenRule::shifted_bias_255 ||
-           broken_ == BrokenRule::sums_shifted || broken_ == BrokenRule::products_shifted;
+  [[nodiscard]] T narrowed(T scaled) const {
+    const T one = n_.one();
+    if (n_.is_real()) return scaled / one;
+    const bool down =
+        n_.has(BrokenRule::rounded_down) || n_.has(BrokenRule::sums_shifted) || n_.has(BrokenRule::products_shifted);
+    if (down) return std::floor(scaled / one);
+    if (n_.has(BrokenRule::halves_from_zero)) {
+      return std::copysign(n_.narrow(Narrowing::nearest_halves_up, std::abs(scaled), one), scaled);
+    }
+    return n_.narrow(n_.datapath().general_narrowing, scaled, one);
   }
-  [[nodiscard]] static constexpr V shift(V wide) { return wide >> 8; }
+  [[nodiscard]] T clamped(std::size_t k, T number) const {
+    const bool is_free = n_.has(BrokenRule::outputs_unclamped) || (k == 2 && n_.has(BrokenRule::thirds_unclamped));
+    constexpr T kMost{1e15F};  // keeps later products finite
+    if (is_free) return std::clamp(number, -kMost, kMost);
+    const T lowest = n_.has(BrokenRule::outputs_from_zero) ? T{0}
+                     : n_.is_real()                        ? -n_.one()
+                                                           : n_.of_code(n_.datapath().lowest_output);
+    return std::clamp(number, lowest, n_.one());
+  }
 
-  const Datapath& d_;
-  BrokenRule broken_;
+  const MistakenNumbers<T>& n_;
+  const ProgramStage& stage_;
+  NumberFile<T>& registers_;
+  const CombinerInput *c_ = nullptr, *d_ = nullptr;
+  const NumberFile<T>* second_ = nullptr;
+};
+
+// The value domain (final_walk.h) of the final combiner.
+template <class T>
+class MistakenFinal {
+ public:
+  using Input = T;
+  using Code = T;
+  static constexpr bool kEveryStep = false;
+
+  MistakenFinal(const MistakenNumbers<T>& numbers, const Program& program, const NumberFile<T>& registers)
+      : n_(numbers), program_(program), registers_(registers) {}
+
+  T input(const CombinerInput& in, int component) const {
+    const auto c = static_cast<std::size_t>(component);
+    const T number = in.reg == Register::zero        ? T{0}
+                     : in.reg == Register::constant0 ? n_.of_code(program_.constant0[c])
+                     : in.reg == Register::constant1 ? n_.of_code(program_.constant1[c])
+                                                     : registers_[static_cast<std::size_t>(in.reg)][c];
+    return map(in.mapping, number);
+  }
+  T map(InputMapping mapping, T e) const { return n_.map(mapping, e); }
+  T sum_part(bool inverted, Register r, int component) const {
+    const T number = registers_[static_cast<std::size_t>(r)][static_cast<std::size_t>(component)];
+    if (!inverted) return number;
+    return number < 0 && !n_.has(BrokenRule::negative_inputs) ? n_.one()
+                                                              : n_.map(InputMapping::unsigned_invert, number);
+  }
+  T sum(bool clamp, T spare0, T secondary) const {
+    const bool negative = n_.has(BrokenRule::negative_inputs) || n_.has(BrokenRule::sum_negative);
+    const T total = negative ? spare0 + secondary : std::max(spare0, T{0}) + std::max(secondary, T{0});
+    return clamp ? std::min(total, n_.one()) : total;
+  }
+  T product(T e, T f) const {
+    if (n_.is_real() || n_.has(BrokenRule::e_times_f_exact)) return e * f / n_.one();
+    return n_.shifts() ? n_.shift(e * f) : narrow(e * f);
+  }
+  T rgb(int, T a, T b, T c, T added) const { return clamped(mix(a * b, (n_.one() - a) * c) + added); }
+  T alpha(T g) const { return clamped(g); }
+
+ private:
+  [[nodiscard]] T mix(T ab, T rest) const {
+    if (n_.is_real() || n_.has(BrokenRule::mix_exact) || n_.has(BrokenRule::colors_cut)) return (ab + rest) / n_.one();
+    if (n_.has(BrokenRule::products_shifted)) return n_.shift(ab) + n_.shift(rest);
+    if (n_.shifts()) return n_.shift(ab + rest);
+    return n_.has(BrokenRule::mix_of_narrowed) ? narrow(ab) + narrow(rest) : narrow(ab + rest);
+  }
+  [[nodiscard]] T narrow(T wide) const { return n_.narrow(n_.datapath().final_narrowing, wide, n_.one()); }
+  [[nodiscard]] T clamped(T number) const { return std::clamp(number, T{0}, n_.one()); }
+
+  const MistakenNumbers<T>& n_;
   const Program& program_;
-  const RegisterFile& registers_;
-  reference::FinalCodes right_;
+  const NumberFile<T>& registers_;
 };
 
 }  // namespace ninebit::vectors

@@ -162,10 +162,13 @@ Result<VectorVerdict> judge_stage_vectors(const StageVectorPack& pack, const Sta
     const StageVectorProgram& program = pack.programs[index];
     given.push_back({index, program.group, &fragments.outputs, &program.expected});
   }
-  return vectors::judge(given, pack.groups.size(), vectors::stage_mistakes_of(pack.profile), most, go_on,
-                        [&](const vectors::StageMistake& mistake, std::size_t program) {
-                          return vectors::run_stage_mistake(mistake, pack, pack.programs[program]);
-                        });
+  const std::vector<vectors::StageMistake> mistakes = vectors::stage_mistakes_of(pack.profile);
+  const auto run = [&](const vectors::StageMistake& mistake, std::size_t program) {
+    return vectors::run_stage_mistake(mistake, pack, pack.programs[program]);
+  };
+  auto verdict = vectors::judge(given, pack.groups.size(), mistakes, most, go_on, run);
+  if (verdict) vectors::plan_one(given, mistakes, run, *verdict);
+  return verdict;
 }
 
 }  // namespace ninebit

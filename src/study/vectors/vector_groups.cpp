@@ -36,7 +36,8 @@ ColorF Maker::color() {
 
 std::vector<Group> groups_of(const HardwareProfile& profile) {
   std::vector<Group> found;
-  for (const auto groups : {input_groups(), output_groups(), stage_groups(), final_groups(), mixed_groups()}) {
+  for (const auto groups : {input_groups(), order_groups(), mapping_groups(), output_groups(), stage_groups(),
+                            final_groups(), mixed_groups()}) {
     for (const Group& group : groups) {
       if (group.exists == nullptr || group.exists(profile)) found.push_back(group);
     }
@@ -95,21 +96,21 @@ void set_final(CombinerState& state, const CombinerInput& a, const CombinerInput
 namespace {
 
 CombinerState final_reads(Maker& m) {
-  constexpr std::array kOthers{Register::zero,   Register::fog,       Register::spare1,
-                               Register::spare0, Register::constant0, Register::constant1};
   CombinerState state;
   state.general[0] = idle_stage();
-  const Register reg = m.of(2) == 0 ? m.source() : m.of(std::span<const Register>(kOthers));
+  const Register reg = m.of(7) == 6 ? Register::fog : m.source();
   set_final(state, kNothing, kNothing, rgb_of(reg));
   state.final_combiner.g = alpha_of(reg);
-  state.constant0 = m.color();
-  state.constant1 = m.color();
   return state;
 }
 
+// Alpha portions read fog's blue: component-usage tests blue.
 CombinerState pass(Maker& m) {
   CombinerState state = shows_spare0();
-  set_inputs(state.general[0], rgb_of(m.of(6) == 5 ? Register::fog : m.source()), kPlusOne);
+  const bool is_fog = m.of(6) == 5;
+  const Register reg = m.source();
+  set_inputs(state.general[0], rgb_of(is_fog ? Register::fog : reg), kPlusOne);
+  if (is_fog) state.general[0].alpha.a = alpha_of(reg);
   return state;
 }
 
@@ -174,6 +175,9 @@ constexpr Group kInputGroups[] = {
      final_reads},
     {"general-reads", "1", "spare0 = a register times 1", 10, Inputs::bytes, pass},
     {"component-usage", "", "RGB portions read alpha, alpha portions read blue", 12, Inputs::bytes, usage},
+};
+
+constexpr Group kMappingGroups[] = {
     {"mapping-unsigned-identity", "2", "max(0, x)", 8, Inputs::bytes,
      positive_mapping_group<InputMapping::unsigned_identity>},
     {"mapping-unsigned-invert", "2", "1 - x", 10, Inputs::bytes, positive_mapping_group<InputMapping::unsigned_invert>},
@@ -190,13 +194,16 @@ constexpr Group kInputGroups[] = {
     {"negative-texels", "2, 15", "every mapping of textures with negative codes", 40, Inputs::signed_texels,
      negative_texels, is_nv20},
     {"negative-registers", "2", "every mapping of what stage 0 made negative", 40, Inputs::bytes, negative_registers,
-     [](const HardwareProfile& p) { return p.general_combiners.value > 1; }},
+     has_stages},
 };
 
 }  // namespace
 
 std::span<const Group> input_groups() {
   return kInputGroups;
+}
+std::span<const Group> mapping_groups() {
+  return kMappingGroups;
 }
 
 }  // namespace ninebit::vectors

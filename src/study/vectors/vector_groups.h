@@ -86,8 +86,15 @@ struct Group {
   return profile.per_stage_constants.value;
 }
 
-// The groups of each file, in the order in which they stand in a pack.
+[[nodiscard]] constexpr bool has_stages(const HardwareProfile& profile) {
+  return profile.general_combiners.value > 1;
+}
+
+// The groups in the order in which they stand in a pack. A group depends on what the groups before it test, and on one
+// thing more: a mistake fails first in its own group.
 [[nodiscard]] std::span<const Group> input_groups();
+[[nodiscard]] std::span<const Group> order_groups();
+[[nodiscard]] std::span<const Group> mapping_groups();
 [[nodiscard]] std::span<const Group> output_groups();
 [[nodiscard]] std::span<const Group> stage_groups();
 [[nodiscard]] std::span<const Group> final_groups();

@@ -121,7 +121,8 @@ CombinerState outputs(Maker& m) {
 
 CombinerState scaled(Maker& m, Scale scale, Bias bias) {
   CombinerState state;
-  switch (m.of(4)) {
+  // Halves of negative results have a group of their own.
+  switch (m.of(scale == Scale::by_one_half ? 3 : 4)) {
     case 0:
       state = shows_spare0();
       set_inputs(state.general[0], rgb_of(m.source()), kPlusOne);
@@ -183,34 +184,47 @@ CombinerState dot_sum(Maker& m) {
   return state;
 }
 
-constexpr Bias kNoBias = Bias::none, kMinusHalf = Bias::by_negative_one_half;
-bool has_two_stages(const HardwareProfile& p) {
-  return p.general_combiners.value > 1;
+// A dot product above 1 is clamped to 1: stage 1 shows its half.
+CombinerState dot_above(Maker& m) {
+  CombinerState state = shows_spare0();
+  state.num_general_combiners = 2;
+  const bool ab = m.of(2) == 0;
+  const CombinerInput in = rgb_of(m.source());
+  GeneralCombiner& stage = state.general[0];
+  set_inputs(stage, in, kPlusOne, in, kPlusOne);
+  PortionOutput& out = stage.rgb.out;
+  (ab ? out.ab_dot_product : out.cd_dot_product) = true;
+  (ab ? out.ab : out.cd) = Register::spare0;
+  out.sum = Register::discard;
+  set_inputs(state.general[1], rgb_of(Register::spare0), kPlusOne);
+  set_scale(state.general[1], Scale::by_one_half);
+  return state;
 }
+
+constexpr Bias kNoBias = Bias::none, kMinusHalf = Bias::by_negative_one_half;
 
 constexpr Group kOutputGroups[] = {
     {"product", "8", "spare0 = AB of two registers", 24, Inputs::bytes, product},
     {"product-signed", "8", "AB of mappings that give a sign", 24, Inputs::bytes, signed_product},
     {"product-extremes", "", "AB of 0, 1, 127, 128, 254, 255 and a register, in every pair of mappings", 24,
-     Inputs::bytes, extremes, has_two_stages},
+     Inputs::bytes, extremes, has_stages},
     {"sum", "7, 22", "AB + CD", 24, Inputs::bytes, sum},
     {"difference", "7, 22", "AB - CD", 24, Inputs::bytes, difference},
-    {"negative-results", "", "results in [-2, 0], negated by stage 1", 24, Inputs::bytes, negative_results,
-     has_two_stages},
+    {"negative-results", "", "results in [-2, 0], negated by stage 1", 24, Inputs::bytes, negative_results, has_stages},
     {"results-below-minus-1", "", "results in [-2, -1] are clamped to -1", 12, Inputs::bytes, results_below,
-     has_two_stages},
+     has_stages},
     {"outputs", "", "AB and CD go to other registers, with and without the third output", 20, Inputs::bytes, outputs},
-    {"scale-by-two", "6", "times 2", 16, Inputs::bytes, scale_group<Scale::by_two, kNoBias>, has_two_stages},
-    {"scale-by-four", "6", "times 4", 16, Inputs::bytes, scale_group<Scale::by_four, kNoBias>, has_two_stages},
-    {"scale-by-one-half", "5", "divided by 2", 16, Inputs::bytes, scale_group<Scale::by_one_half, kNoBias>,
-     has_two_stages},
-    {"negative-halves", "5", "negative codes divided by 2", 12, Inputs::bytes, negative_halves, has_two_stages},
-    {"bias", "4", "minus 1/2", 16, Inputs::bytes, scale_group<Scale::none, kMinusHalf>, has_two_stages},
+    {"scale-by-two", "6", "times 2", 16, Inputs::bytes, scale_group<Scale::by_two, kNoBias>, has_stages},
+    {"scale-by-four", "6", "times 4", 16, Inputs::bytes, scale_group<Scale::by_four, kNoBias>, has_stages},
+    {"scale-by-one-half", "5", "divided by 2", 16, Inputs::bytes, scale_group<Scale::by_one_half, kNoBias>, has_stages},
+    {"negative-halves", "5", "negative codes divided by 2", 12, Inputs::bytes, negative_halves, has_stages},
+    {"bias", "4", "minus 1/2", 16, Inputs::bytes, scale_group<Scale::none, kMinusHalf>, has_stages},
     {"bias-then-scale", "3, 4", "minus 1/2, then times 2", 16, Inputs::bytes, scale_group<Scale::by_two, kMinusHalf>,
-     has_two_stages},
+     has_stages},
     {"scale-of-a-portion", "6", "RGB and alpha portion have scales of their own", 8, Inputs::bytes, portion_scales},
     {"dot-product-ab", "7, 22", "AB is a dot product", 20, Inputs::bytes, dot_ab},
     {"dot-product-cd", "7, 22", "CD is a dot product", 20, Inputs::bytes, dot_cd},
+    {"dot-product-above-1", "", "a dot product above 1 is clamped to 1", 8, Inputs::bytes, dot_above, has_stages},
     {"dot-product-sum", "7, 22", "the sum of two dot products, or of one and a product", 20, Inputs::bytes, dot_sum},
 };
 
@@ -410,8 +424,7 @@ constexpr Group kMixedGroups[] = {
     {"random-negative", "", "a random RGB portion of textures with negative codes", 120, Inputs::signed_texels,
      random_rgb, is_nv20},
     {"random-stage", "", "a random general combiner", 60, Inputs::bytes, random_stage},
-    {"random-two-stages", "", "two random general combiners", 24, Inputs::bytes, random_two_stages,
-     [](const HardwareProfile& p) { return p.general_combiners.value > 1; }},
+    {"random-two-stages", "", "two random general combiners", 24, Inputs::bytes, random_two_stages, has_stages},
     {"random-stages", "", "three and more random general combiners", 12, Inputs::signed_texels, random_many_stages,
      [](const HardwareProfile& p) { return p.general_combiners.value > 2; }},
 };

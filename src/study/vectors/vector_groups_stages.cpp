@@ -1,12 +1,8 @@
-// Groups on stages: the mux, blue to alpha, the order of reads and writes, constants, the number of stages.
+// Groups on stages: the mux and blue to alpha; then those on the final combiner.
 #include "src/study/vectors/vector_groups.h"
 
 namespace ninebit::vectors {
 namespace {
-
-bool has_stages(const HardwareProfile& p) {
-  return p.general_combiners.value > 1;
-}
 
 // A mux in one portion; spare0's alpha is still that of texture 0.
 CombinerState mux(Maker& m, bool by_lowest_bit) {
@@ -64,77 +60,6 @@ CombinerState blue_to_alpha(Maker& m) {
   return state;
 }
 
-// One portion writes what the other one reads: it must read the value from before the stage.
-CombinerState reads_before_writes(Maker& m) {
-  CombinerState state = shows_spare0();
-  GeneralCombiner& stage = state.general[0];
-  const Register reg = m.source();
-  const bool rgb_writes = m.of(2) == 0;
-  set_inputs(stage, rgb_of(m.random_source()), rgb_of(m.random_source()));
-  if (rgb_writes) {
-    stage.alpha.a = blue_of(reg);
-    stage.alpha.b = for_alpha(kPlusOne);
-    stage.rgb.out.sum = reg;
-  } else {
-    stage.rgb.a = alpha_of(reg);
-    stage.rgb.b = kPlusOne;
-    stage.alpha.out.sum = reg;
-  }
-  set_final(state, kNothing, kNothing, rgb_of(rgb_writes ? reg : Register::spare0));
-  state.final_combiner.g = alpha_of(rgb_writes ? Register::spare0 : reg);
-  return state;
-}
-
-// One pair of constants for all stages.
-CombinerState constants(Maker& m) {
-  CombinerState state = shows_spare0();
-  state.constant0 = m.color();
-  state.constant1 = m.color();
-  const Register constant = m.of(2) == 0 ? Register::constant0 : Register::constant1;
-  const int stage = m.of(m.profile.general_combiners.value < 3 ? m.profile.general_combiners.value : 3);
-  state.num_general_combiners = stage + 1;
-  for (int i = 0; i < stage; ++i) state.general[static_cast<std::size_t>(i)] = idle_stage();
-  set_inputs(state.general[static_cast<std::size_t>(stage)], rgb_of(m.source()), rgb_of(constant));
-  return state;
-}
-
-// A pair for each stage, and another one for the final combiner.
-CombinerState stage_constants(Maker& m) {
-  CombinerState state = shows_spare0();
-  state.per_stage_constants = true;
-  state.constant0 = m.color();
-  state.constant1 = m.color();
-  const int stages = 1 + m.of(3);
-  const bool in_final = m.of(2) == 1;
-  state.num_general_combiners = stages;
-  for (int i = 0; i < stages; ++i) {
-    GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
-    stage.constant0 = m.color();
-    stage.constant1 = m.color();
-    const Register constant = m.random.one_in(2) ? Register::constant0 : Register::constant1;
-    set_inputs(stage, rgb_of(i == 0 ? m.random_source() : Register::spare0, InputMapping::unsigned_invert),
-               rgb_of(constant));
-  }
-  if (in_final) state.final_combiner.d = rgb_of(m.random.one_in(2) ? Register::constant0 : Register::constant1);
-  return state;
-}
-
-// Each stage squares, halves, inverts or passes; those past the last would change the result.
-CombinerState number_of_stages(Maker& m) {
-  CombinerState state = shows_spare0();
-  const int most = m.profile.general_combiners.value;
-  const int stages = 1 + m.of(most);
-  state.num_general_combiners = stages;
-  for (int i = 0; i < (stages < most ? stages + 1 : stages); ++i) {
-    GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
-    const CombinerInput in = i == 0 ? rgb_of(m.random_source(), InputMapping::unsigned_invert)
-                                    : rgb_of(Register::spare0, m.random.one_in(2) ? InputMapping::unsigned_invert
-                                                                                  : InputMapping::unsigned_identity);
-    set_inputs(stage, in, m.random.one_in(3) ? in : kPlusOne);
-  }
-  return state;
-}
-
 constexpr Group kStageGroups[] = {
     {"mux-threshold", "11, 22", "the mux takes CD where spare0's alpha is at least 1/2", 30, Inputs::bytes,
      mux_threshold},
@@ -144,12 +69,6 @@ constexpr Group kStageGroups[] = {
      has_stages},
     {"blue-to-alpha", "23", "the blue of AB or CD goes to alpha, too", 20, Inputs::bytes, blue_to_alpha,
      [](const HardwareProfile& p) { return p.blue_to_alpha.value; }},
-    {"reads-before-writes", "12", "a portion reads what the other portion overwrites", 16, Inputs::bytes,
-     reads_before_writes},
-    {"constants", "1", "one pair of constants for all stages", 20, Inputs::bytes, constants},
-    {"constants-of-stages", "1", "a pair of constants for each stage and for the final combiner", 24, Inputs::bytes,
-     stage_constants, [](const HardwareProfile& p) { return p.per_stage_constants.value; }},
-    {"number-of-stages", "", "stages past the last do nothing", 16, Inputs::bytes, number_of_stages},
 };
 
 }  // namespace
@@ -226,11 +145,12 @@ CombinerState final_g(Maker& m) {
 
 CombinerState e_times_f(Maker& m) {
   CombinerState state = final_alone();
+  const int place = m.of(4);
   const Register e = m.source();
   state.final_combiner.e = rgb_of(e, m.of(2) == 0 ? InputMapping::unsigned_identity : InputMapping::unsigned_invert);
   state.final_combiner.f = rgb_of(m.random_source());
-  // As C, as D, as A with B = 1, in a mix.
-  switch (m.of(4)) {
+  // As C, as D, as A and as B of a mix.
+  switch (place) {
     case 0:
       set_final(state, kNothing, kNothing, rgb_of(Register::e_times_f));
       break;
@@ -238,7 +158,7 @@ CombinerState e_times_f(Maker& m) {
       set_final(state, kNothing, kNothing, kNothing, rgb_of(Register::e_times_f));
       break;
     case 2:
-      set_final(state, rgb_of(Register::e_times_f), kPlusOne, kNothing);
+      set_final(state, rgb_of(Register::e_times_f), rgb_of(m.random_source()), rgb_of(m.random_source()));
       break;
     default:
       set_final(state, rgb_of(m.random_source()), rgb_of(Register::e_times_f), rgb_of(m.random_source()));
@@ -253,7 +173,11 @@ CombinerState color_sum(Maker& m, bool clamp) {
   const bool times_a = m.of(2) == 1;
   const Register reg = m.source();
   set_inputs(state.general[0], rgb_of(reg), m.of(2) == 0 ? kPlusOne : rgb_of(m.random_source()));
-  set_final(state, times_a ? rgb_of(m.random_source()) : kPlusOne, rgb_of(Register::spare0_plus_secondary), kNothing);
+  // 1 - the sum: with D, because it is 0 at the least.
+  const bool is_inverted = m.random.one_in(3);
+  const InputMapping mapping = is_inverted ? InputMapping::unsigned_invert : InputMapping::unsigned_identity;
+  set_final(state, times_a ? rgb_of(m.random_source()) : kPlusOne, rgb_of(Register::spare0_plus_secondary, mapping),
+            kNothing, is_inverted ? rgb_of(m.random_source()) : kNothing);
   return state;
 }
 CombinerState color_sum_clamped(Maker& m) {
@@ -281,8 +205,8 @@ CombinerState final_fog(Maker& m) {
 CombinerState final_negative(Maker& m) {
   CombinerState state;
   GeneralCombiner& stage = state.general[0];
-  set_inputs(stage, rgb_of(m.source(), InputMapping::half_bias_normal), kPlusOne);
   const int where = m.of(5);
+  set_inputs(stage, rgb_of(m.source(), InputMapping::half_bias_normal), kPlusOne);
   const CombinerInput in =
       rgb_of(Register::spare0, m.of(2) == 0 ? InputMapping::unsigned_identity : InputMapping::unsigned_invert);
   set_final(state, rgb_of(m.random_source()), rgb_of(m.random_source()), rgb_of(m.random_source()));
@@ -291,6 +215,15 @@ CombinerState final_negative(Maker& m) {
   } else {
     state.final_combiner.b = rgb_of(Register::spare0_plus_secondary);
   }
+  return state;
+}
+
+// NV20 class chips show spare0 where both words of the final combiner are 0.
+CombinerState final_zero_words(Maker& m) {
+  CombinerState state;
+  state.color_sum_clamp = false;
+  set_inputs(state.general[0], rgb_of(m.source()), kPlusOne);
+  set_final(state, kNothing, kNothing, kNothing, rgb_of(Register::spare0));
   return state;
 }
 
@@ -310,6 +243,8 @@ constexpr Group kFinalGroups[] = {
      [](const HardwareProfile& p) { return p.color_sum_inverts.value; }},
     {"final-fog", "9, 13", "OpenGL's default: colour sum and fog", 16, Inputs::bytes, final_fog},
     {"final-negative", "14", "negative registers are 0 to the final combiner", 20, Inputs::bytes, final_negative},
+    {"final-zero-words", "", "both words of the final combiner are 0: it shows spare0", 4, Inputs::bytes,
+     final_zero_words, is_nv20},
 };
 
 }  // namespace

@@ -2,28 +2,18 @@
 #include "ninebit/study/vectors.h"
 #include "src/study/vectors/vector_format.h"
 #include "src/study/vectors/vector_mistakes.h"
+#include "src/study/vectors/vector_plan.h"
 #include "src/study/vectors/vector_words.h"
 #include "src/study/vectors/verdicts.h"
 
 namespace ninebit {
 namespace {
 
-using vectors::Mistake;
-
-// What a mistake computes for a program's fragments.
-std::vector<Bytes4> mistaken_colors(const VectorPack& pack, const VectorProgram& program, const Mistake& mistake) {
-  const Program compiled = vectors::mistaken_program(mistake, program.state);
-  // An edit that changes nothing gives what the pack expects.
-  const bool is_right =
-      mistake.broken == vectors::BrokenRule::none && compiled == normalize(program.state, pack.profile);
-  if (is_right) return program.expected;
-  std::vector<Bytes4> colors;
-  for (std::size_t i = 0; i < program.expected.size(); ++i) {
-    colors.push_back(vectors::bytes_of(pack.profile,
-                                       vectors::run_mistaken(mistake, compiled, pack.inputs[program.first_input + i])));
-  }
-  return colors;
-}
+// What one mistake gives.
+struct Alone {
+  std::string name, rules, group;
+  vectors::ModelColors colors;
+};
 
 }  // namespace
 
@@ -46,14 +36,24 @@ Result<VectorResults> read_vector_results(std::string_view text, const std::stri
 Result<VectorVerdict> judge_vectors(const VectorPack& pack, const VectorResults& results, std::size_t most,
                                     const VectorProgress& go_on) {
   std::vector<vectors::JudgedProgram<Bytes4>> given;
+  std::vector<std::size_t> programs;
   for (const auto& [index, colors] : results.programs) {
     const VectorProgram& program = pack.programs[index];
     given.push_back({index, program.group, &colors.colors, &program.expected});
+    programs.push_back(index);
   }
-  return vectors::judge(given, pack.groups.size(), vectors::mistakes_of(pack.profile), most, go_on,
-                        [&](const Mistake& mistake, std::size_t program) {
-                          return mistaken_colors(pack, pack.programs[program], mistake);
-                        });
+  const std::vector<vectors::Mistake> mistakes = vectors::mistakes_of(pack.profile);
+  std::vector<vectors::Model> models;
+  for (std::size_t m = 0; m < mistakes.size(); ++m) models.emplace_back(pack.profile, mistakes, std::vector{m});
+  std::vector<Alone> alone;
+  for (std::size_t m = 0; m < mistakes.size(); ++m) {
+    alone.push_back({mistakes[m].name, mistakes[m].rules, mistakes[m].group, {pack, models[m], programs}});
+  }
+  auto verdict = vectors::judge(given, pack.groups.size(), alone, most, go_on,
+                                [&](const Alone& mistake, std::size_t program) { return mistake.colors(program); });
+  if (!verdict || verdict->differ == 0) return verdict;
+  if (Status planned = vectors::make_plan(pack, given, mistakes, go_on, *verdict); !planned) return planned.error();
+  return verdict;
 }
 
 }  // namespace ninebit

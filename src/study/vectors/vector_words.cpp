@@ -30,6 +30,21 @@ std::vector<std::string> word_names(ChipClass chip) {
   return names;
 }
 
+namespace {
+
+// NV20 class chips show spare0 where both words of the final combiner are 0: if the program does, they are made 0.
+void leave_out_final_combiner(const VectorPack& pack, const CombinerState& state, std::vector<std::uint32_t>& values) {
+  std::vector<std::uint32_t> shorter = values;
+  for (const char* name : {"RC_FINAL0", "RC_FINAL1"}) {
+    const auto at = std::find(pack.word_names.begin(), pack.word_names.end(), name);
+    shorter[static_cast<std::size_t>(at - pack.word_names.begin())] = 0;
+  }
+  const auto read = state_of(pack, shorter);
+  if (read && read->final_combiner == state.final_combiner) values = std::move(shorter);
+}
+
+}  // namespace
+
 Result<std::vector<std::uint32_t>> words_of(const VectorPack& pack, const CombinerState& state) {
   const auto encoded = encode_register_words(state, pack.chip, pack.profile);
   if (!encoded) return encoded.error();
@@ -38,6 +53,7 @@ Result<std::vector<std::uint32_t>> words_of(const VectorPack& pack, const Combin
     const auto at = std::find(pack.word_names.begin(), pack.word_names.end(), word.name);
     values[static_cast<std::size_t>(at - pack.word_names.begin())] = word.value;
   }
+  if (pack.chip == ChipClass::nv20) leave_out_final_combiner(pack, state, values);
   return values;
 }
 
@@ -87,14 +103,15 @@ std::vector<std::size_t> programs_by_group(const std::vector<int>& weights, std:
 
 namespace {
 
-// A byte of a row: 255 or 0 throughout in two rows of 16, all bytes in turn in the even rows, else a random byte, often
-// at an edge.
+// A byte of a row: 255, 128 or 0 throughout in three rows of 16, all bytes in turn in the even rows, else a random
+// byte, often at an edge.
 std::uint8_t byte_of_row(std::size_t row, std::size_t component, VectorRandom& random) {
   constexpr std::array kEdges{0, 1, 2, 63, 64, 126, 127, 128, 129, 191, 253, 254, 255};
   const int edge = kEdges[static_cast<std::size_t>(random.below(static_cast<int>(kEdges.size())))];
   const int any = random.below(256);
   const bool at_edge = random.one_in(2);
   if (row % 16 == 1) return 255;
+  if (row % 16 == 5) return 128;
   if (row % 16 == 9) return 0;
   // An odd factor goes through all bytes.
   if (row % 2 == 0) return static_cast<std::uint8_t>((row / 2) * (2 * component + 1) + 37 * component);

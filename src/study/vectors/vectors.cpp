@@ -1,6 +1,7 @@
 #include "ninebit/study/vectors.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "ninebit/combiner/program.h"
@@ -27,16 +28,20 @@ Status make_program(const VectorPack& pack, const Group& group, std::uint64_t in
   for (std::uint64_t attempt = 0; attempt < kTries; ++attempt) {
     Maker maker(pack.profile, pack.seed, index + (attempt << 32U), number);
     program.state = group.make(maker);
+    // NV10's word of the number of stages has stage 1's outputs, too.
+    const bool has_default = pack.chip == ChipClass::nv10 && program.state.num_general_combiners == 1 &&
+                             program.state.general[1] == GeneralCombiner{};
+    if (has_default) program.state.general[1] = vectors::idle_stage();
     const std::size_t first =
         group.inputs == vectors::Inputs::bytes || !vectors::is_nv20(pack.profile) ? 0 : vectors::kByteInputs;
     const auto places = static_cast<int>(vectors::kByteInputs - pack.fragments + 1);
     program.first_input = first + static_cast<std::size_t>(maker.random.below(places));
+    auto words = vectors::words_of(pack, program.state);
+    if (!words) return words.error();
+    program.words = std::move(*words);
     program.expected = vectors::expected_colors(pack, program);
     if (pack.fragments == 1 || !shows_one_color(program)) break;
   }
-  auto words = vectors::words_of(pack, program.state);
-  if (!words) return words.error();
-  program.words = std::move(*words);
   return {};
 }
 
@@ -63,14 +68,21 @@ Result<VectorPack> make_vector_pack(const HardwareProfile& profile, const Vector
 
 std::vector<VectorMistake> vector_mistakes(const HardwareProfile& profile) {
   std::vector<VectorMistake> found;
-  for (const vectors::Mistake& mistake : vectors::mistakes_of(profile)) found.push_back({mistake.name, mistake.rules});
+  for (const vectors::Mistake& mistake : vectors::mistakes_of(profile)) {
+    found.push_back({mistake.name, mistake.rules, mistake.group});
+  }
   return found;
 }
 
-Bytes4 mistaken_color(const HardwareProfile& profile, std::size_t mistake, const CombinerState& state,
-                      const RegisterFile& input) {
-  const vectors::Mistake one = vectors::mistakes_of(profile)[mistake];
-  return vectors::bytes_of(profile, vectors::run_mistaken(one, vectors::mistaken_program(one, state), input));
+std::vector<std::vector<Bytes4>> mistaken_colors(const VectorPack& pack, const std::vector<std::size_t>& mistakes) {
+  const std::vector<vectors::Mistake> known = vectors::mistakes_of(pack.profile);
+  const vectors::Model model(pack.profile, known, mistakes);
+  std::vector<std::size_t> programs(pack.programs.size());
+  std::iota(programs.begin(), programs.end(), std::size_t{0});
+  const vectors::ModelColors shown(pack, model, programs);
+  std::vector<std::vector<Bytes4>> colors(pack.programs.size());
+  (void)vectors::in_blocks(colors.size(), {}, [&](std::size_t i) { colors[i] = shown(i); });
+  return colors;
 }
 
 }  // namespace ninebit

@@ -76,6 +76,13 @@ struct JudgedProgram {
   const std::vector<Value>*given, *expected;  // by fragment
 };
 
+// The group that fails first because of a mistake; empty: the mistakes of a pack do not say it.
+template <class Mistake>
+std::string group_of(const Mistake& mistake) {
+  if constexpr (requires { mistake.group; }) return mistake.group;
+  return {};
+}
+
 // Judges programs in the pack's order. `run(mistake, program)` gives what a mistake computes, by fragment; `mistakes`
 // have names and rules.
 template <class Value, class Mistake, class Run>
@@ -113,7 +120,7 @@ Result<VectorVerdict> judge(const std::vector<JudgedProgram<Value>>& programs, s
   });
   if (!all) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
   for (std::size_t m = 0; m < mistakes.size(); ++m) {
-    VectorMistake one{mistakes[m].name, mistakes[m].rules};
+    VectorMistake one{mistakes[m].name, mistakes[m].rules, group_of(mistakes[m])};
     for (const std::vector<Count>& of : counts) {
       one.explains += of[m].explains;
       one.agree += of[m].agree;
@@ -125,6 +132,31 @@ Result<VectorVerdict> judge(const std::vector<JudgedProgram<Value>>& programs, s
                      return std::pair(x.agree, x.explains) > std::pair(y.agree, y.explains);
                    });
   return verdict;
+}
+
+// Fills the plan with the best mistake alone, if it breaks nothing: for mistakes that are not made together.
+template <class Value, class Mistake, class Run>
+void plan_one(const std::vector<JudgedProgram<Value>>& programs, const std::vector<Mistake>& mistakes, const Run& run,
+              VectorVerdict& verdict) {
+  verdict.unexplained = verdict.differ;
+  if (verdict.mistakes.empty()) return;
+  const VectorMistake& best = verdict.mistakes.front();
+  if (best.agree - best.explains != verdict.fragments - verdict.differ) return;
+  const auto mistake =
+      std::find_if(mistakes.begin(), mistakes.end(), [&](const Mistake& one) { return one.name == best.name; });
+  for (const auto& [program, group, given, expected] : programs) {
+    const std::vector<Value> mistaken = run(*mistake, program);
+    for (std::size_t i = 0; i < given->size(); ++i) {
+      if (mistaken[i] != (*given)[i] || (*given)[i] == (*expected)[i]) continue;
+      verdict.plan.push_back({.mistake = best, .same = {}, .program = program, .fragment = i});
+      for (const VectorMistake& other : verdict.mistakes) {
+        const bool is_same = other.agree == best.agree && other.explains == best.explains && other.name != best.name;
+        if (is_same && best.agree == verdict.fragments) verdict.plan.back().same.push_back(other.name);
+      }
+      verdict.unexplained = verdict.fragments - best.agree;
+      return;
+    }
+  }
 }
 
 }  // namespace ninebit::vectors

@@ -17,6 +17,17 @@
    out:   red, green, blue, alpha as bytes. */
 void combine(const uint32_t words[], const int16_t in[], uint8_t out[4]);
 
+/* Where they stand. Word k of stage s of an NV20 class chip is words[NV20_STAGES + NV20_EACH * s + k]. */
+enum { NV20_ENABLE, NV20_FINAL0, NV20_FINAL1, NV20_COLOR0, NV20_COLOR1, NV20_STAGES };
+enum { NV10_FINAL0, NV10_FINAL1, NV10_COLOR0, NV10_COLOR1, NV10_STAGES };
+enum { IN_RGB, OUT_RGB, IN_ALPHA, OUT_ALPHA, NV10_EACH, STAGE_COLOR0 = NV10_EACH, STAGE_COLOR1, NV20_EACH };
+
+/* The names of an NV20 class chip's words: the pack's, xemu's and nv2a-trace's, or the registers' addresses. */
+typedef enum { LAYOUT_NAMES, LAYOUT_PGRAPH, LAYOUT_ADDRESS } Layout;
+
+/* Prints a program as lines NAME = 0xVALUE, which `ninebit explain` reads. */
+void print_words(FILE *to, const uint32_t words[], Layout layout);
+
 /* Compiled with -DCOMBINE_STAGE, this one too: the 36 codes after general combiner `stage`, in the order of `in`. The
    runner then names the first stage and register that is wrong. */
 #ifdef COMBINE_STAGE
@@ -39,6 +50,7 @@ static uint8_t expected[MOST_FRAGMENTS][4], got[MOST_FRAGMENTS][4];
 static char traces[MOST_STAGES][65536]; /* the lines `s` of the program whose report is printed */
 static unsigned trace_count, wanted;    /* fragment of the report plus one; 0: no report is being made */
 static int reported;
+static unsigned long printed; /* the program that --print names; 0: none */
 static const char *const registers[] = {"fog",    "primary", "secondary", "spare0", "spare1",
                                         "tex0",   "tex1",    "tex2",      "tex3"};
 static unsigned long line_number;
@@ -123,6 +135,39 @@ static void print_trace(unsigned fragment) {
       }
     }
     printf("\n");
+  }
+}
+
+typedef struct {
+  unsigned long address;
+  const char *name;
+} Place;
+
+void print_words(FILE *to, const uint32_t values[], Layout layout) {
+  static const Place once[NV20_STAGES] = {{0x401940, "COMBINECTL"},
+                                          {0x401944, "COMBINESPECFOG0"},
+                                          {0x401948, "COMBINESPECFOG1"},
+                                          {0x4019ac, "SPECFOGFACTOR0"},
+                                          {0x4019b0, "SPECFOGFACTOR1"}};
+  static const Place each[NV20_EACH] = {{0x401900, "COMBINECOLORI0"}, {0x401920, "COMBINECOLORO0"},
+                                        {0x4018c0, "COMBINEALPHAI0"}, {0x4018e0, "COMBINEALPHAO0"},
+                                        {0x401880, "COMBINEFACTOR0"}, {0x4018a0, "COMBINEFACTOR1"}};
+  const int is_nv20 = strcmp(word_names[0], "RC_ENABLE") == 0;
+  const unsigned stages = (unsigned)(values[NV20_ENABLE] & 15);
+  const unsigned count = is_nv20 ? NV20_STAGES + NV20_EACH * stages : word_count;
+  unsigned i;
+  for (i = 0; i < count && i < word_count; ++i) {
+    const unsigned stage = i < NV20_STAGES ? 0 : (i - NV20_STAGES) / NV20_EACH;
+    const Place *const place = i < NV20_STAGES ? &once[i] : &each[(i - NV20_STAGES) % NV20_EACH];
+    if (!is_nv20 || layout == LAYOUT_NAMES) {
+      fprintf(to, "%s", word_names[i]);
+    } else if (layout == LAYOUT_ADDRESS) {
+      fprintf(to, "0x%lx", place->address + 4 * stage);
+    } else {
+      fprintf(to, "NV_PGRAPH_%s", place->name);
+      if (i >= NV20_STAGES) fprintf(to, "[%u]", stage);
+    }
+    fprintf(to, " = 0x%08lx\n", (unsigned long)values[i]);
   }
 }
 
@@ -218,6 +263,8 @@ static const char *read_line(void) {
     if (sscanf(line, "p %u %u%n", &program, &first_input, &length) != 2) return "a wrong program";
     if (first_input + fragments > input_count || group_count == 0) return "a wrong program";
     if (!read_words(line + length, words)) return "wrong words";
+  } else if (printed != 0) {
+    return strncmp(line, "o ", 2) == 0 || strncmp(line, "s ", 2) == 0 ? NULL : read_header();
   } else if (strncmp(line, "o ", 2) == 0) {
     if (group_count == 0 || !run(line + 1)) return "a wrong line of colours";
   } else if (strncmp(line, "s ", 2) == 0) {
@@ -246,11 +293,18 @@ static int print_summary(void) {
 
 int main(int argc, char **argv) {
   const char *file = NULL, *results_file = NULL;
+  Layout layout = LAYOUT_NAMES;
   int i, is_complete = 0;
   FILE *in;
   for (i = 1; i < argc; ++i) {
     if (strcmp(argv[i], "--results") == 0 && i + 1 < argc) {
       results_file = argv[++i];
+    } else if (strcmp(argv[i], "--print") == 0 && i + 1 < argc) {
+      printed = strtoul(argv[++i], NULL, 10);
+    } else if (strcmp(argv[i], "--pgraph") == 0) {
+      layout = LAYOUT_PGRAPH;
+    } else if (strcmp(argv[i], "--address") == 0) {
+      layout = LAYOUT_ADDRESS;
     } else if (file == NULL && argv[i][0] != '-') {
       file = argv[i];
     } else {
@@ -259,7 +313,7 @@ int main(int argc, char **argv) {
     }
   }
   if (file == NULL) {
-    fprintf(stderr, "usage: %s vectors.txt [--results FILE]\n", argv[0]);
+    fprintf(stderr, "usage: %s vectors.txt [--results FILE] [--print PROGRAM [--pgraph|--address]]\n", argv[0]);
     return 2;
   }
   in = fopen(file, "r");
@@ -278,10 +332,15 @@ int main(int argc, char **argv) {
   for (line_number = 2; !is_complete && fgets(line, sizeof line, in) != NULL; ++line_number) {
     const char *message = read_line();
     if (message != NULL) return fail(message);
+    if (printed != 0 && program == printed) {
+      print_words(stdout, words, layout);
+      return 0;
+    }
     is_complete = strncmp(line, "end", 3) == 0;
   }
   fclose(in);
   if (!is_complete) return fail("the pack is cut off: 'end' is missing");
+  if (printed != 0) return fail("the pack does not have the program that --print names");
   if (results != NULL && (ferror(results) != 0) + (fclose(results) != 0) != 0) {
     fprintf(stderr, "runner: cannot write %s\n", results_file);
     return 2;

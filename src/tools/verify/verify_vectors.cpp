@@ -4,7 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <set>
 
+#include "ninebit/combiner/program.h"
+#include "ninebit/language/gl_calls.h"
+#include "ninebit/language/register_words.h"
 #include "ninebit/study/stage_vectors.h"
 #include "ninebit/study/vectors.h"
 #include "src/tools/common/scene_flags.h"
@@ -36,6 +40,8 @@ struct Shown {
   std::size_t group = 0;
   std::string shown, expected;             // for people
   Json shown_values{}, expected_values{};  // the same
+  std::string calls{};                     // the program as GL calls, or as register words if GL has none for it
+  std::string inputs{};                    // the registers that it reads, as `trace --set` takes them
 };
 
 // Results of a pack of either half of a pixel.
@@ -45,6 +51,7 @@ struct JudgedResults {
   std::size_t programs = 0;  // that the results have
   VectorVerdict verdict;
   std::vector<Shown> first{};  // by VectorVerdict::first
+  std::vector<Shown> steps{};  // by VectorVerdict::plan
 };
 
 std::string pack_file(const VectorResultsFlags& flags) {
@@ -85,7 +92,40 @@ template <class Pack, class Show>
 JudgedResults judged(const Pack& pack, std::size_t programs, VectorVerdict verdict, const Show& show) {
   JudgedResults out{pack.id, std::string(pack.profile.name), pack.groups, programs, std::move(verdict)};
   for (const VectorVerdict::Place& place : out.verdict.first) out.first.push_back(show(place));
+  for (const VectorVerdict::Step& step : out.verdict.plan) out.steps.push_back(show({step.program, step.fragment}));
   return out;
+}
+
+std::string calls_of(const VectorPack& pack, CombinerState state) {
+  // Calls of stages that do not run are left out.
+  for (auto i = static_cast<std::size_t>(state.num_general_combiners); i < state.general.size(); ++i) {
+    state.general[i] = {};
+  }
+  auto text = print_gl_calls(state, pack.profile);
+  if (!text) text = print_register_words(state, pack.chip, pack.profile);
+  return text ? *text : std::string();
+}
+
+std::string inputs_of(const VectorPack& pack, const CombinerState& state, const RegisterFile& input) {
+  const Program program = normalize(state, pack.profile);
+  std::set<Register> read;
+  const auto add = [&](const CombinerInput& in) { read.insert(in.reg); };
+  for (int i = 0; i < program.num_general_combiners; ++i) {
+    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
+    for (const Portion* const portion : {&stage.rgb, &stage.alpha}) {
+      for (const CombinerInput* const in : {&portion->a, &portion->b, &portion->c, &portion->d}) add(*in);
+      if (portion->out.mux_sum) read.insert(Register::spare0);
+    }
+  }
+  const FinalCombiner& f = program.final_combiner;
+  for (const CombinerInput* const in : {&f.a, &f.b, &f.c, &f.d, &f.e, &f.f, &f.g}) add(*in);
+  if (read.contains(Register::spare0_plus_secondary)) read.insert({Register::spare0, Register::secondary});
+  std::string text;
+  for (const Register r : kVectorRegisters) {
+    if (!read.contains(r) || input[r] == Rgba9{}) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", short_name(r), fmt::join(input[r], ","));
+  }
+  return text;
 }
 
 Result<JudgedResults> judge_colors(const Texts& texts, const VectorProgress& go_on) {
@@ -104,7 +144,9 @@ Result<JudgedResults> judge_colors(const Texts& texts, const VectorProgress& go_
                  fmt::format("{}", fmt::join(shown, " ")),
                  fmt::format("{}", fmt::join(expected, " ")),
                  shown,
-                 expected};
+                 expected,
+                 calls_of(*pack, program.state),
+                 inputs_of(*pack, program.state, pack->inputs[program.first_input + place.fragment])};
   });
 }
 
@@ -164,6 +206,55 @@ std::string with_rules(const std::string& text, const std::string& rules) {
   return fmt::format("{} (rule{} {})", text, rules.find(',') == std::string::npos ? "" : "s", rules);
 }
 
+double share_of(std::size_t fragments, const VectorVerdict& verdict) {
+  return verdict.differ == 0 ? 0 : static_cast<double>(fragments) / static_cast<double>(verdict.differ);
+}
+
+// For results that no plan explains.
+std::string mistakes_text(const VectorVerdict& verdict) {
+  if (verdict.mistakes.empty()) return "\nNo known mistake explains more fragments than it breaks.\n";
+  std::string text = fmt::format("\n{:<62}{:>9}  {}\n", "with this mistake", "explains", "fragments that then agree");
+  for (const VectorMistake& mistake : verdict.mistakes) {
+    text +=
+        fmt::format("  {:<60}{:>9}{:>27}\n", with_rules(mistake.name, mistake.rules), mistake.explains, mistake.agree);
+  }
+  return text + "\nNo single mistake explains all of them.\n";
+}
+
+std::string indented(const std::string& text) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end != begin) out += "     " + text.substr(begin, end - begin) + '\n';
+    begin = end + 1;
+  }
+  return out;
+}
+
+std::string plan_text(const JudgedResults& judged) {
+  const VectorVerdict& verdict = judged.verdict;
+  std::string text = "\nmistakes, in the order in which to mend them\n";
+  for (std::size_t i = 0; i < verdict.plan.size(); ++i) {
+    const VectorVerdict::Step& step = verdict.plan[i];
+    const Shown& one = judged.steps[i];
+    text += fmt::format("{}. {}: explains {:.1f} %, {} fragments\n", i + 1,
+                        with_rules(step.mistake.name, step.mistake.rules),
+                        100 * share_of(step.mistake.explains, verdict), step.mistake.explains);
+    if (!step.same.empty()) text += fmt::format("   the same: {}\n", fmt::join(step.same, "; "));
+    text += fmt::format("   program {}, fragment {} ({}): shows {}, expected {}\n", step.program + 1, step.fragment + 1,
+                        judged.groups[one.group].name, one.shown, one.expected);
+    if (!one.inputs.empty()) text += fmt::format("   {}\n", one.inputs);
+    text += indented(one.calls);
+  }
+  if (verdict.unexplained != 0) {
+    return text + fmt::format("{:.1f} % unexplained, {} fragments\n", 100 * share_of(verdict.unexplained, verdict),
+                              verdict.unexplained);
+  }
+  if (verdict.plan.size() > 1) return text + "Together they explain all of them.\n";
+  const VectorMistake& only = verdict.plan.front().mistake;
+  return text + fmt::format("One mistake explains all of them: {}\n", with_rules(only.name, only.rules));
+}
+
 std::string text_of(const JudgedResults& judged, const std::string& file) {
   const VectorVerdict& verdict = judged.verdict;
   std::string text;
@@ -188,15 +279,30 @@ std::string text_of(const JudgedResults& judged, const std::string& file) {
     if (is_first) text += fmt::format("    {}\n", with_rules(judged.groups[g].what, judged.groups[g].rules));
     is_first = false;
   }
-  if (verdict.mistakes.empty()) return text + "\nNo known mistake explains more fragments than it breaks.\n";
-  text += fmt::format("\n{:<62}{:>9}  {}\n", "with this mistake", "explains", "fragments that then agree");
-  for (const VectorMistake& mistake : verdict.mistakes) {
-    text +=
-        fmt::format("  {:<60}{:>9}{:>27}\n", with_rules(mistake.name, mistake.rules), mistake.explains, mistake.agree);
+  return text + (verdict.plan.empty() ? mistakes_text(verdict) : plan_text(judged));
+}
+
+Json plan_json(const JudgedResults& judged) {
+  const VectorVerdict& verdict = judged.verdict;
+  Json plan = Json::array();
+  for (std::size_t i = 0; i < verdict.plan.size(); ++i) {
+    const VectorVerdict::Step& step = verdict.plan[i];
+    const Shown& one = judged.steps[i];
+    plan.push_back({{"mistake", step.mistake.name},
+                    {"rules", step.mistake.rules},
+                    {"group", step.mistake.group},
+                    {"explains", step.mistake.explains},
+                    {"share", share_of(step.mistake.explains, verdict)},
+                    {"breaks", step.breaks},
+                    {"same", step.same},
+                    {"program", step.program + 1},
+                    {"fragment", step.fragment + 1},
+                    {"shown", one.shown_values},
+                    {"expected", one.expected_values},
+                    {"calls", one.calls},
+                    {"inputs", one.inputs}});
   }
-  const VectorMistake& best = verdict.mistakes.front();
-  if (best.agree < verdict.fragments) return text + "\nNo single mistake explains all of them.\n";
-  return text + fmt::format("\nOne mistake explains all of them: {}\n", with_rules(best.name, best.rules));
+  return plan;
 }
 
 Json json_of(const JudgedResults& judged, const VectorResultsFlags& flags) {
@@ -233,6 +339,9 @@ Json json_of(const JudgedResults& judged, const VectorResultsFlags& flags) {
           {"agree", verdict.fragments - verdict.differ},
           {"differ", verdict.differ},
           {"groups", std::move(groups)},
+          {"plan", plan_json(judged)},
+          {"unexplained", verdict.unexplained},
+          {"unexplained_share", share_of(verdict.unexplained, verdict)},
           {"mistakes", std::move(mistakes)},
           {"rows", std::move(rows)}};
 }

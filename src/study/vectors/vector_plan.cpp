@@ -1,0 +1,239 @@
+// How a plan is made. A model starts without mistakes. Each round adds the mistake that makes most fragments agree
+// with the results and breaks next to none of those that agree. Then mistakes that others have made needless are
+// dropped. Rounds look at a sample of each group, with programs that differ and programs that agree; what is accepted
+// is counted over all fragments.
+#include "src/study/vectors/vector_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+namespace ninebit::vectors {
+namespace {
+
+constexpr std::size_t kMostSteps = 24;
+constexpr std::size_t kSampleOfAGroup = 20;  // programs that differ, and as many that agree
+// A mistake that is made may break fragments that agree only because two faults cancel there: one for each
+// kGainOfABreak that it explains.
+constexpr std::size_t kGainOfABreak = 8;
+
+using Given = std::vector<JudgedProgram<Bytes4>>;
+using Agreement = std::vector<std::vector<bool>>;  // by program of the results, then fragment
+
+class Planner {
+ public:
+  Planner(const VectorPack& pack, const Given& given, const std::vector<Mistake>& mistakes, const VectorProgress& go_on)
+      : pack_(pack), given_(given), mistakes_(mistakes), go_on_(go_on) {
+    for (const auto& one : given) programs_.push_back(one.program);
+    all_.resize(given.size());
+    std::iota(all_.begin(), all_.end(), std::size_t{0});
+  }
+
+  [[nodiscard]] bool plan(VectorVerdict& verdict) {
+    std::vector<std::size_t> accepted;
+    rivals_.resize(mistakes_.size());
+    for (std::size_t round = 0; round < kMostSteps; ++round) {
+      const std::optional<std::size_t> next = best_after(accepted);
+      if (!next) break;
+      accepted.push_back(*next);
+      drop_needless(accepted);
+    }
+    if (stopped_) return false;
+    tell(accepted, verdict);
+    return !stopped_;
+  }
+
+ private:
+  struct Count {
+    std::size_t gains = 0, breaks = 0;
+    friend bool operator==(const Count&, const Count&) = default;
+  };
+
+  [[nodiscard]] Model model_of(const std::vector<std::size_t>& accepted) const {
+    return Model(pack_.profile, mistakes_, accepted);
+  }
+
+  // Which fragments of some programs a model gives as the results have them.
+  Agreement agreement(const Model& model, const std::vector<std::size_t>& programs) {
+    const ModelColors colors(pack_, model, programs_);
+    Agreement agree(given_.size());
+    const bool all = in_blocks(programs.size(), go_on_, [&](std::size_t i) {
+      const std::size_t p = programs[i];
+      const std::vector<Bytes4> shown = colors(given_[p].program);
+      for (std::size_t f = 0; f < shown.size(); ++f) agree[p].push_back(shown[f] == (*given_[p].given)[f]);
+    });
+    if (!all) stopped_ = true;
+    return agree;
+  }
+
+  // The same of the sample, with one mistake more. Programs that an edit does not change agree as `before`.
+  Agreement agreement_with(const std::vector<std::size_t>& accepted, std::size_t m, const Agreement& before) {
+    std::vector<std::size_t> more = accepted;
+    more.push_back(m);
+    const Model without = model_of(accepted), model = model_of(more);
+    std::vector<std::size_t> changed;
+    for (const std::size_t p : sample_) {
+      const CombinerState& state = pack_.programs[given_[p].program].state;
+      const bool is_edit = mistakes_[m].edit != nullptr;
+      if (!is_edit || model.program_of(state) != without.program_of(state)) changed.push_back(p);
+    }
+    Agreement agree = agreement(model, changed);
+    for (const std::size_t p : sample_) {
+      if (agree[p].empty()) agree[p] = before[p];
+    }
+    return agree;
+  }
+
+  Count compare(const Agreement& before, const Agreement& after) const {
+    Count count;
+    for (std::size_t p = 0; p < after.size(); ++p) {
+      for (std::size_t f = 0; f < after[p].size(); ++f) {
+        if (after[p][f] && !before[p][f]) ++count.gains;
+        if (!after[p][f] && before[p][f]) ++count.breaks;
+      }
+    }
+    return count;
+  }
+
+  static bool differs(const std::vector<bool>& agree) {
+    return std::find(agree.begin(), agree.end(), false) != agree.end();
+  }
+
+  void take_sample(const Agreement& agree) {
+    std::vector<std::array<std::size_t, 2>> taken(pack_.groups.size());
+    sample_.clear();
+    for (const std::size_t p : all_) {
+      std::size_t& count = taken[given_[p].group][differs(agree[p]) ? 1 : 0];
+      if (count == kSampleOfAGroup) continue;
+      ++count;
+      sample_.push_back(p);
+    }
+  }
+
+  // The group of the first fragment that differs.
+  std::string first_group(const Agreement& agree) const {
+    for (std::size_t p = 0; p < agree.size(); ++p) {
+      if (differs(agree[p])) return pack_.groups[given_[p].group].name;
+    }
+    return {};
+  }
+
+  std::optional<std::size_t> best_after(const std::vector<std::size_t>& accepted) {
+    const Agreement before = agreement(model_of(accepted), all_);
+    take_sample(before);
+    const std::string first = first_group(before);
+    std::optional<std::size_t> best;
+    Count best_count;
+    std::vector<std::pair<std::size_t, Count>> counts;
+    for (std::size_t m = 0; m < mistakes_.size() && !stopped_ && !first.empty(); ++m) {
+      if (std::find(accepted.begin(), accepted.end(), m) != accepted.end()) continue;
+      const Count count = compare(before, agreement_with(accepted, m, before));
+      if (count.gains == 0 || count.breaks * kGainOfABreak > count.gains) continue;
+      counts.emplace_back(m, count);
+      const auto value = [&](std::size_t mistake, const Count& of) {
+        return std::pair(of.gains - of.breaks, mistakes_[mistake].group == first);
+      };
+      if (best && value(*best, best_count) >= value(m, count)) continue;
+      best = m;
+      best_count = count;
+    }
+    for (const auto& [m, count] : counts) {
+      if (m != *best && count == best_count) rivals_[*best].push_back(m);
+    }
+    return stopped_ ? std::nullopt : best;
+  }
+
+  std::size_t agreeing(const std::vector<std::size_t>& accepted) {
+    std::size_t count = 0;
+    for (const auto& one : agreement(model_of(accepted), sample_)) {
+      count += static_cast<std::size_t>(std::count(one.begin(), one.end(), true));
+    }
+    return count;
+  }
+
+  void drop_needless(std::vector<std::size_t>& accepted) {
+    std::size_t best = agreeing(accepted);
+    for (std::size_t i = 0; i + 1 < accepted.size();) {
+      std::vector<std::size_t> without = accepted;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+      const std::size_t count = agreeing(without);
+      if (count < best || stopped_) {
+        ++i;
+        continue;
+      }
+      accepted = std::move(without);
+      best = count;
+    }
+  }
+
+  [[nodiscard]] std::size_t size_of(std::size_t p) const {
+    const auto& words = pack_.programs[given_[p].program].words;
+    return words.size() - static_cast<std::size_t>(std::count(words.begin(), words.end(), 0U));
+  }
+
+  // The plan in words: each mistake counted over all fragments.
+  void tell(const std::vector<std::size_t>& accepted, VectorVerdict& verdict) {
+    std::vector<std::size_t> so_far;
+    Agreement before = agreement(model_of(so_far), all_);
+    for (const std::size_t m : accepted) {
+      so_far.push_back(m);
+      const Agreement after = agreement(model_of(so_far), all_);
+      const Count count = compare(before, after);
+      VectorVerdict::Step step{
+          {mistakes_[m].name, mistakes_[m].rules, mistakes_[m].group, count.gains, 0}, count.breaks, {}, 0, 0};
+      std::optional<std::size_t> smallest;
+      for (std::size_t p = 0; p < after.size(); ++p) {
+        for (std::size_t f = 0; f < after[p].size(); ++f) {
+          step.mistake.agree += after[p][f] ? 1U : 0U;
+          const bool is_smaller = after[p][f] && !before[p][f] && (!smallest || size_of(p) < size_of(*smallest));
+          if (!is_smaller) continue;
+          smallest = p;
+          step.program = given_[p].program;
+          step.fragment = f;
+        }
+      }
+      verdict.unexplained = verdict.fragments - step.mistake.agree;
+      verdict.plan.push_back(std::move(step));
+      before = after;
+    }
+    if (accepted.empty()) verdict.unexplained = verdict.differ;
+    if (!stopped_) name_same(accepted, before, verdict);
+  }
+
+  // Mistakes that give the same in place of one of the plan.
+  void name_same(const std::vector<std::size_t>& accepted, const Agreement& all, VectorVerdict& verdict) {
+    for (std::size_t i = 0; i < accepted.size(); ++i) {
+      for (const std::size_t m : rivals_[accepted[i]]) {
+        if (std::find(accepted.begin(), accepted.end(), m) != accepted.end()) continue;
+        std::vector<std::size_t> other = accepted;
+        other[i] = m;
+        const Agreement of_sample = agreement(model_of(other), sample_);
+        if (compare(all, of_sample) != Count{}) continue;
+        if (compare(all, agreement(model_of(other), all_)) == Count{})
+          verdict.plan[i].same.push_back(mistakes_[m].name);
+      }
+    }
+  }
+
+  const VectorPack& pack_;
+  const Given& given_;
+  const std::vector<Mistake>& mistakes_;
+  const VectorProgress& go_on_;
+  std::vector<std::size_t> programs_{};             // of the pack, by program of the results
+  std::vector<std::size_t> sample_{}, all_{};       // programs of the results
+  std::vector<std::vector<std::size_t>> rivals_{};  // by mistake: others that explained as much when it was accepted
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+Status make_plan(const VectorPack& pack, const std::vector<JudgedProgram<Bytes4>>& given,
+                 const std::vector<Mistake>& mistakes, const VectorProgress& go_on, VectorVerdict& verdict) {
+  if (!Planner(pack, given, mistakes, go_on).plan(verdict)) {
+    return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+  }
+  return {};
+}
+
+}  // namespace ninebit::vectors
