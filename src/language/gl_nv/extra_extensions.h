@@ -27,22 +27,6 @@ struct Extras {
 
 // Those of a list with commas: names, with or without "GL_", "all" or "none". Empty: a word is none of these; `unknown`
 // is that word.
-inline std::optional<Extras> parse_extras(std::string_view list, std::string& unknown) {
-  Extras extras;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::string_view word = list.substr(begin, list.find(',', begin) - begin);
-    begin += word.size() + 1;
-    bool known = word == "none";
-    for (const ExtraExtension& one : kExtraExtensions) {
-      if (word != "all" && word != one.name && word != one.name.substr(3)) continue;
-      extras.add(one.extra);
-      known = true;
-    }
-    if (known) continue;
-    unknown = word;
-    return std::nullopt;
-  }
-  return extras;
-}
+[[nodiscard]] std::optional<Extras> parse_extras(std::string_view list, std::string& unknown);
 
 }  // namespace ninebit
