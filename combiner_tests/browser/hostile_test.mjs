@@ -144,6 +144,14 @@ test('the inputs have as many texture units as the chip', async () => {
   await page.close();
 });
 
+test('another source of a texture leaves nothing that the engine refuses', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'dot3_specular');
+  await page.evaluate(() => globalThis.ninebit.page.inputs.setSource(0, 'textures/bricks.png'));
+  await waitForHash(page, nativeHash(await stateOf(page)));
+  await page.close();
+});
+
 test('the comparison that is chosen at first works for every effect', async () => {
   const page = await openPage(browser);
   await page.click('#tab-profiles');

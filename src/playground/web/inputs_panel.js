@@ -12,6 +12,9 @@ const coordinates = [...vectors, 'tangent-to-world-x', 'tangent-to-world-y', 'ta
 const colours = [...vectors.slice(3), 'color', 'lambert', 'index', 'constant:1,1,1', 'constant:0,0,0', 'constant:0.5,0.5,0.5'];
 const off = '(off)';
 
+/** Sources whose textures have a steepness. */
+const steep = /^(normals|signed-normals|hilo-normals|offsets):/;
+
 /** @param {number} value 0 to 1 */
 const hex = (value) => Math.round(Math.min(1, Math.max(0, value)) * 255).toString(16).padStart(2, '0');
 
@@ -139,6 +142,8 @@ export class InputsPanel {
         const shared = effect.passes.some((other) => (other.units ?? []).some((unit, at) => unit?.texture === used && (other !== pass || at !== number)));
         const name = shared ? `${used}-${number}` : used;
         effect.textures[name] = { ...effect.textures[used], source };
+        // The engine refuses the key for other sources.
+        if (!steep.test(source)) delete effect.textures[name].steepness;
         pass.units[number] = { coordinates: 'uv', ...pass.units[number], texture: name };
       }
       while (pass.units.length > 0 && pass.units.at(-1) === null) pass.units.pop();
