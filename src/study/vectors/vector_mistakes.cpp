@@ -297,7 +297,7 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
     for (const auto& [name, arithmetic] :
          {std::pair("arithmetic = float32", Arithmetic::float32), std::pair("arithmetic = exact", Arithmetic::exact)}) {
       found.push_back({name, "5, 8", "mapping-half-bias-normal",
-                       [arithmetic](HardwareProfile& p) { p.arithmetic.value = arithmetic; }});
+                       [value = arithmetic](HardwareProfile& p) { p.arithmetic.value = value; }});
     }
     found.push_back({"arithmetic = float32, and bytes of the colour are cut, not rounded",
                      "5, 8, 9",
