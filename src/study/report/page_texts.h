@@ -11,5 +11,6 @@ extern const std::string_view kValuesScript;  // page/values.js
 extern const std::string_view kPlotsScript;   // page/plots.js
 extern const std::string_view kPageScript;    // page/report.js
 extern const std::string_view kPageStyle;     // page/report.css
+extern const std::string_view kPrintStyle;    // page/print.css, for every page with tables and pictures
 
 }  // namespace ninebit

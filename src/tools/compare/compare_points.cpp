@@ -12,6 +12,7 @@
 #include "ninebit/image/image_io.h"
 #include "src/language/source/nearest_name.h"
 #include "src/shadow/ground_truth/judge.h"
+#include "src/study/report/page_texts.h"
 #include "src/system/hashing/openssl.h"
 #include "src/tools/common/flag_values.h"
 #include "src/tools/common/given_pictures.h"
@@ -426,6 +427,7 @@ std::string compare_page(const CompareFlags& flags, const Comparison& comparison
       "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n"
       "<title>Comparison – ninebit</title>\n<style>\n";
   page += kCompareStyle;
+  page += kPrintStyle;
   page += "</style>\n</head>\n<body>\n<noscript>This page needs JavaScript. report.json has its figures.</noscript>\n";
   page += fmt::format("<script type=\"application/json\" id=\"data\">{}</script>\n<script type=\"module\">\n",
                       page_json(flags, comparison));

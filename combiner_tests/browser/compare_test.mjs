@@ -1,0 +1,78 @@
+/**
+ * The page of `ninebit compare`: what stands at a pixel, and the command that explains a wrong one.
+ */
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { launch, native, root } from './support.mjs';
+
+let browser, page, answer, folder;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'ninebit-compare-'));
+  answer = native(root, 'compare', 'scenes/index_room.gltf', '--size', '160x120', '--vary', 'index-step=1,2', '-o', folder);
+  browser = await launch();
+  page = await browser.newPage();
+  await page.setViewport({ width: 1280, height: 900 });
+  await page.goto(`file://${join(folder, 'index.html')}`);
+  await page.waitForSelector('.maps canvas');
+});
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** Moves to the middle of a pixel of an element that shows the whole picture. */
+async function pointAt(selector, x, y) {
+  const element = await page.$(selector);
+  await element.scrollIntoView();
+  const box = await element.boundingBox();
+  const at = [box.x + ((x + 0.5) / 160) * box.width, box.y + ((y + 0.5) / 120) * box.height];
+  await page.mouse.move(...at);
+  return at;
+}
+
+test('a wrong pixel says its values and cause, and a click gives its command', async () => {
+  const [row] = answer.rows;
+  const [worst] = row.errors.worst;
+  const at = await pointAt('.maps canvas', worst.x, worst.y);
+  const said = () => page.$$eval('[role=status]', (lines) => lines[1].textContent);
+  assert.match(await said(), new RegExp(`^${row.name}, pixel ${worst.x},${worst.y}: \\d+, \\d+, \\d+, falsely (lit|shadowed): ${worst.cause}$`));
+  await page.mouse.click(...at);
+  const command = await page.$$eval('.command', (all) => all[1].textContent);
+  assert.equal(command, worst.command);
+  assert.equal(native(root, ...command.replace(/^ninebit /, '').split(' ')).command, 'trace');
+  // A pixel that is right has no command.
+  const corner = await pointAt('.maps canvas', 1, 1);
+  assert.match(await said(), /pixel 1,1: \d+, \d+, \d+, right$/);
+  await page.mouse.click(...corner);
+  assert.equal(await page.$$eval('.command', (all) => all[1].hidden), true);
+});
+
+test('on A4, nothing is wider than the paper, and tables are whole', async () => {
+  const report = join(folder, 'report');
+  native(root, 'study', 'index-steps', '--profile', 'float-shader', '-o', report);
+  for (const file of [join(folder, 'index.html'), join(report, 'report.html')]) {
+    const paper = await browser.newPage();
+    await paper.emulateMediaType('print');
+    await paper.setViewport({ width: 703, height: 1000 });  // 186 mm
+    await paper.goto(`file://${file}`);
+    await paper.waitForSelector('table');
+    const wide = await paper.$$eval('body *', (all) => all.filter((one) => one.getClientRects().length > 0 && !one.closest('svg, .swipe') &&
+      one.getBoundingClientRect().right > document.documentElement.clientWidth + 1).map((one) => `${one.tagName}.${one.className}`));
+    assert.deepEqual(wide, [], file);
+    assert.deepEqual(await paper.$$eval('table.cut', (tables) => tables.filter((table) => [...table.tBodies[0].rows].some((row) => row.offsetHeight === 0)).length), 0);
+    await paper.close();
+  }
+});
+
+test('the two pictures are told apart at the divider', async () => {
+  const said = () => page.$$eval('[role=status]', (lines) => lines[0].textContent);
+  await pointAt('.swipe', 20, 60);
+  assert.ok((await said()).startsWith(`${answer.rows[0].name}, pixel 20,60: `));
+  await pointAt('.swipe', 140, 60);
+  assert.ok((await said()).startsWith(`${answer.rows[1].name}, pixel 140,60: `));
+});
