@@ -104,7 +104,7 @@ assert.ok(effects.length > 15 && cells > 1000 && marks.truncated > 50 && marks.c
 
 // Random programs with all that the combiners can do, on random registers.
 const pack = join(folder, 'pack');
-run('vectors', '-o', pack, '--programs', '61', '--fragments', '1', '--profile', 'nv2a', '--quiet');
+run('vectors', '-o', pack, '--programs', '65', '--fragments', '1', '--profile', 'nv2a', '--quiet');
 const random = (() => { let state = 25; return (n) => (state = (state * 48271) % 2147483647) % n; })();
 const programs = gunzipSync(readFileSync(join(pack, 'programs.jsonl.gz'))).toString().trim().split('\n');
 const kinds = new Set();

@@ -355,7 +355,7 @@ TEST(Vectors, EveryMistakeFailsItsOwnGroupFirst) {
 
 // Alone, it is the whole plan.
 TEST(Vectors, EveryMistakeIsNamed) {
-  VectorPack pack = pack_of(profiles::nv2a, 640, 16);
+  VectorPack pack = pack_of(profiles::nv2a, 640, 5);
   (void)print_vector_pack(pack);
   const std::vector<VectorMistake> mistakes = vector_mistakes(pack.profile);
   std::size_t seen = 0;
