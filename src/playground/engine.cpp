@@ -47,7 +47,7 @@ Reply Engine::reply_to(Request& request, std::string_view verb) {
   if (verb == "read") return read_text(request);
   if (verb == "convert") return convert_text(request);
   if (verb == "trace") return trace_text(request);
-  if (verb == "evaluate") return evaluate_pictures(request, buffer_, bytes_);
+  if (verb == "evaluate") return evaluate_pictures(request, std::exchange(buffer_, {}), bytes_);
   if (verb == "profile") return list_profile(request);
   if (verb == "edit_profile") return edit_profile(request);
   if (verb == "put") return put(request);

@@ -49,8 +49,8 @@ struct EffectReaders {
   std::function<Result<Texture>(const std::filesystem::path& file, const HardwareProfile& profile)> rectangle{};
   // A scene as read_scene() returns it with this axis as SceneReadOptions::up.
   std::function<Result<Scene>(const std::filesystem::path& file, std::optional<UpAxis> up)> scene{};
-  // The texture of a recipe: `make` makes it, by the readers above. For who keeps textures from one renderer to the
-  // next, and knows whether files or the profile have changed. Empty: each texture is made.
+  // The texture of a recipe: `make` makes it, by the readers above. For callers that keep textures from one renderer to
+  // the next, and knows whether files or the profile have changed. Empty: each texture is made.
   std::function<Result<Texture>(const TextureRecipe& recipe, const std::function<Result<Texture>()>& make)> kept{};
 };
 

@@ -124,7 +124,7 @@ struct VectorMistake {
 struct VectorVerdict {
   // One mistake of a plan.
   struct Step {
-    VectorMistake mistake;          // `explains` and `agree`: together with the mistakes before it
+    VectorMistake mistake;          // `explains`: fragments that it adds; `agree`: with the mistakes before it
     std::size_t breaks = 0;         // fragments that agreed with the mistakes before it and no longer do
     std::vector<std::string> same;  // other mistakes that give the same for every fragment
     std::size_t program = 0;        // index of the smallest program that it explains

@@ -107,6 +107,7 @@ constinit std::atomic<bool> unseen_images{false};
 // Functions that make images of textures that are not bound, or of something else.
 bool makes_unseen_images(std::string_view name) {
   return name.find("TextureImage") != name.npos || name.find("MultiTexImage") != name.npos ||
+         name.find("TextureMipmap") != name.npos || name.find("MultiTexMipmap") != name.npos ||
          name.find("BindTexImage") != name.npos || name.find("EGLImageTarget") != name.npos;
 }
 

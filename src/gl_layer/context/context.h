@@ -77,8 +77,8 @@ struct SavedState {
 // What the last draw's texture shaders were compiled for, and which textures have all levels that they need.
 struct StageCache {
   StageTextures textures{};
+  std::uint64_t images_changed = 0;  // when `levels` was asked for
   struct Levels {
-    std::uint64_t images_changed = 0;
     std::array<int, 9> seen{};  // the base level, and what else it depends on that can change without an image
     bool complete = false;
   };

@@ -60,13 +60,20 @@ GLenum binding_of(GLenum target) {
 bool is_complete(Context& context, GLenum target) {
   const BaseImage base = base_image(target, context.features);
   if (unseen_image_calls_looked_up()) return has_all_levels(target, base);
+  // Where the driver makes the levels, any change of texels makes them.
+  GLint makes_levels = GL_FALSE;
+  found_driver.GetTexParameteriv(target, GL_GENERATE_MIPMAP, &makes_levels);
+  if (makes_levels != GL_FALSE) return has_all_levels(target, base);
+  StageCache& cache = context.stage_cache;
+  const std::uint64_t now = context.group->images_changed;
+  if (cache.images_changed != now) cache.levels.clear();
+  cache.images_changed = now;
   const auto name = static_cast<unsigned>(driver_integer(binding_of(target)));
-  StageCache::Levels& known = context.stage_cache.levels[{target, name}];
-  const std::uint64_t now = context.group->images_changed + 1;  // 0: not asked for yet
-  if (known.images_changed != now || known.seen != base.values()) {
-    known = {.images_changed = now, .seen = base.values(), .complete = has_all_levels(target, base)};
+  const auto [known, is_new] = cache.levels.try_emplace({target, name});
+  if (is_new || known->second.seen != base.values()) {
+    known->second = {.seen = base.values(), .complete = has_all_levels(target, base)};
   }
-  return known.complete;
+  return known->second.complete;
 }
 
 // A texture as the rules of consistency see it.

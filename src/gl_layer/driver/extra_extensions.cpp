@@ -12,7 +12,7 @@ Extras wanted_extras() {
   if (list == nullptr || *list == '\0') return {};
   std::string unknown;
   const auto extras = parse_extras(list, unknown);
-  if (!extras) log_once("NINEBIT_GL_EXTENSIONS: '" + unknown + "' is no extension that can be added");
+  if (!extras) log_once("NINEBIT_GL_EXTENSIONS: '" + unknown + "' is not an extension that can be added");
   return extras.value_or(Extras{});
 }
 

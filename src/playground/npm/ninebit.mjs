@@ -36,9 +36,13 @@ export class Ninebit {
     if (at === 0) throw new NinebitError({ message: 'out of memory' });
     engine.HEAPU8.set(text, at);
     engine.HEAPU8[at + text.length] = 0;
-    const from = engine._ninebit_answer(at);
-    const answer = JSON.parse(decoder.decode(engine.HEAPU8.subarray(from, engine.HEAPU8.indexOf(0, from))));
-    engine._free(at);
+    let answer;
+    try {
+      const from = engine._ninebit_answer(at);
+      answer = JSON.parse(decoder.decode(engine.HEAPU8.subarray(from, engine.HEAPU8.indexOf(0, from))));
+    } finally {
+      engine._free(at);
+    }
     if (answer.fault) throw new NinebitError(answer.fault);
     const start = engine._ninebit_bytes();
     return { answer, bytes: engine.HEAPU8.slice(start, start + (answer.bytes ?? 0)) };
@@ -75,6 +79,7 @@ export class Ninebit {
   }
 
   put(name, { width, height, data } = {}) {
+    if (!(data?.length > 0)) throw new NinebitError({ message: `${name} has no bytes; expected some in data` });
     const kind = width === undefined ? 'file' : 'pixels';
     this.ask({ do: 'put', name, kind, ...(kind === 'pixels' ? { width, height } : {}) }, data);
   }

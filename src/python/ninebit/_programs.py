@@ -102,8 +102,8 @@ class Program(_combiner.Program):
     def evaluate_real(self, inputs=None, /, *, axis=None, registers=False, **keywords):
         """The colours of fragments in real numbers, as float64: 1.0 is full intensity.
 
-        Inputs and shapes are those of evaluate(); a code stands for code / one. Nothing is rounded between, which is what
-        an integer profile's codes are compared with; a profile in 32-bit floats rounds each operation to one. With
+        Inputs and shapes are those of evaluate(); a code stands for code / one. Nothing is rounded, so an
+        integer profile's codes can be compared with these; a profile in 32-bit floats rounds each operation to one. With
         registers=True, a dictionary has the colours as 'out', and every register after the last general combiner.
         """
         fragments = Fragments(merged(inputs, keywords), self.lowest, self.one, axis)

@@ -13,10 +13,11 @@ import subprocess
 import sys
 import sysconfig
 import tarfile
+import tempfile
 import zipfile
 
 TOP = pathlib.Path(__file__).resolve().parents[3]
-ABI = f"cp{sys.version_info.major}{sys.version_info.minor}"
+ABI = f"cp{sys.version_info.major}{sys.version_info.minor}{getattr(sys, 'abiflags', '')}"
 TAG = f"{ABI}-{ABI}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
 
 
@@ -96,8 +97,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     fields, _ = project()
     name = f"{fields['name']}-{fields['version']}-{TAG}.whl"
-    work = pathlib.Path(wheel_directory) / "ninebit-wheel"
-    info = write_metadata(work)
+    work = tempfile.TemporaryDirectory()
+    info = write_metadata(pathlib.Path(work.name))
     files = [(f"ninebit/{file.name}", file) for file in sorted(package.iterdir())
              if file.suffix in (".py", ".pyi") or file.name.endswith(suffix) or
              file.name in ("py.typed", "ninebit_pictures.so")]
@@ -108,11 +109,11 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             data = file.read_bytes()
             digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
             record += f"{at},sha256={digest},{len(data)}\n"
-            entry = zipfile.ZipInfo.from_file(file.resolve(), at)
+            entry = zipfile.ZipInfo.from_file(file.resolve(), at, strict_timestamps=False)
             entry.compress_type = zipfile.ZIP_DEFLATED
             wheel.writestr(entry, data)
         wheel.writestr(f"{info.name}/RECORD", f"{record}{info.name}/RECORD,,\n")
-    shutil.rmtree(work)
+    work.cleanup()
     return name
 
 

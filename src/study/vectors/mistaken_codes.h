@@ -4,8 +4,11 @@
 // VectorModels.WithoutMistakesIsTheReference.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 #include "ninebit/combiner/evaluate.h"
 #include "src/study/vectors/vector_mistakes.h"
@@ -47,7 +50,8 @@ class MistakenNumbers {
     const double code = has(BrokenRule::colors_cut)
                             ? static_cast<double>(std::floor(color * (static_cast<T>(d_.one) / one_)))
                             : std::floor(code_of(color) + 0.5);
-    return to_byte(profile, static_cast<s9>(code));
+    // Unclamped floats can overflow to what is not a number.
+    return code >= 0 ? to_byte(profile, static_cast<s9>(std::min(code, static_cast<double>(d_.one)))) : 0;
   }
 
   [[nodiscard]] T map(InputMapping mapping, T e) const {
@@ -108,6 +112,11 @@ class MistakenGeneral {
     c_ = &portion.c;
     d_ = &portion.d;
     second_ = &registers;
+  }
+
+  // The same for a copy of that portion.
+  void read_second_of(const Portion& copy) {
+    if (second_ != nullptr) read_second(copy, *second_);
   }
 
   T input(const CombinerInput& in, int component) const {

@@ -54,7 +54,9 @@ class MistakenStage {
     Portion products = portion;
     products.out.ab = products.out.cd = Register::discard;
     products.out.ab_dot_product = products.out.cd_dot_product = false;
-    detail::compute_portion<kName>(domain, products, steps_);
+    Domain of_copy = domain;
+    of_copy.read_second_of(products);
+    detail::compute_portion<kName>(of_copy, products, steps_);
   }
 
   const MistakenNumbers<T>& n_;

@@ -75,7 +75,8 @@ class Planner {
     std::vector<std::size_t> changed;
     for (const std::size_t p : sample_) {
       const CombinerState& state = pack_.programs[given_[p].program].state;
-      const bool is_edit = mistakes_[m].edit != nullptr;
+      // Where registers are kept, an edit also changes the programs after it.
+      const bool is_edit = mistakes_[m].edit != nullptr && !without.keeps_registers();
       if (!is_edit || model.program_of(state) != without.program_of(state)) changed.push_back(p);
     }
     Agreement agree = agreement(model, changed);
@@ -138,6 +139,7 @@ class Planner {
       best = m;
       best_count = count;
     }
+    if (best) rivals_[*best].clear();  // of an earlier round
     for (const auto& [m, count] : counts) {
       if (m != *best && count == best_count) rivals_[*best].push_back(m);
     }
@@ -176,9 +178,11 @@ class Planner {
   void tell(const std::vector<std::size_t>& accepted, VectorVerdict& verdict) {
     std::vector<std::size_t> so_far;
     Agreement before = agreement(model_of(so_far), all_);
+    verdict.unexplained = verdict.differ;
     for (const std::size_t m : accepted) {
       so_far.push_back(m);
       const Agreement after = agreement(model_of(so_far), all_);
+      if (stopped_) return;
       const Count count = compare(before, after);
       VectorVerdict::Step step{
           {mistakes_[m].name, mistakes_[m].rules, mistakes_[m].group, count.gains, 0}, count.breaks, {}, 0, 0};
@@ -193,12 +197,15 @@ class Planner {
           step.fragment = f;
         }
       }
+      if (!smallest) {  // what it explained, a later one explains, too
+        so_far.pop_back();
+        continue;
+      }
       verdict.unexplained = verdict.fragments - step.mistake.agree;
       verdict.plan.push_back(std::move(step));
       before = after;
     }
-    if (accepted.empty()) verdict.unexplained = verdict.differ;
-    if (!stopped_) name_same(accepted, before, verdict);
+    name_same(so_far, before, verdict);
   }
 
   // Mistakes that give the same in place of one of the plan.
@@ -209,9 +216,11 @@ class Planner {
         std::vector<std::size_t> other = accepted;
         other[i] = m;
         const Agreement of_sample = agreement(model_of(other), sample_);
+        if (stopped_) return;
         if (compare(all, of_sample) != Count{}) continue;
-        if (compare(all, agreement(model_of(other), all_)) == Count{})
-          verdict.plan[i].same.push_back(mistakes_[m].name);
+        const Agreement of_all = agreement(model_of(other), all_);
+        if (stopped_) return;
+        if (compare(all, of_all) == Count{}) verdict.plan[i].same.push_back(mistakes_[m].name);
       }
     }
   }

@@ -58,7 +58,7 @@ void set_host(Host* host) noexcept;
 // Breaks longer lines at spaces. Their rest is indented by 4 more than they are. A word that is too long stays whole.
 [[nodiscard]] std::string wrapped(std::string_view text, int columns);
 
-// Lines broken for who reads them on this process's terminal, their rest at column `rest` where the lines leave room
+// Breaks lines at the width of this process's terminal, their rest at column `rest` where the lines leave room
 // for it; as they are where standard output goes elsewhere and COLUMNS is not set. Examples of commands stay whole.
 [[nodiscard]] std::string wrapped_for_terminal(std::string_view text, int rest);
 

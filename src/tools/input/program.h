@@ -60,10 +60,10 @@ class InvalidInput : public std::runtime_error {
 void add_common_flags(CLI::App& verb, CommonFlags& flags);
 // --json and --quiet alone.
 void add_answer_flags(CLI::App& verb, CommonFlags& flags);
-// --threads alone.
 // One whole number in range; CLI11's own check calls 2.5 out of range.
 [[nodiscard]] CLI::Validator whole_in_range(std::int64_t least, std::int64_t greatest);
 
+// --threads alone.
 void add_threads_flag(CLI::App& verb, CommonFlags& flags);
 // --profile alone; with `list` also several names of shipped profiles, which it holds then, while flags.profile is
 // their text and names no profile.

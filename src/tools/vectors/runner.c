@@ -291,6 +291,12 @@ static int print_summary(void) {
   return differ ? 1 : 0;
 }
 
+static int wrong_usage(const char *name) {
+  fprintf(stderr, "usage: %s vectors.txt [--results FILE] [--print PROGRAM [--pgraph|--address]]\n"
+                  "PROGRAM is a number from 1 on.\n", name);
+  return 2;
+}
+
 int main(int argc, char **argv) {
   const char *file = NULL, *results_file = NULL;
   Layout layout = LAYOUT_NAMES;
@@ -300,7 +306,9 @@ int main(int argc, char **argv) {
     if (strcmp(argv[i], "--results") == 0 && i + 1 < argc) {
       results_file = argv[++i];
     } else if (strcmp(argv[i], "--print") == 0 && i + 1 < argc) {
-      printed = strtoul(argv[++i], NULL, 10);
+      char *end;
+      printed = strtoul(argv[++i], &end, 10);
+      if (printed == 0 || *end != '\0') return wrong_usage(argv[0]);
     } else if (strcmp(argv[i], "--pgraph") == 0) {
       layout = LAYOUT_PGRAPH;
     } else if (strcmp(argv[i], "--address") == 0) {
@@ -312,10 +320,7 @@ int main(int argc, char **argv) {
       break;
     }
   }
-  if (file == NULL) {
-    fprintf(stderr, "usage: %s vectors.txt [--results FILE] [--print PROGRAM [--pgraph|--address]]\n", argv[0]);
-    return 2;
-  }
+  if (file == NULL || (layout != LAYOUT_NAMES && printed == 0)) return wrong_usage(argv[0]);
   in = fopen(file, "r");
   if (in == NULL || fgets(line, sizeof line, in) == NULL || sscanf(line, "ninebit-vectors 1 %31s", id) != 1) {
     fprintf(stderr, "runner: cannot read a pack from %s\n", file);

@@ -122,7 +122,7 @@ std::string inputs_of(const VectorPack& pack, const CombinerState& state, const 
   if (read.contains(Register::spare0_plus_secondary)) read.insert({Register::spare0, Register::secondary});
   std::string text;
   for (const Register r : kVectorRegisters) {
-    if (!read.contains(r) || input[r] == Rgba9{}) continue;
+    if (!read.contains(r)) continue;
     text += fmt::format("{}{}={}", text.empty() ? "" : " ", short_name(r), fmt::join(input[r], ","));
   }
   return text;
