@@ -1,7 +1,7 @@
 /** Nothing is lost: histories of files, steps that are undone, Back, a reload, a crash of the page. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { addressOf } from '../../src/playground/web/permalink.js';
+import { addressOf, stateOfAddress } from '../../src/playground/web/permalink.js';
 import { newState } from '../../src/playground/web/state.js';
 import { picture } from './png_files.mjs';
 import { dropOn, hashOf, launch, nativeHash, openEffect, openPage, pageFile, stateOf, type, waitForHash, waitForReady } from './support.mjs';
@@ -153,29 +153,164 @@ test('a link does not take the place of what was kept', async () => {
   await page.close();
 });
 
-test('what was kept and cannot be opened gets a message', async () => {
+/** Opens the page anew with another text in the browser's storage. */
+async function reopen(page, text) {
+  await page.evaluate((kept) => {
+    const set = Storage.prototype.setItem;
+    // The page keeps its state as it is left.
+    Storage.prototype.setItem = () => {};
+    set.call(localStorage, 'ninebit-playground', kept);
+  }, text);
+  await page.goto('about:blank');
+  await page.goto(`file://${pageFile}`);
+  await waitForReady(page);
+}
+
+const message = (page) => page.$eval('#message', ({ textContent }) => textContent);
+const stored = (page, name) => page.evaluate((key) => localStorage.getItem(key), name);
+const keptNames = (page) => page.evaluate(() => new Promise((resolve) => {
+  const opened = indexedDB.open('ninebit-playground');
+  opened.onsuccess = () => {
+    const found = opened.result.transaction('files').objectStore('files').getAllKeys();
+    found.onsuccess = () => {
+      opened.result.close();
+      resolve(found.result);
+    };
+  };
+}));
+const drop = async (page, name) => {
+  const count = await page.evaluate(() => globalThis.ninebit.store.past.length);
+  await dropOn(page, [{ name, type: 'image/png', content: picture(16).toString('base64') }]);
+  await page.waitForFunction((before) => globalThis.ninebit.store.past.length > before, {}, count);
+};
+const kept = (page) => page.$eval('#kept', ({ textContent }) => textContent);
+
+test('what was kept and cannot be opened gets a message, and stays', async () => {
   for (const [text, expected] of [['{', /What was kept of your work cannot be opened/], ['{"version": 9}', /another version of this page wrote it/],
     ['{"version": 1, "state": {"effect": {"passes": [null]}, "files": {}}}', /cannot be opened: .*/]]) {
     const page = await openPage(browser);
-    await page.evaluate((kept) => {
-      addEventListener('pagehide', (event) => {
-        event.stopImmediatePropagation();
-        localStorage.setItem('ninebit-playground', kept);
-      }, { capture: true });
-      globalThis.ninebit.page.link.cancel();
-    }, text);
-    await page.evaluate((kept) => {
-      const set = Storage.prototype.setItem;
-      Storage.prototype.setItem = () => {};
-      set.call(localStorage, 'ninebit-playground', kept);
-    }, text);
-    await page.goto('about:blank');
-    await page.goto(`file://${pageFile}`);
-    await waitForReady(page);
-    assert.match(await page.$eval('#message', ({ textContent }) => textContent), expected);
+    await drop(page, 'a.png');
+    await reopen(page, text);
+    assert.match(await message(page), expected);
+    assert.match(await message(page), /stays in localStorage as ninebit-playground-unreadable/);
     assert.notEqual(await hashOf(page), '');
+    await page.evaluate(() => globalThis.ninebit.page.keep());
+    assert.equal(await stored(page, 'ninebit-playground-unreadable'), text);
+    // Nor do its files go at a later visit.
+    await page.reload();
+    await waitForReady(page);
+    assert.equal(await message(page), '');
+    assert.equal(await stored(page, 'ninebit-playground-unreadable'), text);
+    assert.deepEqual(await keptNames(page), ['dropped/a.png']);
     await page.close();
   }
+});
+
+test('a step that cannot be opened does not take the others along', async () => {
+  const { page, state } = await typed();
+  const good = { ...newState(), pass: 0 };
+  const text = JSON.stringify({ version: 1, state, past: [good, { effect: { passes: [null] }, files: {} }, null] });
+  await reopen(page, text);
+  assert.match(await message(page), /Some steps before your work cannot be opened; their text stays in localStorage as ninebit-playground-unreadable/);
+  assert.deepEqual(await stateOf(page), state);
+  assert.equal(await stored(page, 'ninebit-playground-unreadable'), text);
+  assert.equal(await page.evaluate(() => globalThis.ninebit.store.past.length), 1);
+  await page.click('#undo');
+  assert.equal(await title(page), 'Untitled');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('files are forgotten once no state names them and no other tab is open', async () => {
+  const { page, state } = await typed();
+  const text = JSON.stringify({ version: 1, state, past: [] });
+  await drop(page, 'a.png');
+  const second = await page.browserContext().newPage();
+  await second.goto(`file://${pageFile}`);
+  await waitForReady(second);
+  await reopen(second, text);
+  assert.deepEqual(await stateOf(second), state);
+  assert.deepEqual(await keptNames(second), ['dropped/a.png']);
+  await page.close();
+  await reopen(second, text);
+  assert.deepEqual(await keptNames(second), []);
+  await second.close();
+});
+
+for (const [what, spoil] of [
+  ['is refused', () => { IDBObjectStore.prototype.put = () => { throw new DOMException('full', 'QuotaExceededError'); }; }],
+  ['fails as it is committed', () => {
+    const { put } = IDBObjectStore.prototype;
+    IDBObjectStore.prototype.put = function aborted(...words) {
+      const request = put.apply(this, words);
+      request.addEventListener('success', () => this.transaction.abort());
+      return request;
+    };
+  }]]) {
+  test(`a dropped file whose keeping ${what} is reported, and stays so`, async () => {
+    const { page } = await typed();
+    await drop(page, 'a.png');
+    assert.equal(await kept(page), 'Your work is kept in this browser.');
+    await page.evaluate(spoil);
+    await drop(page, 'b.png');
+    await page.evaluate(() => globalThis.ninebit.page.keep());
+    assert.equal(await kept(page), 'Your work is kept in this browser, without a file that you dropped.');
+    await openEffect(page, 'emboss');
+    assert.equal(await kept(page), 'Your work is kept in this browser, without a file that you dropped.');
+    assert.deepEqual(await keptNames(page), ['dropped/a.png']);
+    await page.close();
+  });
+}
+
+test('a browser that has room for the state alone says so', async () => {
+  const { page } = await typed();
+  await page.evaluate(() => {
+    const { setItem } = Storage.prototype;
+    Storage.prototype.setItem = function full(name, text) {
+      if (JSON.parse(text).past.length) throw new DOMException('full', 'QuotaExceededError');
+      setItem.call(this, name, text);
+    };
+  });
+  await openEffect(page, 'emboss');
+  assert.equal(await kept(page), 'Your work is kept in this browser, without the steps before it.');
+  assert.equal(JSON.parse(await stored(page, 'ninebit-playground')).state.effect.title, 'Emboss');
+  await page.close();
+});
+
+test('an address that the browser refuses once is written the next time', async () => {
+  const { page } = await typed();
+  await page.evaluate(() => globalThis.ninebit.page.keep());
+  await page.evaluate(() => {
+    history.replaceState = () => {
+      throw new DOMException('too often', 'SecurityError');
+    };
+  });
+  await page.click('#copy-link');
+  await page.waitForFunction(() => document.getElementById('message').textContent === 'The link cannot be written: too often.');
+  assert.equal(await page.$eval('#copy-link', ({ textContent }) => textContent), 'Copy link');
+  await page.evaluate(() => {
+    delete history.replaceState;
+    globalThis.ninebit.store.change('other', (state) => { state.other = 'geforce3'; });
+  });
+  await page.evaluate(() => globalThis.ninebit.page.keep());
+  assert.equal((await stateOfAddress(await page.evaluate(() => location.hash))).other, 'geforce3');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('Ctrl-Z in a text field is its own', async () => {
+  const { page } = await typed();
+  await openEffect(page, 'emboss');
+  const fields = ['text', 'number', 'range'];
+  await page.evaluate((types) => {
+    for (const type of types) document.body.append(Object.assign(document.createElement('input'), { type, id: `field-${type}` }));
+  }, fields);
+  for (const field of fields) {
+    await page.focus(`#field-${field}`);
+    await press(page, 'Control', 'z');
+    assert.equal(await page.evaluate(() => globalThis.ninebit.store.past.length), field === 'range' ? 0 : 1, field);
+  }
+  await page.close();
 });
 
 test('a browser that keeps nothing says so, and works', async () => {
@@ -184,7 +319,7 @@ test('a browser that keeps nothing says so, and works', async () => {
   await type(page, mine);
   await page.waitForFunction(() => document.getElementById('kept').textContent.includes('does not keep your work'));
   await openEffect(page, 'emboss');
-  await waitForTitle(page, await title(page));
+  await waitForTitle(page, 'Emboss');
   assert.deepEqual(page.complaints, []);
   await page.close();
 });

@@ -7,8 +7,10 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { cameraOf, orbitOf } from '../../src/playground/web/camera.js';
 import { commandsOf } from '../../src/playground/web/command_line.js';
+import { Engine } from '../../src/playground/web/engine_client.js';
 import { addressOf, stateOfAddress } from '../../src/playground/web/permalink.js';
 import { keywords } from '../../src/playground/web/schema.js';
+import { Shelf } from '../../src/playground/web/shelf.js';
 import { checkedEffect, checkedState, newState } from '../../src/playground/web/state.js';
 import { root } from './support.mjs';
 
@@ -105,4 +107,38 @@ test('the script writes no file outside its folder, and the programs stay with t
   } finally {
     rmSync(top, { recursive: true, force: true });
   }
+});
+
+/** A worker that answers everything but one kind of request. */
+class SlowWorker {
+  postMessage({ id, request }) {
+    if (request?.do !== 'hang') setTimeout(() => this.onmessage?.({ data: { id, answer: {} } }));
+  }
+
+  terminate() {
+    this.onmessage = null;
+  }
+}
+
+test('what waits to be put into an engine that is stopped is put into the next one', async () => {
+  globalThis.Worker = SlowWorker;
+  const engine = new Engine([], () => {}, () => {});
+  const hanging = assert.rejects(engine.ask({ do: 'hang' }), /stopped/);
+  const put = engine.put({ name: 'a' }, new Uint8Array(1));
+  // The engine starts first.
+  await new Promise((resolve) => { setTimeout(resolve, 20); });
+  engine.restart('stopped');
+  await hanging;
+  let timer;
+  const late = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error('it was never put')), 2000); });
+  await Promise.race([put, late]);
+  clearTimeout(timer);
+});
+
+test('a file of the page that could not be put is put again', async () => {
+  let broken = true;
+  const shelf = new Shelf({ put: () => (broken ? Promise.reject(new Error('stopped')) : Promise.resolve()) }, { 'a.obj': '' });
+  await assert.rejects(shelf.load('a.obj'), /stopped/);
+  broken = false;
+  await shelf.load('a.obj');
 });

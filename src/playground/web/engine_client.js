@@ -135,7 +135,6 @@ export class Engine {
       return;
     }
     if (broken?.request?.do === 'put') this.kept.delete(broken.request.name);
-    this.waiting = this.waiting.filter((entry) => entry.request?.do !== 'put' || !this.kept.has(entry.request.name));
     this.start();
   }
 }

@@ -59,6 +59,7 @@ async function firstStore() {
   };
   const linked = await tried('This link', () => stateOfAddress(location.hash));
   const kept = await tried('What was kept of your work', keptState);
+  if (kept?.doubt) faults.push(kept.doubt);
   if (faults.length) say(faults.join('\n'));
   const past = kept?.past ?? [];
   // A link does not take the place of one's work.
@@ -72,6 +73,9 @@ async function restoreFiles(store, shelf) {
   const files = await keptFiles((name) => named.includes(JSON.stringify(name).slice(1, -1))).catch(() => []);
   for (const [name, bytes] of files) await shelf.restore(name, bytes).catch((error) => say(`${name} cannot be opened: ${error.message}.`));
 }
+
+/** Where Ctrl-Z is the browser's or the editor's, or nothing's. */
+const ownUndo = '.cm-editor, dialog, input:not([type=range]):not([type=color]), textarea';
 
 /** Everything that shows the state. */
 class Page {
@@ -107,11 +111,16 @@ class Page {
     this.soon = nextFrame(() => this.draw());
     this.later = afterPause(150, () => this.updatePanels());
     this.link = afterPause(400, () => this.keep());
-    /** The last writing of the address: each waits for the one before. */
+    /** The last writing of the address: each waits for the one before, which may have failed. */
     this.writing = Promise.resolve();
     store.listen((what) => this.changed(what));
     store.onstep = (before, navigated) => this.stepped(before, navigated);
-    this.shelf.onlost = () => this.showKept(false);
+    /** Whether the browser did not keep a dropped file. */
+    this.fileLost = false;
+    this.shelf.onlost = () => {
+      this.fileLost = true;
+      this.keepWork();
+    };
   }
 
   panelShown(name) {
@@ -211,7 +220,7 @@ class Page {
   /** Writes a state into the address, or into one behind it. @param {'replaceState'|'pushState'} [how] */
   writeAddress(state = this.store.state, how = 'replaceState') {
     const written = copied(state);
-    this.writing = this.writing.then(async () => history[how](null, '', await addressOf(written)));
+    this.writing = this.writing.catch(() => {}).then(async () => history[how](null, '', await addressOf(written)));
     return this.writing;
   }
 
@@ -222,17 +231,21 @@ class Page {
       this.writeAddress(before);
       this.writeAddress(this.store.state, 'pushState');
     }
-    this.showKept(keep(this.store));
+    this.keepWork();
     this.showSteps();
   }
 
   keep() {
-    this.showKept(keep(this.store));
+    this.keepWork();
     return this.writeAddress();
   }
 
-  showKept(kept) {
-    byId('kept').textContent = kept ? 'Your work is kept in this browser.' : 'This browser does not keep your work: copy the link.';
+  /** Keeps the work, and says how much of it is kept. */
+  keepWork() {
+    const kept = keep(this.store);
+    const lost = [...kept === 'state' ? ['the steps before it'] : [], ...this.fileLost ? ['a file that you dropped'] : []];
+    byId('kept').textContent = kept === 'nothing' ? 'This browser does not keep your work: copy the link.'
+      : `Your work is kept in this browser${lost.length ? `, without ${lost.join(' and without ')}` : ''}.`;
   }
 
   showSteps() {
@@ -241,7 +254,12 @@ class Page {
   }
 
   async copyLink() {
-    await this.writeAddress();
+    try {
+      await this.writeAddress();
+    } catch (error) {
+      say(`The link cannot be written: ${error.message}.`);
+      return;
+    }
     const { length } = location.href;
     const dropped = [...this.shelf.dropped.keys()].some((name) => JSON.stringify(this.store.state.effect).includes(JSON.stringify(name).slice(1, -1)));
     try {
@@ -271,7 +289,7 @@ class Page {
     byId('undo').addEventListener('click', () => undo('undo'));
     byId('redo').addEventListener('click', () => undo('redo'));
     document.addEventListener('keydown', (event) => {
-      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || event.target.closest?.('.cm-editor, dialog')) return;
+      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || event.target.closest?.(ownUndo)) return;
       event.preventDefault();
       undo(event.shiftKey ? 'redo' : 'undo');
     });

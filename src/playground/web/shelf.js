@@ -59,7 +59,12 @@ export class Shelf {
   /** Puts a file of the page into the engine, once. @param {string} name */
   load(name) {
     if (!(name in this.embedded)) return Promise.resolve();
-    if (!this.loading.has(name)) this.loading.set(name, this.put(name, new Blob([bytesOf(this.embedded[name])])));
+    if (!this.loading.has(name)) {
+      const loading = this.put(name, new Blob([bytesOf(this.embedded[name])]));
+      this.loading.set(name, loading);
+      // The next drawing tries again.
+      loading.catch(() => this.loading.delete(name));
+    }
     return this.loading.get(name);
   }
 
