@@ -189,8 +189,8 @@ TEST(PlaygroundEvaluate, IsTheReferenceTexelByTexel) {
 
 TEST(PlaygroundEvaluate, RefusesWhatIsNoPicture) {
   Engine engine;
-  (void)engine.buffer(12);
   const auto fault = [&](const PageJson& pictures) {
+    (void)engine.buffer(12);
     return fault_of_answer(ask(engine, {{"do", "evaluate"}, {"text", kTexelTimesColor}, {"pictures", pictures}}));
   };
   EXPECT_EQ(fault({"tex0"}), "");
