@@ -53,7 +53,7 @@ struct Unit {
   std::uint32_t end = 0;               // of a text, which begins at `offset`
   bool is_part = false;                // of a text: as far as the source shows, not a whole program
   bool is_helper = false;              // its calls depend on its parameters, and another function calls it
-  bool is_root = false;                // it calls combiners or gives their arguments, and is no helper
+  bool is_root = false;                // it calls combiners or gives their arguments, and is not a helper
 };
 using UnitKind = Unit::Kind;
 

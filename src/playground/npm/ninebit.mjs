@@ -93,3 +93,6 @@ export class Ninebit {
     return this.ask({ do: 'pixel', x, y }).answer;
   }
 }
+
+/** Loads the engine that `createNinebit` makes. */
+export const loader = (createNinebit) => async () => new Ninebit(await createNinebit({ print() {}, printErr() {} }));

@@ -1,8 +1,5 @@
 import createNinebit from './engine.cjs';
-import { Ninebit, NinebitError } from './ninebit.mjs';
+import { loader } from './ninebit.mjs';
 
-export { Ninebit, NinebitError };
-
-export async function load() {
-  return new Ninebit(await createNinebit({ print() {}, printErr() {} }));
-}
+export { Ninebit, NinebitError } from './ninebit.mjs';
+export const load = loader(createNinebit);
