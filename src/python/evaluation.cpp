@@ -224,8 +224,8 @@ void evaluate_real(const RunnableProgram& program, const py::dict& planes, std::
                    py::array_t<double>& color, std::vector<py::array_t<double>>& after) {
   const Inputs inputs = inputs_of(program, planes, count);
   const FragmentArrays& samples = inputs.samples;
-  const Arithmetic own = program.program.datapath.arithmetic;
-  const Arithmetic arithmetic = own == Arithmetic::integer ? Arithmetic::exact : own;
+  const Arithmetic computed = program.program.datapath.arithmetic;
+  const Arithmetic arithmetic = computed == Arithmetic::integer ? Arithmetic::exact : computed;
   auto colors = color.mutable_unchecked<2>();
   std::vector<py::detail::unchecked_mutable_reference<double, 2>> registers;
   for (py::array_t<double>& array : after) registers.push_back(array.mutable_unchecked<2>());
@@ -237,7 +237,9 @@ void evaluate_real(const RunnableProgram& program, const py::dict& planes, std::
           if (samples.input[r][c].first != nullptr) file.value[r][c] = static_cast<s9>(code_at(samples.input[r][c], i));
         }
       }
-      const RealEvaluation found = ninebit::evaluate_real(with_constants(program.program, inputs, i), file, arithmetic);
+      std::optional<Program> own;
+      if (inputs.any_constants) own = with_constants(program.program, inputs, i);
+      const RealEvaluation found = ninebit::evaluate_real(own ? *own : program.program, file, arithmetic);
       const auto column = static_cast<py::ssize_t>(i);
       for (std::size_t c = 0; c < 4; ++c) {
         const auto row = static_cast<py::ssize_t>(c);
