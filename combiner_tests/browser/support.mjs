@@ -35,6 +35,9 @@ export const firefox = (executablePath) => puppeteer.launch({ browser: 'firefox'
 export async function openPage(browser, { hash = '', width = 1280, height = 900, hashes = true } = {}) {
   // A context of its own, as pages of one browser share what it keeps.
   const page = await (await browser.createBrowserContext()).newPage();
+  // By time: by frames, a page for which Chromium makes none would wait for ever.
+  const waits = page.waitForFunction.bind(page);
+  page.waitForFunction = (done, options, ...values) => waits(done, { polling: 20, ...options }, ...values);
   page.complaints = [];
   const complain = (text) => page.complaints.push(text);
   page.on('console', (message) => { if (['error', 'warn'].includes(message.type())) complain(`console: ${message.text()}`); });

@@ -1,6 +1,5 @@
 #include "src/language/source/nearest_name.h"
 
-#include <utility>
 #include <vector>
 
 namespace ninebit {
@@ -12,8 +11,9 @@ char lower(char c) {
 
 }  // namespace
 
-// One row of the table per letter of `a`; a swap reads the row before the last.
-std::size_t name_changes(std::string_view a, std::string_view b) {
+// One row of the table per letter of `a`; a swap reads the row before the last. Rows never fall below the smaller of the
+// two before them.
+std::size_t name_changes(std::string_view a, std::string_view b, std::size_t most) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -24,8 +24,10 @@ std::size_t name_changes(std::string_view a, std::string_view b) {
       const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
       if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
     }
-    before = std::move(last);
-    last = row;
+    const bool too_many = std::min(*std::min_element(last.begin(), last.end()), *std::min_element(row.begin(), row.end())) > most;
+    if (too_many) return most + 1;
+    before.swap(last);
+    last.swap(row);
   }
   return last[b.size()];
 }

@@ -13,8 +13,8 @@
 namespace NINEBIT_PUBLIC ninebit {
 
 // How many letters must be inserted, removed, replaced or swapped with the next one to make `wrong` of `name`; case is
-// ignored.
-[[nodiscard]] std::size_t name_changes(std::string_view wrong, std::string_view name);
+// ignored. A number above `most` where it is more than that.
+[[nodiscard]] std::size_t name_changes(std::string_view wrong, std::string_view name, std::size_t most);
 
 // The name with the fewest changes from `wrong`; the first of several. Empty if the name needs more than three changes,
 // or more than a third of the length of the longer word. `names` is a range of strings.
@@ -27,7 +27,7 @@ template <class Names>
   for (const std::string_view name : names) {
     const std::size_t longer = std::max(wrong.size(), name.size());
     if (longer - std::min(wrong.size(), name.size()) > kMost) continue;
-    const std::size_t count = name_changes(wrong, name);
+    const std::size_t count = name_changes(wrong, name, fewest - 1);
     if (count >= fewest || 3 * count > longer) continue;
     fewest = count;
     nearest = name;

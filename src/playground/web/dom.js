@@ -81,20 +81,23 @@ export function afterPause(milliseconds, run) {
 }
 
 /**
- * A function that runs once before the next frame, however often it is called; in a tab that is hidden, soon.
+ * A function that runs once before the next frame, however often it is called; where the browser makes no frames, as in
+ * a tab that is hidden or a window that is covered, soon.
  * @param {() => void} run
  */
 export function nextFrame(run) {
-  let waiting = false;
+  let waiting = false, timer = 0;
   const now = () => {
+    if (!waiting) return;
+    clearTimeout(timer);
     waiting = false;
     run();
   };
   return () => {
     if (waiting) return;
     waiting = true;
-    if (document.hidden) setTimeout(now, 0);
-    else requestAnimationFrame(now);
+    timer = setTimeout(now, document.hidden ? 0 : 100);
+    requestAnimationFrame(now);
   };
 }
 
