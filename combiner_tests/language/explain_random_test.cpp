@@ -7,6 +7,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/explain_reader.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/explain.h"
 
 namespace ninebit::test {
@@ -104,7 +105,7 @@ void check_unused(const Program& program, const Explanation& e, const RegisterFi
 
 TEST(Explain, RandomProgramsDoWhatTheirEquationsSay) {
   constexpr std::uint64_t kSeed = 20'001'017;
-  constexpr std::uint64_t kPrograms = 4000;
+  constexpr std::uint64_t kPrograms = cases_here<std::uint64_t>(4000);
   Checked checked;
   for (std::uint64_t index = 0; index < kPrograms; ++index) {
     SCOPED_TRACE("program " + std::to_string(index));
@@ -119,9 +120,9 @@ TEST(Explain, RandomProgramsDoWhatTheirEquationsSay) {
       if (testing::Test::HasFatalFailure()) return;
     }
   }
-  EXPECT_GT(checked.equations, 50'000);
-  EXPECT_GT(checked.clamped, 5'000);
-  EXPECT_GT(checked.removed, 10'000);
+  EXPECT_GT(checked.equations, cases_here(50'000));
+  EXPECT_GT(checked.clamped, cases_here(5'000));
+  EXPECT_GT(checked.removed, cases_here(10'000));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,45 @@ TEST(NearestName, TheNearestAndOfSeveralTheFirst) {
 TEST(NearestName, TextsAsLongAsAPageAreNotNames) {
   EXPECT_EQ(nearest(std::string(64, 'a'), {std::string(64, 'a')}), std::string(64, 'a'));
   EXPECT_EQ(nearest(std::string(65, 'a'), {std::string(64, 'a')}), "");
+}
+
+// The whole table, by the definition.
+std::size_t changes(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        least[i][j] = i + j;
+        continue;
+      }
+      least[i][j] = std::min({least[i - 1][j] + 1, least[i][j - 1] + 1, least[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        least[i][j] = std::min(least[i][j], least[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return least[a.size()][b.size()];
+}
+
+TEST(NameChanges, AreThoseOfTheDefinitionUpToABound) {
+  std::mt19937 random(3);
+  std::vector<int> met(5);
+  for (int round = 0; round < 20'000; ++round) {
+    const auto word = [&] {
+      std::string letters;
+      for (std::size_t n = random() % 9; n > 0; --n) letters += static_cast<char>('a' + random() % 3);
+      return letters;
+    };
+    const std::string a = word(), b = word();
+    const std::size_t most = random() % 4, right = changes(a, b), found = name_changes(a, b, most);
+    if (right <= most) {
+      ASSERT_EQ(found, right) << a << ' ' << b << ' ' << most;
+    } else {
+      ASSERT_GT(found, most) << a << ' ' << b;
+    }
+    ++met[std::min<std::size_t>(right, 4)];
+  }
+  for (const int count : met) EXPECT_GT(count, 100);
 }
 
 }  // namespace

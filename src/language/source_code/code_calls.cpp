@@ -218,7 +218,8 @@ std::vector<WholeState> Machine::programs() const {
 
 // A call that is one letter away from one of the combiners'.
 void Machine::look_for_misspelling(std::string_view name, const Expression& e) {
-  const std::string meant = name.find("ombin") == std::string_view::npos ? "" : detail::meant_call(name);
+  if (name.find("ombin") == std::string_view::npos || !spelled_.insert(e.offset).second) return;
+  const std::string meant = detail::meant_call(name);
   if (!meant.empty()) report(e.offset, quoted(name) + " is not a call of the register combiners" + meant);
 }
 
@@ -373,6 +374,7 @@ bool Machine::argument(const Expression& e, char kind, detail::GlArgument& out) 
   if (value.is_known()) {
     faults_.add(e.offset, quoted(out.text) + " cannot be passed here; expected a number or an enumerant");
   } else if (e.kind == ExpressionKind::name && e.text.starts_with("GL_") && value.name == e.text) {
+    if (reported_.count(e.offset) != 0) return false;
     report(e.offset,
            quoted(e.text) + " is not an enumerant of the register combiners" + detail::meant_enumerant(e.text));
   } else {
