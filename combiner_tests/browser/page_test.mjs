@@ -53,6 +53,48 @@ test('every control has a name, and Tab leaves the editor', async () => {
   assert.equal(await page.$eval('#tab-trace', (tab) => tab.getAttribute('aria-selected')), 'true');
 });
 
+// 3 to 1, as WCAG 2.1 asks of what marks a control (success criterion 1.4.11).
+test('the borders of controls stand out in light and dark', async () => {
+  for (const scheme of ['light', 'dark']) {
+    const page = await openPage(browser);
+    await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+    const faint = await page.evaluate(() => {
+      const codes = (color) => color.match(/[\d.]+/g).map(Number);
+      const luminance = (color) => codes(color).slice(0, 3).map((code) => code / 255)
+        .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4))
+        .reduce((sum, part, at) => sum + part * [0.2126, 0.7152, 0.0722][at], 0);
+      const behind = (node) => {
+        const color = getComputedStyle(node).backgroundColor;
+        return codes(color)[3] === 0 ? behind(node.parentElement) : color;
+      };
+      const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+      return [...document.querySelectorAll('button, select, input:not([type=range], [type=checkbox])')]
+        .filter((control) => control.checkVisibility() && parseFloat(getComputedStyle(control).borderTopWidth) > 0)
+        .map((control) => ({ name: control.outerHTML.slice(0, 80),
+          times: contrast(luminance(getComputedStyle(control).borderTopColor), luminance(behind(control.parentElement))) }))
+        .filter(({ times }) => times < 3);
+    });
+    assert.deepEqual(faint, [], scheme);
+    await page.close();
+  }
+});
+
+test('the help of a field of a profile is text, and describes its control', async () => {
+  const page = await openPage(browser);
+  await page.click('#tab-profiles');
+  await page.waitForFunction(() => document.querySelector('[data-field]'));
+  const helps = await page.$$eval('[data-field]', (fields) => fields.map((field) => {
+    const input = field.querySelector('select, input');
+    return [field.dataset.field, input.getAttribute('aria-label'), document.getElementById(input.getAttribute('aria-describedby'))?.textContent];
+  }));
+  assert.ok(helps.length > 40);
+  for (const [field, name, help] of helps) {
+    assert.equal(name, field);
+    assert.match(help, /\w+ \w+/, field);
+  }
+  await page.close();
+});
+
 test('completion and help offer the words of the language', async () => {
   const page = await openPage(browser);
   await page.waitForFunction(() => globalThis.ninebit.page.words > 100);

@@ -105,7 +105,7 @@ TEST_F(Memory, OfAnEvaluatedTable) {
     put_older_file("table.csv");
     expect_result_or_error({"eval", long_program(), "--inputs", table, "--registers", "--engine", engine, "--quiet",
                             "-o", out_ + "/table.csv"},
-                           kMebibyte / 2);
+                           2 * kMebibyte);
   }
 }
 
@@ -114,7 +114,7 @@ TEST_F(Memory, OfAConversion) {
   for (const char* form : {"gl", "rc10", "words", "words-json", "json", "glsl", "c"}) {
     SCOPED_TRACE(form);
     put_older_file("program");
-    expect_result_or_error({"convert", program, "--to", form, "--quiet", "-o", out_ + "/program"}, kMebibyte);
+    expect_result_or_error({"convert", program, "--to", form, "--quiet", "-o", out_ + "/program"}, 4 * kMebibyte);
   }
 }
 

@@ -103,10 +103,15 @@ export class ProfilesPanel {
     else if (typeof value === 'boolean') control = choice(name, ['true', 'false'], String(value), (text) => write(text === 'true'));
     else control = slider(name, Number(value), range, write, (dragged) => this.hold(dragged));
     control.dataset.field = name;
-    control.title = help ?? '';
     if (base && base.value !== value) control.classList.add('changed');
     if (read === false || (range && range[0] === range[1])) control.querySelector('select, input').disabled = true;
     control.append(element('small', { class: 'quiet' }, evidence));
+    if (help) {
+      const input = control.querySelector('select, input');
+      input.setAttribute('aria-label', name);
+      input.setAttribute('aria-describedby', `help-${name}`);
+      control.append(element('small', { class: 'help quiet', id: `help-${name}` }, help));
+    }
     return control;
   }
 
