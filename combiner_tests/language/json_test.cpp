@@ -163,7 +163,7 @@ const JsonFault kFaults[] = {
     {with("\"colour\": 1"), 2, 1, "unknown key \"colour\"; the keys here are ninebit, version"},
     {with("\"color_sum_clamp\": true,\n\"color_sum_clamp\": true"), 3, 1, "given before, in line 2"},
     {with("\"final_combiner\": {\"h\": {}}"), 2, 20, "unknown key \"h\"; the keys here are a, b, c"},
-    {with("\"\\u0000\\n\": 1"), 2, 1, "unknown key \"\\x00\\x0a\""},
+    {with("\"\\u0000\\n\": 1"), 2, 1, "unknown key \"\\x00\\n\""},
     // Types and ranges.
     {with("\"num_general_combiners\": 1.5"), 2, 26, "whole number from 1 to 8"},
     {with("\"num_general_combiners\": 0"), 2, 26, "whole number from 1 to 8"},

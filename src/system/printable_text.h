@@ -85,11 +85,8 @@ struct EscapedByte {
     if (text.size() - rest.size() + size > longest) break;
     const bool plain = c.size != 0 && !must_not_reach_a_terminal(c.code);
     for (const char byte : rest.substr(0, size)) {
-      const auto code = static_cast<unsigned char>(byte);
-      if (plain)
-        out += byte;
-      else
-        out += {'\\', 'x', "0123456789abcdef"[code >> 4], "0123456789abcdef"[code & 15]};
+      const EscapedByte instead = escaped(byte);
+      out.append(plain ? &byte : instead.text, plain ? 1 : instead.size);
     }
     rest.remove_prefix(size);
   }
