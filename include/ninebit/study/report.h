@@ -102,6 +102,7 @@ struct ReportTable {
 // A study's report for people: answers first, then the data behind them.
 struct StudyReport {
   std::string title;                 // "Index steps"
+  std::vector<StudyRow> rows{};      // of further tables, which the units' rows lead to; written behind these
   std::vector<std::string> answers;  // sentences that answer the study's question
   // The page's opening sentences instead of `answers`, and the tables under them: for answers with many figures.
   std::vector<std::string> headlines{};
