@@ -74,6 +74,9 @@ async function restoreFiles(store, shelf) {
   for (const [name, bytes] of files) await shelf.restore(name, bytes).catch((error) => say(`${name} cannot be opened: ${error.message}.`));
 }
 
+/** Where nobody waits: an address that a browser refuses, as it does after many, is written after the next change. */
+const unwritten = () => {};
+
 /** Where Ctrl-Z is the browser's or the editor's, or nothing's. */
 const ownUndo = '.cm-editor, dialog, input:not([type=range]):not([type=color]), textarea';
 
@@ -110,7 +113,7 @@ class Page {
     /** The picture follows each change; panels and the trace follow a pause. */
     this.soon = nextFrame(() => this.draw());
     this.later = afterPause(150, () => this.updatePanels());
-    this.link = afterPause(400, () => this.keep());
+    this.link = afterPause(400, () => { this.keep().catch(unwritten); });
     /** The last writing of the address: each waits for the one before, which may have failed. */
     this.writing = Promise.resolve();
     store.listen((what) => this.changed(what));
@@ -228,8 +231,8 @@ class Page {
   stepped(before, navigated) {
     this.link.cancel();
     if (!navigated) {
-      this.writeAddress(before);
-      this.writeAddress(this.store.state, 'pushState');
+      this.writeAddress(before).catch(unwritten);
+      this.writeAddress(this.store.state, 'pushState').catch(unwritten);
     }
     this.keepWork();
     this.showSteps();
