@@ -107,13 +107,13 @@ ExampleReport example() {
       .bars = true,
       .series = {{"rgb", {{1, 0.25}, {2, 0.75}, {3, 1.5}}}, {"<img src=x onerror=alert(1)>", {{1, -0.5}, {3, 1.0}}}}};
   made.report = {.title = "Index steps <example>",
-                 .rows = {{"worst", {{"operation", std::string("of the report")}, {"error", 0.25}}}},
                  .answers = {"geforce2: step 2 is the smallest that loses no pair; it leaves 128 codes a channel.",
                              "geforce256-8bit: step 4; step 3 loses 86 of 7,140 pairs (1.2 %)."},
                  .tables = {table},
                  .plots = {lines, bars},
                  .heat_maps = {errors_of_products(), counts_by_step()},
-                 .pictures = {picture()}};
+                 .pictures = {picture()},
+                 .rows = {{"worst", {{"operation", std::string("of the report")}, {"error", 0.25}}}}};
   return made;
 }
 

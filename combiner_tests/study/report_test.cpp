@@ -99,7 +99,8 @@ TEST(Report, CsvIsThatOfRfc4180) {
   const std::vector<StudyRow> rows{{"rows", {{"name", std::string("plain")}, {"n", std::int64_t{-1}}}},
                                    {"other", {{"a,b", 0.1}}},
                                    {"rows", {{"name", std::string("a \"b\", c\r\nd")}, {"n", StudyValue{}}}}};
-  const StudyReport report{.rows = {{"other", {{"a,b", 0.2}}}}};
+  StudyReport report;
+  report.rows = {{"other", {{"a,b", 0.2}}}};
   const auto tables = report_csv(report, rows);
   ASSERT_EQ(tables.size(), 2U);
   EXPECT_EQ(tables[0].first, "rows");

@@ -102,7 +102,6 @@ struct ReportTable {
 // A study's report for people: answers first, then the data behind them.
 struct StudyReport {
   std::string title;                 // "Index steps"
-  std::vector<StudyRow> rows{};      // of further tables, which the units' rows lead to; written behind these
   std::vector<std::string> answers;  // sentences that answer the study's question
   // The page's opening sentences instead of `answers`, and the tables under them: for answers with many figures.
   std::vector<std::string> headlines{};
@@ -112,6 +111,7 @@ struct StudyReport {
   std::vector<HeatMap> heat_maps{};       // in the order shown
   std::vector<ReportPicture> pictures{};  // in the order shown
   std::vector<ReportFile> files{};        // written as they are; the page does not show them
+  std::vector<StudyRow> rows{};           // of further tables; in JSON and CSV behind the units' rows
 };
 
 }  // namespace ninebit

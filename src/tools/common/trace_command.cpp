@@ -37,7 +37,7 @@ std::vector<WrongPixelTrace> worst_traces(const SceneFlags& scene, const RenderS
   return ninebit::worst_traces(truth, settings.width, settings.height, start);
 }
 
-Json json_of(const std::vector<WrongPixelTrace>& worst) {
+Json worst_json(const std::vector<WrongPixelTrace>& worst) {
   Json out = Json::array();
   for (const WrongPixelTrace& one : worst) {
     Json object = Json::object();
@@ -47,7 +47,7 @@ Json json_of(const std::vector<WrongPixelTrace>& worst) {
   return out;
 }
 
-std::string text_of(const std::vector<WrongPixelTrace>& worst) {
+std::string worst_text(const std::vector<WrongPixelTrace>& worst) {
   std::string text;
   for (const WrongPixelTrace& one : first_of_causes(worst)) {
     text += fmt::format("  {}: {}\n", name_of(one.pixel.cause), printable(one.command));

@@ -22,9 +22,9 @@ namespace ninebit::tools {
                                                         const GroundTruth& truth);
 
 // [{cause, x, y, radius, command}]
-[[nodiscard]] Json json_of(const std::vector<WrongPixelTrace>& worst);
+[[nodiscard]] Json worst_json(const std::vector<WrongPixelTrace>& worst);
 
 // A line for the worst pixel of each cause; empty if none is wrong.
-[[nodiscard]] std::string text_of(const std::vector<WrongPixelTrace>& worst);
+[[nodiscard]] std::string worst_text(const std::vector<WrongPixelTrace>& worst);
 
 }  // namespace ninebit::tools
