@@ -58,8 +58,8 @@ std::string written(const StudyPart& part) {
 }
 
 std::string wrong_with_rows(const std::vector<StudyRow>& rows, const StudyQuestion& question) {
-  if (report_json(question, "1", rows).empty()) return "the rows are not JSON";
-  for (const auto& [table, text] : report_csv(rows)) {
+  if (report_json(question, "1", {}, rows).empty()) return "the rows are not JSON";
+  for (const auto& [table, text] : report_csv({}, rows)) {
     if (text.empty()) return "table '" + table + "' is not CSV";
   }
   return "";

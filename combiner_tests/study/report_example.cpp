@@ -112,7 +112,8 @@ ExampleReport example() {
                  .tables = {table},
                  .plots = {lines, bars},
                  .heat_maps = {errors_of_products(), counts_by_step()},
-                 .pictures = {picture()}};
+                 .pictures = {picture()},
+                 .rows = {{"worst", {{"operation", std::string("of the report")}, {"error", 0.25}}}}};
   return made;
 }
 

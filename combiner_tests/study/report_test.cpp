@@ -68,7 +68,7 @@ TEST(StudyRow, RealsComeBackTheSame) {
 
 TEST(Report, JsonHoldsEveryRowExactly) {
   const ExampleReport made = example();
-  const auto json = nlohmann::json::parse(report_json(made.question, "1.2.3", made.rows));
+  const auto json = nlohmann::json::parse(report_json(made.question, "1.2.3", made.report, made.rows));
   EXPECT_EQ(json["command"], "study index-steps");
   EXPECT_EQ(json["version"], "1.2.3");
   EXPECT_EQ(json["profile"], "all");
@@ -82,15 +82,16 @@ TEST(Report, JsonHoldsEveryRowExactly) {
   }
   EXPECT_EQ(json["rows"][0]["note"], "a \"quote\", a comma\nand </script>");
   EXPECT_TRUE(json["rows"][1]["note"].is_null());
-  ASSERT_EQ(json["worst"].size(), 1U);
+  ASSERT_EQ(json["worst"].size(), 2U);
   EXPECT_EQ(json["worst"][0]["error"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(json["worst"][1]["operation"], "of the report");  // its rows come behind
   // No row: still an object with rows.
-  EXPECT_EQ(nlohmann::json::parse(report_json(made.question, "1", {}))["rows"].size(), 0U);
+  EXPECT_EQ(nlohmann::json::parse(report_json(made.question, "1", {}, {}))["rows"].size(), 0U);
 }
 
 TEST(Report, JsonTakesNamesThatAreNoUtf8) {
   const std::vector<StudyRow> rows{{"rows", {{"file", std::string("\xff\xfe.gl")}}}};
-  const auto json = nlohmann::json::parse(report_json(example().question, "1", rows));
+  const auto json = nlohmann::json::parse(report_json(example().question, "1", {}, rows));
   EXPECT_EQ(json["rows"][0]["file"], "\uFFFD\uFFFD.gl");
 }
 
@@ -98,12 +99,14 @@ TEST(Report, CsvIsThatOfRfc4180) {
   const std::vector<StudyRow> rows{{"rows", {{"name", std::string("plain")}, {"n", std::int64_t{-1}}}},
                                    {"other", {{"a,b", 0.1}}},
                                    {"rows", {{"name", std::string("a \"b\", c\r\nd")}, {"n", StudyValue{}}}}};
-  const auto tables = report_csv(rows);
+  StudyReport report;
+  report.rows = {{"other", {{"a,b", 0.2}}}};
+  const auto tables = report_csv(report, rows);
   ASSERT_EQ(tables.size(), 2U);
   EXPECT_EQ(tables[0].first, "rows");
   EXPECT_EQ(tables[0].second, "name,n\r\nplain,-1\r\n\"a \"\"b\"\", c\r\nd\",\r\n");
   EXPECT_EQ(tables[1].first, "other");
-  EXPECT_EQ(tables[1].second, "\"a,b\"\r\n0.1\r\n");
+  EXPECT_EQ(tables[1].second, "\"a,b\"\r\n0.1\r\n0.2\r\n");
 }
 
 TEST(Report, PageTellsHowItWasMade) {
@@ -114,9 +117,10 @@ TEST(Report, PageTellsHowItWasMade) {
             std::string::npos);
   EXPECT_NE(html.find("ninebit 1.2.3"), std::string::npos);
   EXPECT_NE(html.find("0123abcd"), std::string::npos);
-  for (const auto& [table, text] : report_csv(made.rows)) {
+  for (const auto& [table, text] : report_csv(made.report, made.rows)) {
     EXPECT_NE(html.find(sha256(text)), std::string::npos) << table;
   }
+  EXPECT_NE(html.find("<dt>worst.csv</dt><dd>2 rows"), std::string::npos);
   // Answers come first.
   EXPECT_LT(html.find("step 2 is the smallest"), html.find("How it was made"));
   EXPECT_LT(html.find("How it was made"), html.find("False matches by step"));
@@ -266,7 +270,7 @@ TEST(Report, FilesAreTheSameEachTime) {
     EXPECT_FALSE(bytes.empty()) << names[i];
     EXPECT_EQ(bytes, read_bytes((*second)[i])) << names[i];
   }
-  EXPECT_EQ(read_bytes(folder.path() / "1/rows.csv"), report_csv(made.rows)[0].second);
+  EXPECT_EQ(read_bytes(folder.path() / "1/rows.csv"), report_csv(made.report, made.rows)[0].second);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "1"), {}), 7);
 }
 

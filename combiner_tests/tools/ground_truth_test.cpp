@@ -105,6 +105,32 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
   }
   EXPECT_GE(found, 4U);
   EXPECT_NE(read_bytes(folder / "s/report.html").find("Wrong pixels of the worst point"), std::string::npos);
+  EXPECT_NE(read_bytes(folder / "s/worst.csv").find("point,cause,x,y,radius,command\r\n"), std::string::npos);
+}
+
+// Those of a study's best and worst point are those of a rendering with the point's settings.
+TEST(GroundTruthOfRender, AStudyNamesTheWorstPixelsOfRender) {
+  const TempFolder folder;
+  const Json study = json_of(ninebit({"study", "shadows", kRoom, "--map-sizes", "32,64,128", "--steps", "1", "--size",
+                                      "160x120", "--json", "--quiet"}));
+  std::map<int, Json> by_point;
+  for (Json one : study["worst"]) {
+    EXPECT_EQ(truth_by(one["command"])["cause"], one["cause"]) << one["command"];
+    const int point = one["point"];
+    one.erase("point");
+    one.erase("command");  // says the same in other flags
+    by_point[point].push_back(std::move(one));
+  }
+  ASSERT_EQ(by_point.size(), 2U);  // of three
+  for (const auto& [point, found] : by_point) {
+    const std::string map_size = study["rows"][static_cast<std::size_t>(point)]["map_size"].dump();
+    const std::vector<std::string> flags{"--size",       "160x120", "--map-size",     map_size,
+                                         "--index-step", "1",       "--ground-truth", "--json"};
+    Json expected = json_of(ninebit(small_render(kRoom, folder / "out", flags)))["errors"]["worst"];
+    ASSERT_FALSE(expected.empty());
+    for (Json& one : expected) one.erase("command");
+    EXPECT_EQ(found, expected) << map_size;
+  }
 }
 
 TEST(GroundTruthOfRender, CountsWhatItsLayersShow) {

@@ -162,7 +162,7 @@ std::string summary_of(const Comparison& comparison) {
       text += fmt::format("{} wrong pixels ({} falsely lit, {} falsely shadowed), {:.0f} ms\n",
                           row.errors->false_lit + row.errors->false_shadowed, row.errors->false_lit,
                           row.errors->false_shadowed, total_ms(row.times));
-      text += text_of(row.errors->worst);
+      text += worst_text(row.errors->worst);
     }
   }
   for (const LeftOut& one : comparison.compared.left_out) {

@@ -111,6 +111,7 @@ struct StudyReport {
   std::vector<HeatMap> heat_maps{};       // in the order shown
   std::vector<ReportPicture> pictures{};  // in the order shown
   std::vector<ReportFile> files{};        // written as they are; the page does not show them
+  std::vector<StudyRow> rows{};           // of further tables; in JSON and CSV behind the units' rows
 };
 
 }  // namespace ninebit

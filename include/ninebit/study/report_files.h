@@ -14,13 +14,15 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The rows as one JSON object: {"command": "study index-steps", "version": …, "profile": …, "question": "ninebit study
-// …", "rows": [{…}, …]}; rows of other tables follow "rows" under the table's name.
+// The units' rows and the report's as one JSON object: {"command": "study index-steps", "version": …, "profile": …,
+// "question": "ninebit study …", "rows": [{…}, …]}; rows of other tables follow "rows" under the table's name.
 [[nodiscard]] std::string report_json(const StudyQuestion& question, std::string_view version,
-                                      std::span<const StudyRow> rows);
+                                      const StudyReport& report, std::span<const StudyRow> rows);
 
-// The rows of each table as CSV with a header line: the table's name and its text, in the order of first appearance.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> report_csv(std::span<const StudyRow> rows);
+// The units' rows and the report's, each table as CSV with a header line: the table's name and its text, in the order
+// of first appearance.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> report_csv(const StudyReport& report,
+                                                                          std::span<const StudyRow> rows);
 
 // The report as one self-contained HTML page that opens without a network. A click on a column's heading sorts its
 // table; plots and heat maps show the value under the pointer.

@@ -33,8 +33,9 @@ using ShadowGrid = std::vector<ShadowAxis>;
 // Settings that the technique refuses (more polygons than codes) give a row with the reason and without counts. The
 // order of indices and the scales have columns only if the grid sweeps them or the settings change them.
 //
-// The report has the pictures of the best and the worst point, and for each cause a wrong pixel with the command that
-// explains it, if `question` names the scene's file.
+// The report has the pictures of the best and the worst point. If `question` names the scene's file, it also has the
+// commands that explain wrong pixels there, in rows of the table "worst":
+//   point, cause, x, y, radius, command   up to three pixels of a cause (worst_pixels); y counted from the top
 //
 // The scene has exactly one camera and one light. The settings, including the profile, are passed to Technique::render;
 // `question` names the scene, the settings and the grid. Reports an axis that does not apply to the technique, a

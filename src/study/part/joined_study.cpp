@@ -73,6 +73,7 @@ class JoinedStudy final : public Study {
       titled(part);
       part.file.insert(0, profile + '-');
     };
+    add(report.rows, all.rows, [](const StudyRow&) {});
     add(report.answers, all.answers, sentence);
     add(report.headlines, all.headlines, sentence);
     add(report.summary, all.summary, titled);

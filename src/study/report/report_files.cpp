@@ -76,8 +76,9 @@ Result<std::vector<std::filesystem::path>> write_report(const std::filesystem::p
   ReportFolder files(folder, std::move(*staged));
 
   if (Status status = files.text("report.html", *page); !status) return status.error();
-  if (Status status = files.text("rows.json", report_json(question, version, rows)); !status) return status.error();
-  for (const auto& [table, text] : report_csv(rows)) {
+  if (Status status = files.text("rows.json", report_json(question, version, report, rows)); !status)
+    return status.error();
+  for (const auto& [table, text] : report_csv(report, rows)) {
     if (Status status = files.text(table + ".csv", text); !status) return status.error();
   }
   for (const HeatMap& map : report.heat_maps) {
@@ -172,27 +173,32 @@ std::string StudyRow::text(std::string_view name) const {
   return text_of((*this)[name]);
 }
 
-std::string report_json(const StudyQuestion& question, std::string_view version, std::span<const StudyRow> rows) {
+std::string report_json(const StudyQuestion& question, std::string_view version, const StudyReport& report,
+                        std::span<const StudyRow> rows) {
   Json out{{"command", "study " + question.study},
            {"version", version},
            {"profile", question.profile},
            {"question", question.command()},
            {"rows", Json::array()}};
-  for (const StudyRow& row : rows) {
-    Json object = Json::object();
-    for (const auto& [name, value] : row.fields) object[name] = json_value(value);
-    out[row.table].push_back(std::move(object));
+  for (const std::span<const StudyRow> part : {rows, std::span(report.rows)}) {
+    for (const StudyRow& row : part) {
+      Json object = Json::object();
+      for (const auto& [name, value] : row.fields) object[name] = json_value(value);
+      out[row.table].push_back(std::move(object));
+    }
   }
   // A file name may not be UTF-8; invalid bytes become the replacement character.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::vector<std::pair<std::string, std::string>> report_csv(std::span<const StudyRow> rows) {
+std::vector<std::pair<std::string, std::string>> report_csv(const StudyReport& report, std::span<const StudyRow> rows) {
   std::vector<std::pair<std::string, std::string>> tables;
-  for (const StudyRow& row : rows) {
-    auto table = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == row.table; });
-    if (table == tables.end()) table = tables.insert(tables.end(), {row.table, csv_header(row)});
-    append_csv_line(table->second, row);
+  for (const std::span<const StudyRow> part : {rows, std::span(report.rows)}) {
+    for (const StudyRow& row : part) {
+      auto table = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == row.table; });
+      if (table == tables.end()) table = tables.insert(tables.end(), {row.table, csv_header(row)});
+      append_csv_line(table->second, row);
+    }
   }
   return tables;
 }

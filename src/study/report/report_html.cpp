@@ -74,7 +74,8 @@ std::string answers(const StudyReport& report) {
 }
 
 // Command, profile, version, the question's facts about files, and hashes, which are the same on every machine.
-std::string how_it_was_made(const StudyQuestion& question, std::string_view version, std::span<const StudyRow> rows) {
+std::string how_it_was_made(const StudyQuestion& question, std::string_view version, const StudyReport& report,
+                            std::span<const StudyRow> rows) {
   std::string out = "<section class=\"made\" aria-labelledby=\"made\">\n<h2 id=\"made\">How it was made</h2>\n<dl>\n";
   const auto fact = [&](std::string_view name, std::string_view content) {
     out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), content);
@@ -85,9 +86,10 @@ std::string how_it_was_made(const StudyQuestion& question, std::string_view vers
   for (const auto& [name, value] : question.options) {
     if (!name.starts_with('-')) fact(name, fmt::format("<span class=\"hash\">{}</span>", escaped(value)));
   }
-  for (const auto& [table, text] : report_csv(rows)) {
+  for (const auto& [table, text] : report_csv(report, rows)) {
+    const auto is_in = [&name = table](const StudyRow& row) { return row.table == name; };
     const std::int64_t count =
-        std::count_if(rows.begin(), rows.end(), [&name = table](const StudyRow& row) { return row.table == name; });
+        std::count_if(rows.begin(), rows.end(), is_in) + std::count_if(report.rows.begin(), report.rows.end(), is_in);
     fact(table + ".csv", fmt::format("{} {}, SHA-256 <span class=\"hash\">{}</span>", readable(count),
                                      count == 1 ? "row" : "rows", sha256(text)));
   }
@@ -221,7 +223,7 @@ Result<std::string> report_html(const StudyQuestion& question, std::string_view 
       "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n<title>{0} – ninebit</title>\n"
       "<style>\n{1}{3}</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">ninebit study {2}</p>\n<h1>{0}</h1>\n",
       escaped(report.title), kPageStyle, escaped(question.study), kPrintStyle);
-  page += answers(report) + how_it_was_made(question, version, rows) + "<nav aria-label=\"Sections\"><ul>\n";
+  page += answers(report) + how_it_was_made(question, version, report, rows) + "<nav aria-label=\"Sections\"><ul>\n";
   for (const Section& section : sections) {
     if (!section.content.empty()) page += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, section.title);
   }

@@ -13,6 +13,7 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "src/study/part/sweep_axes.h"
 #include "src/study/shadows/shadow_sweep_report.h"
+#include "src/study/shadows/wrong_pixel_traces.h"
 #include "src/system/hashing/openssl.h"
 #include "src/system/shell_word.h"
 
@@ -178,18 +179,21 @@ class ShadowSweep final : public Study {
   // The wrong pixels of a point that are worth a look, with the commands that explain them. A scene without a file has
   // none.
   void add_traces(std::string_view name, std::size_t unit, const GroundTruth& truth, StudyReport& report) const {
-    constexpr int kMostOfCause = 1;
-    const auto worst = worst_pixels(truth, settings_.width, settings_.height, kMostOfCause);
-    if (worst.empty() || question_.arguments.empty()) return;
+    if (question_.arguments.empty()) return;
+    const auto worst = worst_traces(truth, settings_.width, settings_.height, trace_command(unit));
+    if (worst.empty()) return;
+    for (const WrongPixelTrace& one : worst) {
+      StudyRow row{.table = "worst", .fields = {{"point", std::uint64_t{unit}}}};
+      for (auto& field : fields_of(one)) row.fields.push_back(std::move(field));
+      report.rows.push_back(std::move(row));
+    }
     ReportTable table{
         .title = fmt::format("Wrong pixels of the {} point", name), .columns = {"cause", "pixel", "why"}, .rows = {}};
     table.caption = "The middle of the largest patch of each cause; the command says why that pixel is wrong.";
-    const std::string command = trace_command(unit);
-    for (const WorstPixel& pixel : worst) {
-      const std::string at = fmt::format("{},{}", pixel.x, settings_.height - 1 - pixel.y);
-      const std::string line = fmt::format("{} --pixel {} --ground-truth", command, at);
-      table.rows.push_back({std::string(name_of(pixel.cause)), at, line});
-      report.answers.push_back(fmt::format("A wrong pixel of the {} point, {}: {}", name, name_of(pixel.cause), line));
+    for (const WrongPixelTrace& one : first_of_causes(worst)) {
+      const std::string cause(name_of(one.pixel.cause));
+      table.rows.push_back({cause, fmt::format("{},{}", one.x, one.y), one.command});
+      report.answers.push_back(fmt::format("A wrong pixel of the {} point, {}: {}", name, cause, one.command));
     }
     report.tables.push_back(std::move(table));
   }

@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "src/study/part/part_text.h"
 #include "src/system/shell_word.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
-namespace {
-
-constexpr int kMostOfCause = 3;
-
-}  // namespace
 
 std::vector<std::string> given_arguments(const CommonFlags& common, std::span<CLI::Option* const> options,
                                          const std::function<bool(const std::string&)>& reads) {
@@ -36,31 +34,23 @@ std::vector<WrongPixelTrace> worst_traces(const SceneFlags& scene, const RenderS
   if (!scene.up.empty()) start += " --up " + shell_word(scene.up);
   start += fmt::format(" --size {}x{}", settings.width, settings.height);
   for (const std::string& argument : arguments) start += ' ' + shell_word(argument);
-  std::vector<WrongPixelTrace> traces;
-  for (const WorstPixel& pixel : worst_pixels(truth, settings.width, settings.height, kMostOfCause)) {
-    const int y = settings.height - 1 - pixel.y;
-    traces.push_back({pixel, pixel.x, y, fmt::format("{} --pixel {},{} --ground-truth", start, pixel.x, y)});
-  }
-  return traces;
+  return ninebit::worst_traces(truth, settings.width, settings.height, start);
 }
 
-Json json_of(std::span<const WrongPixelTrace> worst) {
+Json worst_json(const std::vector<WrongPixelTrace>& worst) {
   Json out = Json::array();
   for (const WrongPixelTrace& one : worst) {
-    out.push_back({{"cause", name_of(one.pixel.cause)},
-                   {"x", one.x},
-                   {"y", one.y},
-                   {"radius", one.pixel.radius},
-                   {"command", one.command}});
+    Json object = Json::object();
+    for (const auto& [name, value] : fields_of(one)) object[name] = json_value(value);
+    out.push_back(std::move(object));
   }
   return out;
 }
 
-std::string text_of(std::span<const WrongPixelTrace> worst) {
+std::string worst_text(const std::vector<WrongPixelTrace>& worst) {
   std::string text;
-  for (std::size_t i = 0; i < worst.size(); ++i) {
-    if (i > 0 && worst[i].pixel.cause == worst[i - 1].pixel.cause) continue;
-    text += fmt::format("  {}: {}\n", name_of(worst[i].pixel.cause), printable(worst[i].command));
+  for (const WrongPixelTrace& one : first_of_causes(worst)) {
+    text += fmt::format("  {}: {}\n", name_of(one.pixel.cause), printable(one.command));
   }
   return text;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ninebit/shadow/ground_truth.h"
+#include "src/study/shadows/wrong_pixel_traces.h"
 #include "src/tools/common/scene_flags.h"
 
 namespace ninebit::tools {
@@ -15,13 +15,6 @@ namespace ninebit::tools {
 [[nodiscard]] std::vector<std::string> given_arguments(const CommonFlags& common, std::span<CLI::Option* const> options,
                                                        const std::function<bool(const std::string&)>& reads);
 
-// A wrong pixel of a drawn picture, and `ninebit trace … --ground-truth` of it.
-struct WrongPixelTrace {
-  WorstPixel pixel;
-  int x = 0, y = 0;  // counted from the top left
-  std::string command;
-};
-
 // The worst pixels of each cause in a rendering with these settings. `arguments`: the flags of `render` that drew it,
 // without the scene and the size.
 [[nodiscard]] std::vector<WrongPixelTrace> worst_traces(const SceneFlags& scene, const RenderSettings& settings,
@@ -29,9 +22,9 @@ struct WrongPixelTrace {
                                                         const GroundTruth& truth);
 
 // [{cause, x, y, radius, command}]
-[[nodiscard]] Json json_of(std::span<const WrongPixelTrace> worst);
+[[nodiscard]] Json worst_json(const std::vector<WrongPixelTrace>& worst);
 
 // A line for the worst pixel of each cause; empty if none is wrong.
-[[nodiscard]] std::string text_of(std::span<const WrongPixelTrace> worst);
+[[nodiscard]] std::string worst_text(const std::vector<WrongPixelTrace>& worst);
 
 }  // namespace ninebit::tools

@@ -269,7 +269,7 @@ Json errors_of_row(const ComparedErrors& errors) {
           {"false_lit", errors.false_lit},
           {"false_shadowed", errors.false_shadowed},
           {"by_cause", std::move(by_cause)},
-          {"worst", json_of(errors.worst)}};
+          {"worst", worst_json(errors.worst)}};
 }
 
 // The most texture units that a pass reads which marks shadows; null if it is computed in floats, or if there is none.

@@ -75,7 +75,7 @@ Json errors_json(const RenderFlags& flags, const FinishedRender& done) {
   return {{"false_lit", truth.false_lit},
           {"false_shadowed", truth.false_shadowed},
           {"by_cause", std::move(by_cause)},
-          {"worst", json_of(worst_of(flags, done))}};
+          {"worst", worst_json(worst_of(flags, done))}};
 }
 
 std::string error_lines(const RenderFlags& flags, const FinishedRender& done) {
@@ -85,7 +85,7 @@ std::string error_lines(const RenderFlags& flags, const FinishedRender& done) {
   for (const auto& [cause, count] : errors_by_cause(*done.rendering->evidence, *truth)) {
     if (count != 0) causes += fmt::format("{}{} {}", causes.empty() ? ": " : ", ", count, cause);
   }
-  const std::string worst = text_of(worst_of(flags, done));
+  const std::string worst = worst_text(worst_of(flags, done));
   return fmt::format("ground truth: {} pixels falsely lit, {} falsely shadowed{}\n{}{}", truth->false_lit,
                      truth->false_shadowed, causes, worst.empty() ? "" : "why, in the middle of the largest patches:\n",
                      worst);

@@ -87,7 +87,7 @@ Result<std::vector<StudyRow>> run_whole(const Study& study, bool quiet) {
 }
 
 int answer_rows(const Study& study, const StudyReport& made, std::span<const StudyRow> rows, const CommonFlags& flags) {
-  if (flags.json) return answer_exactly(report_json(study.question(), NINEBIT_VERSION, rows));
+  if (flags.json) return answer_exactly(report_json(study.question(), NINEBIT_VERSION, made, rows));
   std::string text;
   for (const std::string& line : made.answers) text += line + '\n';
   return answer(text);
