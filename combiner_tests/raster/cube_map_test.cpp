@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "combiner_tests/raster/texture_support.h"
+#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::test {
@@ -129,7 +130,7 @@ TEST(CubeMap, NearestTakesTheTexelThatHoldsTheCoordinate) {
   Random random(42);
   for (const int size : {1, 2, 4, 16, 128, 256}) {
     const Texture texture = places(size);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < cases_here(20000); ++i) {
       const float x = random.real_f(-1, 1), y = random.real_f(-1, 1), z = random.real_f(-1, 1);
       const Expected expected = table(x, y, z);
       const Rgba9 codes = fetch(texture, {x, y, z});
@@ -265,7 +266,7 @@ TEST(CubeMap, WhatIsDrawnIsWhatIsFetched) {
     }
     DrawnCube cube(size);
     cube.draw(triangles, false);
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < cases_here(60000); ++i) {
       const int face = random.below(6), x = random.below(size), y = random.below(size);
       const double s = (x + random.real(0.001, 0.999)) / size, t = (y + random.real(0.001, 0.999)) / size;
       const ColorBytes expected = color_of_number(number_of(face, x, y));
@@ -291,7 +292,7 @@ TEST(CubeMap, LargeTrianglesAreSeenInTheRightDirections) {
     const glm::dvec3 a(triangles.positions[0]), b(triangles.positions[1]), c(triangles.positions[2]);
     const double whole = glm::dot(a, glm::cross(b, c));
     if (std::fabs(whole) < 0.5) continue;  // seen almost from its edge
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < cases_here(4000); ++i) {
       const int face = random.below(6), x = random.below(size), y = random.below(size);
       const glm::dvec3 r = glm::normalize(glm::dvec3(direction_of(face, (x + 0.5) / size, (y + 0.5) / size, 1)));
       // Distances of the direction from the three planes through the origin and an edge, positive inside.
@@ -305,7 +306,7 @@ TEST(CubeMap, LargeTrianglesAreSeenInTheRightDirections) {
       if (drawn) ++hits[static_cast<std::size_t>(face)];
     }
   }
-  for (const int count : hits) EXPECT_GE(count, 300);
+  for (const int count : hits) EXPECT_GE(count, cases_here(300));
 }
 
 }  // namespace

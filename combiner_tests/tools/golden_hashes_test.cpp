@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
@@ -80,6 +81,7 @@ Json rendered() {
   // and then at the end of a program that has read pictures. Other tests look for them.
   ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
   Json found = Json::object();
+  int number = 0;
   for (const Golden& golden : goldens()) {
     for (const std::string& flags : golden.flags) {
       std::vector<std::string> arguments{"render", golden.scene, "-o", folder / "out", "--json", "--quiet"};
@@ -87,6 +89,7 @@ Json rendered() {
       for (std::string word; words >> word;) {
         arguments.push_back((word.starts_with("scenes/") ? NINEBIT_SOURCE_DIR "/" : "") + word);
       }
+      if (ninebit::test::kSanitized && number++ % 3 != 0) continue;  // of all techniques and kinds some
       const Json answer = json_of(ninebit(arguments));
       if (answer.is_null()) return {};
       const std::string name = std::filesystem::path(golden.scene).filename().string();
@@ -106,10 +109,10 @@ TEST(GoldenHashes, RenderingsAreTheSameToTheBit) {
   ASSERT_TRUE(std::filesystem::exists(kExpected)) << "NINEBIT_UPDATE_HASHES=1 makes " << kExpected;
   const Json expected = Json::parse(read_bytes(kExpected), nullptr, false);
   ASSERT_TRUE(expected.is_object()) << kExpected << " is not a JSON object";
-  EXPECT_EQ(keys_of(expected), keys_of(found));
+  if (!ninebit::test::kSanitized) EXPECT_EQ(keys_of(expected), keys_of(found));
   for (const auto& [scene, renderings] : found.items()) {
     ASSERT_TRUE(expected.contains(scene)) << scene;
-    EXPECT_EQ(keys_of(expected[scene]), keys_of(renderings)) << scene;
+    if (!ninebit::test::kSanitized) EXPECT_EQ(keys_of(expected[scene]), keys_of(renderings)) << scene;
     for (const auto& [flags, hashes] : renderings.items()) {
       if (!expected[scene].contains(flags)) continue;  // the keys' comparison has told
       EXPECT_EQ(hashes, expected[scene][flags]) << scene << ' ' << flags;
