@@ -152,7 +152,7 @@ TEST(Vectors, GroupsStandInOrderAndHaveAProgramEach) {
 TEST(Vectors, ReadingGivesThePackBack) {
   for (const HardwareProfile& profile : hardware_profiles()) {
     SCOPED_TRACE(profile.name);
-    VectorPack pack = pack_of(profile, kSanitized ? 100 : 500, 3);
+    VectorPack pack = pack_of(profile, ninebit::test::kSanitized ? 100 : 500, 3);
     const std::string text = print_vector_pack(pack);
     EXPECT_EQ(vector_pack_profile(text), profile.name);
     const auto read = read_vector_pack(text, "v.txt", profile);
@@ -254,7 +254,7 @@ std::set<std::uint32_t> values_of(const VectorPack& pack, const std::string& nam
 
 // Every pattern that a field of the words may have occurs, in small packs, too; so do words of 0.
 TEST(Vectors, EveryPatternOfEveryFieldOfTheWordsOccurs) {
-  if (kSanitized) GTEST_SKIP() << "what the pack holds; other tests reach the same lines";
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "what the pack holds; other tests reach the same lines";
   const VectorPack pack = pack_of(profiles::nv2a, kQuickVectorPrograms, 16);
   const std::set<std::uint32_t> readable{0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 12, 13};
   const std::set<std::uint32_t> writable{0, 4, 5, 8, 9, 10, 11, 12, 13}, bit{0, 1};
@@ -298,7 +298,7 @@ TEST(Vectors, EveryPatternOfEveryFieldOfTheWordsOccurs) {
 
 // Words of 0 that do something: a stage writes though its input words are 0, a final combiner has none.
 TEST(Vectors, ZeroWordsOccur) {
-  if (kSanitized) GTEST_SKIP() << "what the pack holds; other tests reach the same lines";
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "what the pack holds; other tests reach the same lines";
   const VectorPack pack = pack_of(profiles::nv2a, kQuickVectorPrograms, 4);
   const auto place = [&](const std::string& name) {
     return static_cast<std::size_t>(std::find(pack.word_names.begin(), pack.word_names.end(), name) -
@@ -332,7 +332,7 @@ const std::set<std::string> kUnseen{"lowest = -255", "AB + (1 - A)C is not round
 
 // A group fails only for its own faults: each known mistake fails first in the group that is its own.
 TEST(Vectors, EveryMistakeFailsItsOwnGroupFirst) {
-  if (kSanitized) GTEST_SKIP() << "what the pack holds; other tests reach the same lines";
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "what the pack holds; other tests reach the same lines";
   for (const char* name : {"nv2a", "geforce2"}) {
     SCOPED_TRACE(name);
     VectorPack made = pack_of(*find_profile(name), kQuickVectorPrograms, 16);
