@@ -101,7 +101,9 @@ TEST(DepthPacking, UnstoredComponentsGiveTheDepthBack) {
     if (p.name == "rgba8-base255-2007") continue;     // half a step is added, and nothing is subtracted
     if (p.name == "rgba8-base255-clamped") continue;  // beyond 0.999
     const RoundTrip r = round_trip([&](float depth) { return p.unpack(p.pack(depth)); });
-    EXPECT_LE(r.largest, 1.2e-7) << p.name;
+    // 256ths are subtracted and 255ths read; the 24 bits have digits of a depth that float32 has rounded.
+    const double most = p.name == "rgba8-base255-by-256" ? 1.6e-5 : p.name == "rgb8-65793" ? 1.8e-7 : 1.2e-7;
+    EXPECT_LE(r.largest, most) << p.name;
     EXPECT_EQ(r.at_zero, 0.0F) << p.name;
     const bool three_js = p.source.starts_with("three.js");
     if (!three_js) continue;
