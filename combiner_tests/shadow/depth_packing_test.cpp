@@ -49,14 +49,14 @@ RoundTrip round_trip(Read read) {
 
 RoundTrip through_bytes(std::string_view name, ChannelStorage storage) {
   const DepthPacking& p = packing(name);
-  return round_trip([&](float depth) { return read_depth(p, store_depth(p, depth, storage)); });
+  return round_trip([&](float depth) { return read_depth(p, store_depth(p, depth, storage), storage); });
 }
 
 TEST(DepthPacking, TableNamesEveryEncodingAndRelease) {
   std::set<std::string_view> names;
   for (const DepthPacking& p : depth_packings()) {
     EXPECT_TRUE(names.insert(p.name).second) << p.name;
-    EXPECT_FALSE(p.releases.empty()) << p.name;
+    EXPECT_FALSE(p.source.empty() || p.formula.empty()) << p.name;
     EXPECT_TRUE(p.channels >= 2 && p.channels <= 4) << p.name;
     EXPECT_EQ(find_depth_packing(p.name), &p);
     const DepthComponents c = p.pack(0.7F);
@@ -73,7 +73,9 @@ TEST(DepthPacking, TableNamesEveryEncodingAndRelease) {
 
 TEST(DepthPacking, ComponentsBecomeBytesByRoundingOrCutting) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  for (const ChannelStorage storage : {ChannelStorage::round, ChannelStorage::truncate}) {
+  for (const auto& [storage, name, help, formula, source] : storage_rules()) {
+    EXPECT_EQ(name_of(storage), name);
+    EXPECT_FALSE(help.empty() || formula.empty() || source.empty()) << name;
     EXPECT_EQ(stored_component(-0.1F, storage), 0);
     EXPECT_EQ(stored_component(kNaN, storage), 0);
     EXPECT_EQ(stored_component(1.5F, storage), 255);
@@ -83,19 +85,28 @@ TEST(DepthPacking, ComponentsBecomeBytesByRoundingOrCutting) {
   EXPECT_EQ(stored_component(0.5F, ChannelStorage::truncate), 127);
   EXPECT_EQ(stored_component(0.999F, ChannelStorage::round), 255);
   EXPECT_EQ(stored_component(0.999F, ChannelStorage::truncate), 254);
+  EXPECT_EQ(stored_component(0.999F, ChannelStorage::floor_256), 255);
+  EXPECT_EQ(stored_component(0.5F, ChannelStorage::floor_256), 127);
+  EXPECT_EQ(stored_component(0.5F, ChannelStorage::half), 128);
   for (int n = 0; n < 256; ++n) {
     const auto byte = static_cast<std::uint8_t>(n);
-    EXPECT_EQ(stored_component(read_component(byte), ChannelStorage::round), n);
+    EXPECT_EQ(stored_component(read_component(byte, ChannelStorage::round), ChannelStorage::round), n);
   }
 }
 
-// In floats alone every packing of four bytes is right to the last bit but one; only fract loses depth 1.
+// In floats alone nearly every packing is right to the last bits. Those that take the fraction of depth 1 lose it.
 TEST(DepthPacking, UnstoredComponentsGiveTheDepthBack) {
   for (const DepthPacking& p : depth_packings()) {
-    if (p.name == "rg8-256over255") continue;
+    if (p.name == "rg8-256over255") continue;         // the wrong order
+    if (p.name == "rgba8-base255-2007") continue;     // half a step is added, and nothing is subtracted
+    if (p.name == "rgba8-base255-clamped") continue;  // beyond 0.999
     const RoundTrip r = round_trip([&](float depth) { return p.unpack(p.pack(depth)); });
-    EXPECT_LE(r.largest, 1.2e-7) << p.name;
+    // 256ths are subtracted and 255ths read; the 24 bits have digits of a depth that float32 has rounded.
+    const double most = p.name == "rgba8-base255-by-256" ? 1.6e-5 : p.name == "rgb8-65793" ? 1.8e-7 : 1.2e-7;
+    EXPECT_LE(r.largest, most) << p.name;
     EXPECT_EQ(r.at_zero, 0.0F) << p.name;
+    const bool three_js = p.source.starts_with("three.js");
+    if (!three_js) continue;
     EXPECT_EQ(r.at_one, p.name == "rgba8-fract" ? 0.0F : 1.0F) << p.name;
     EXPECT_EQ(r.inversions, p.name == "rgba8-fract" ? 1 : 0) << p.name;
   }
@@ -158,7 +169,8 @@ TEST(DepthPacking, TheFourthByteEndsAt2ToThe32nd) {
     const DepthPacking& p = packing(name);
     double error = 0.0;
     for (std::uint32_t i = 0; i < kSteps; ++i) {
-      const float depth = std::ldexp(static_cast<float>(i), -40), back = read_depth(p, store_depth(p, depth, storage));
+      const float depth = std::ldexp(static_cast<float>(i), -40),
+                  back = read_depth(p, store_depth(p, depth, storage), storage);
       error = std::max(error, std::fabs(static_cast<double>(back) - static_cast<double>(depth)));
     }
     return std::ldexp(error, 24);
@@ -228,7 +240,8 @@ TEST(DepthPacking, TheSecondDigitIsOffByTheFirst) {
     const float depth = (128.0F + static_cast<float>(second) / 256.0F) / 256.0F;
     const auto off_by = [&](std::string_view name) {
       const DepthPacking& p = packing(name);
-      const double back = static_cast<double>(read_depth(p, store_depth(p, depth, ChannelStorage::round)));
+      const double back =
+          static_cast<double>(read_depth(p, store_depth(p, depth, ChannelStorage::round), ChannelStorage::round));
       return (back - static_cast<double>(depth)) * 65536.0;
     };
     EXPECT_NEAR(off_by("rgba8-fract"), 128.0, 1.1) << second;
@@ -241,7 +254,9 @@ TEST(DepthPacking, FractJumpsByAUnitHalfwayThrough256) {
   const DepthPacking& p = packing("rgba8-fract");
   const auto off_by = [&](double units) {
     const auto depth = static_cast<float>(units / 256.0);
-    return 256.0 * static_cast<double>(read_depth(p, store_depth(p, depth, ChannelStorage::round))) - units;
+    return 256.0 *
+               static_cast<double>(read_depth(p, store_depth(p, depth, ChannelStorage::round), ChannelStorage::round)) -
+           units;
   };
   EXPECT_NEAR(off_by(128.99), 0.5, 0.02);
   EXPECT_NEAR(off_by(129.01), -0.5, 0.02);

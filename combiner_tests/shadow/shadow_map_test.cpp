@@ -237,7 +237,7 @@ TEST(ShadowMap, LayersTellOneStory) {
           bytes[c] = samples_of<std::uint8_t>(r.maps, "packed_depth", std::string(1, "RGBA"[c]))[texel];
         }
         const float read = samples_of<float>(r.layers, "map_depth", "depth")[i];
-        ASSERT_EQ(read, read_depth(*depth_packing(encoding), bytes));
+        ASSERT_EQ(read, read_depth(*depth_packing(encoding), bytes, ChannelStorage::round));
         in_shadow = read < depth;
       } else {
         const auto own = static_cast<std::uint32_t>(std::floor(static_cast<double>(depth) * codes + 0.5));

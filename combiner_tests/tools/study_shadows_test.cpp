@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "combiner_tests/tools/support.h"
+#include "ninebit/frame/depth_packing.h"
 
 namespace tools_test {
 namespace {
@@ -104,6 +105,21 @@ TEST(StudyDepthPacking, AnswersItsQuestion) {
   EXPECT_EQ(answer["rows"][1]["packing"], "rgba8-fract");
   EXPECT_EQ(answer["rows"][1]["one_reads_as"], 0.0);
   EXPECT_EQ(answer["second_digit"].size(), 512U);
+}
+
+TEST(StudyDepthPacking, NamesWherePackingsAndStoragesAreFound) {
+  const Json rows = json_of(ninebit({"study", "depth-packing", "--packings", "rgba8-base255-2007", "--storages",
+                                     "floor-256,half", "--depths", "16", "--json"}))["rows"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["source"], "aras-p.info, 29 June 2007");
+  EXPECT_EQ(rows[1]["storage"], "half");
+  EXPECT_NE(rows[0]["max_error"], rows[1]["max_error"]);
+  const std::string help = ninebit({"study", "depth-packing", "--help"}).out;
+  for (const DepthPacking& packing : depth_packings()) {
+    EXPECT_NE(help.find(std::string(packing.name) + ' '), std::string::npos) << packing.name;
+    EXPECT_NE(help.find(packing.source), std::string::npos) << packing.name;
+  }
+  for (const StorageRule& rule : storage_rules()) EXPECT_NE(help.find(rule.formula), std::string::npos) << rule.name;
 }
 
 TEST(StudyDepthPacking, WrongGrids) {

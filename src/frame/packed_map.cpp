@@ -11,7 +11,7 @@ namespace ninebit {
 
 PackedMap::PackedMap(const DepthPacking& packing, ChannelStorage storage, int size,
                      std::span<const std::uint32_t> codes, std::uint32_t cleared, std::deque<Layer>& maps)
-    : packing_(&packing), size_(size) {
+    : packing_(&packing), storage_(storage), size_(size) {
   for (std::size_t c = 0; c < 4; ++c) {
     bytes_[c] = add_layer<std::uint8_t>(maps, "packed_depth", std::string(1, "RGBA"[c]), size, size);
   }
@@ -23,7 +23,7 @@ PackedMap::PackedMap(const DepthPacking& packing, ChannelStorage storage, int si
       const DepthBytes bytes = drawn ? store_depth(packing, depth, storage) : DepthBytes{255, 255, 255, 255};
       for (std::size_t c = 0; c < 4; ++c) bytes_[c][i] = bytes[c];
       if (drawn) {
-        const double read = static_cast<double>(read_depth(packing, bytes));
+        const double read = static_cast<double>(read_depth(packing, bytes, storage));
         largest = std::max(largest, std::fabs(read - static_cast<double>(depth)));
       }
     }
@@ -37,7 +37,7 @@ float PackedMap::depth_at(float s, float t) const {
   const auto texel = [this](float at) { return std::min(static_cast<int>(at * static_cast<float>(size_)), size_ - 1); };
   const std::size_t i =
       static_cast<std::size_t>(texel(t)) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(texel(s));
-  return read_depth(*packing_, {bytes_[0][i], bytes_[1][i], bytes_[2][i], bytes_[3][i]});
+  return read_depth(*packing_, {bytes_[0][i], bytes_[1][i], bytes_[2][i], bytes_[3][i]}, storage_);
 }
 
 }  // namespace ninebit

@@ -37,6 +37,7 @@ class PackedMap {
 
  private:
   const DepthPacking* packing_;
+  ChannelStorage storage_;
   int size_;
   std::array<std::span<std::uint8_t>, 4> bytes_;
   double largest_error_ = 0.0;

@@ -1,5 +1,5 @@
 // The error of a depth after a round trip through bytes: every packing of depth_packing.h, over all depths of 16 and 24
-// bits and over floats, stored with rounding and with truncation.
+// bits and over floats, in every storage.
 #pragma once
 
 #include <array>
@@ -28,8 +28,6 @@ inline constexpr std::array kDepthSets{DepthSet::bits16, DepthSet::bits24, Depth
 
 // "16", "24", "floats".
 [[nodiscard]] std::string_view name_of(DepthSet set);
-// "round", "truncate".
-[[nodiscard]] std::string_view name_of(ChannelStorage storage);
 
 // The number of depths in a set, and its i-th depth. float_step is 1 or more: DepthSet::floats takes every
 // float_step-th float.
@@ -69,12 +67,12 @@ struct TwoDigits {
 // The study covers all combinations of the lists.
 struct DepthPackingOptions {
   std::vector<std::string> packings;     // names of depth_packings()
-  std::vector<ChannelStorage> storages;  // how components become bytes
+  std::vector<ChannelStorage> storages;  // of storage_rules()
   std::vector<DepthSet> sets;            // which depths
-  std::uint32_t float_step = 64;         // of DepthSet::floats, 1 or more
+  std::uint32_t float_step = 256;        // of DepthSet::floats, 1 or more
 };
 
-// Options with all packings, storages and sets.
+// Options with all packings and sets, components rounded and truncated.
 [[nodiscard]] DepthPackingOptions all_depth_packings();
 
 // One unit with one row for each packing, storage and set; one more unit for each packing and storage, with the 256

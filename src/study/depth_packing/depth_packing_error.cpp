@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kOne = 0x3F800000;  // the bits of 1.0F; smaller floats >= 0 have smaller bits
 constexpr std::uint64_t kChunk = 1U << 16;  // depths per task
+constexpr std::uint64_t kBatch = 1U << 12;  // depths that are packed at once, on the stack
 
 // The set of floats in [0, 2) that have been seen: one bit each.
 class SeenFloats {
@@ -28,14 +29,28 @@ class SeenFloats {
   SeenFloats(const SeenFloats&) = delete;
   SeenFloats& operator=(const SeenFloats&) = delete;
 
-  void add(float value) {
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(value) & (kFloats - 1);
-    std::atomic_ref<std::uint64_t> word(words_[bits / 64]);
-    const std::uint64_t bit = std::uint64_t{1} << bits % 64;
-    if ((word.load(std::memory_order_relaxed) & bit) != 0) return;
-    word.fetch_or(bit, std::memory_order_relaxed);
-    std::atomic_ref<char>(touched_[bits / 64 / kBlock]).store(1, std::memory_order_relaxed);
-  }
+  // Adds floats, as one operation for neighbours in the same word.
+  class Adder {
+   public:
+    explicit Adder(SeenFloats& seen) : seen_(seen) {}
+    ~Adder() { seen_.add(index_, bits_); }
+    Adder(const Adder&) = delete;
+    Adder& operator=(const Adder&) = delete;
+    void add(float value) {
+      const std::uint32_t bits = std::bit_cast<std::uint32_t>(value) & (kFloats - 1);
+      if (bits / 64 != index_) {
+        seen_.add(index_, bits_);
+        index_ = bits / 64;
+        bits_ = 0;
+      }
+      bits_ |= std::uint64_t{1} << bits % 64;
+    }
+
+   private:
+    SeenFloats& seen_;
+    std::uint32_t index_ = 0;
+    std::uint64_t bits_ = 0;
+  };
 
   [[nodiscard]] std::uint64_t count() const {
     std::uint64_t n = 0;
@@ -51,6 +66,14 @@ class SeenFloats {
   static constexpr std::uint32_t kFloats = 1U << 30;  // below 2.0F, which no packing reaches
   static constexpr std::size_t kWords = kFloats / 64;
   static constexpr std::size_t kBlock = 512;  // words: a page
+
+  void add(std::size_t index, std::uint64_t bits) {
+    std::atomic_ref<std::uint64_t> word(words_[index]);
+    if ((bits & ~word.load(std::memory_order_relaxed)) == 0) return;
+    word.fetch_or(bits, std::memory_order_relaxed);
+    std::atomic_ref<char>(touched_[index / kBlock]).store(1, std::memory_order_relaxed);
+  }
+
   std::uint64_t* words_;
   std::vector<char> touched_ = std::vector<char>(kWords / kBlock);  // true for each block with a set bit
 };
@@ -68,10 +91,6 @@ std::string_view name_of(DepthSet set) {
   return set == DepthSet::bits16 ? "16" : set == DepthSet::bits24 ? "24" : "floats";
 }
 
-std::string_view name_of(ChannelStorage storage) {
-  return storage == ChannelStorage::round ? "round" : "truncate";
-}
-
 std::uint64_t depth_count(DepthSet set, std::uint32_t float_step) {
   if (set == DepthSet::bits16) return 1U << 16;
   if (set == DepthSet::bits24) return 1U << 24;
@@ -86,7 +105,7 @@ float depth_at(DepthSet set, std::uint32_t float_step, std::uint64_t i) {
 
 Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelStorage storage, DepthSet set,
                                           std::uint32_t float_step, const GoOn& go_on) {
-  const auto back_of = [&](float depth) { return read_depth(packing, store_depth(packing, depth, storage)); };
+  const auto back_of = [&](float depth) { return read_depth(packing, store_depth(packing, depth, storage), storage); };
   const std::uint64_t depths = depth_count(set, float_step);
   std::vector<RangeErrors> stretches((depths + kChunk - 1) / kChunk);
   SeenFloats seen;
@@ -96,26 +115,31 @@ Result<RoundTripError> measure_round_trip(const DepthPacking& packing, ChannelSt
       stopped = true;
       return;
     }
-    RangeErrors here;
+    SeenFloats::Adder adder(seen);
     const std::uint64_t first = s * kChunk, last = std::min(first + kChunk, depths);
-    float before = first == 0 ? 0.0F : back_of(depth_at(set, float_step, first - 1));
-    std::vector<float> from(last - first), to(last - first);
-    for (std::uint64_t i = first; i < last; ++i) from[i - first] = depth_at(set, float_step, i);
-    packing.round_trips(from, storage, to);
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const float depth = from[i], back = to[i];
-      const double error = static_cast<double>(back) - static_cast<double>(depth), size = std::fabs(error);
-      here.exact += back == depth ? 1U : 0U;
-      here.inversions += back < before ? 1U : 0U;
-      if (back != before || i == 0) seen.add(back);
-      before = back;
-      if (depth >= 1.0F) continue;
-      here.sum += error;
-      here.sum_of_sizes += size;
-      if (size > here.largest) {
-        here.largest = size;
-        here.worst_depth = depth;
-        here.worst_back = back;
+    float before = back_of(depth_at(set, float_step, first == 0 ? 0 : first - 1));
+    adder.add(before);
+    RangeErrors here;
+    std::array<float, kBatch> from{}, to{};
+    for (std::uint64_t begin = first; begin < last; begin += kBatch) {
+      const std::size_t count = std::min(kBatch, last - begin);
+      for (std::size_t i = 0; i < count; ++i) from[i] = depth_at(set, float_step, begin + i);
+      packing.round_trips(std::span(from).first(count), storage, std::span(to).first(count));
+      for (std::size_t i = 0; i < count; ++i) {
+        const float depth = from[i], back = to[i];
+        const double error = static_cast<double>(back) - static_cast<double>(depth), size = std::fabs(error);
+        here.exact += back == depth ? 1U : 0U;
+        here.inversions += back < before ? 1U : 0U;
+        if (back != before) adder.add(back);
+        before = back;
+        if (depth >= 1.0F) continue;
+        here.sum += error;
+        here.sum_of_sizes += size;
+        if (size > here.largest) {
+          here.largest = size;
+          here.worst_depth = depth;
+          here.worst_back = back;
+        }
       }
     }
     stretches[s] = here;
@@ -149,7 +173,7 @@ TwoDigits store_two_digits(const DepthPacking& packing, ChannelStorage storage, 
   const float depth = static_cast<float>(highest * 256 + second) / 65536.0F;
   const DepthBytes bytes = store_depth(packing, depth, storage);
   const auto last = static_cast<std::size_t>(packing.channels - 1);
-  const double error = static_cast<double>(read_depth(packing, bytes)) - static_cast<double>(depth);
+  const double error = static_cast<double>(read_depth(packing, bytes, storage)) - static_cast<double>(depth);
   return {.highest_byte = bytes[packing.red_is_highest ? 0 : last],
           .second_byte = bytes[packing.red_is_highest ? 1 : last - 1],
           .shift = error * 65536.0};

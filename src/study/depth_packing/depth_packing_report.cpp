@@ -12,6 +12,10 @@ namespace ninebit {
 
 namespace {
 
+const StorageRule& rule_of(ChannelStorage storage) {
+  return storage_rules()[static_cast<std::size_t>(storage)];
+}
+
 // The rows of one storage and set.
 std::vector<const StudyRow*> rows_of(std::span<const StudyRow> rows, std::string_view storage, std::string_view set) {
   std::vector<const StudyRow*> found;
@@ -48,10 +52,10 @@ std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std
                                            row->number("max_error"), row->number("mean_error"), order_sentence(*row))));
       }
       sentences.push_back(fmt::format(
-          "{}, components {}: {}.",
+          "{}, {}: {}.",
           set == DepthSet::floats ? fmt::format("Floats, {} of them", found[0]->count("count"))
                                   : fmt::format("All {} depths of {} bits", found[0]->count("count"), name_of(set)),
-          storage == ChannelStorage::round ? "rounded to bytes" : "truncated to bytes", fmt::join(parts, "; ")));
+          rule_of(storage).help, fmt::join(parts, "; ")));
     }
   }
   return sentences;
@@ -59,19 +63,32 @@ std::vector<std::string> errors_in_words(const DepthPackingOptions& options, std
 
 // The values read back for depths 0 and 1, which are the same in every set of depths.
 std::vector<std::string> ends_in_words(std::span<const StudyRow> rows) {
+  std::vector<std::pair<std::string, std::string>> changed;  // what happens, and with which storages
   std::set<std::string> seen;
-  std::vector<std::string> changed;
   for (const StudyRow& row : rows) {
     if (row.table != "rows") continue;
     for (const auto& [end, field] : {std::pair{0, "zero_reads_as"}, std::pair{1, "one_reads_as"}}) {
       if (row.number(field) == end) continue;
-      const std::string words = fmt::format("{} reads as {} through {} ({})", end, row.number(field),
-                                            row.text("packing"), row.text("storage"));
-      if (seen.insert(words).second) changed.push_back(words);
+      const std::string words = fmt::format("{} reads as {} through {}", end, text_of(row[field]), row.text("packing"));
+      if (!seen.insert(words + row.text("storage")).second) continue;
+      const auto found = std::find_if(changed.begin(), changed.end(), [&](const auto& c) { return c.first == words; });
+      if (found == changed.end()) {
+        changed.emplace_back(words, row.text("storage"));
+      } else {
+        found->second += ", " + row.text("storage");
+      }
     }
   }
   if (changed.empty()) return {"Depths 0 and 1 are unchanged."};
-  return {fmt::format("Changed ends of the range: {}.", fmt::join(changed, "; "))};
+  std::vector<std::string> parts;
+  parts.reserve(changed.size());
+  for (const auto& [words, storages] : changed) parts.push_back(fmt::format("{} ({})", words, storages));
+  return {fmt::format("Changed ends of the range: {}.", fmt::join(parts, "; "))};
+}
+
+std::string range_in_words(double low, double high) {
+  const std::string first = fmt::format("{:.4g}", low), last = fmt::format("{:.4g}", high);
+  return first == last ? first : fmt::format("{} to {}", first, last);
 }
 
 std::vector<std::string> digits_in_words(const std::vector<DigitGrid>& grids, std::span<const StudyRow> rows) {
@@ -88,8 +105,8 @@ std::vector<std::string> digits_in_words(const std::vector<DigitGrid>& grids, st
     const auto [low, high] = std::minmax_element(shifts.begin(), shifts.end());
     if (std::max(-*low, *high) < 2.0) continue;
     sentences.push_back(
-        fmt::format("Where the highest digit is {}, {} ({}) shifts the depth by {:.4g} to {:.4g} steps of the second.",
-                    kChartDigit, grid.packing->name, name_of(grid.storage), *low, *high));
+        fmt::format("Where the highest digit is {}, {} ({}) shifts the depth by {} steps of the second.", kChartDigit,
+                    grid.packing->name, name_of(grid.storage), range_in_words(*low, *high)));
   }
   return sentences;
 }
@@ -111,6 +128,78 @@ std::string packings_in_words(const DepthPackingOptions& options, const std::vec
     names.push_back(all ? packing : fmt::format("{} ({})", packing, fmt::join(storages, ", ")));
   }
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+const StudyRow* row_of(std::span<const StudyRow> rows, std::string_view packing, ChannelStorage storage, DepthSet set) {
+  for (const StudyRow* row : rows_of(rows, name_of(storage), name_of(set))) {
+    if (row->text("packing") == packing) return row;
+  }
+  return nullptr;
+}
+
+// The set of depths that describes a scene: floats are dense near 0.
+DepthSet set_of_a_scene(const DepthPackingOptions& options) {
+  return *std::max_element(options.sets.begin(), options.sets.end(), [](DepthSet a, DepthSet b) {
+    const auto rank = [](DepthSet set) { return set == DepthSet::bits24 ? 2 : set == DepthSet::bits16 ? 1 : 0; };
+    return rank(a) < rank(b);
+  });
+}
+
+// How much a wrongly typed factor costs.
+void add_typing_error(std::vector<std::string>& sentences, std::span<const StudyRow> rows, DepthSet set) {
+  const StudyRow* const right = row_of(rows, "rgba8-base255", ChannelStorage::round, set);
+  const StudyRow* const wrong = row_of(rows, "rgba8-base255-typo", ChannelStorage::round, set);
+  if (right == nullptr || wrong == nullptr) return;
+  const double ratio = wrong->number("mean_error") / right->number("mean_error");
+  const bool small = std::max(ratio, wrong->number("max_error") / right->number("max_error")) < 2.0;
+  sentences.push_back(fmt::format(
+      "160581375 typed for 16581375 (rgba8-base255-typo) does {} ({}, round): mean error {:.3g} instead of {:.3g}, "
+      "{:+.0f} %; largest error {:.3g} instead of {:.3g}; inversions {} instead of {}.",
+      small ? "little harm" : "harm", set_in_words(name_of(set)), wrong->number("mean_error"),
+      right->number("mean_error"), 100.0 * (ratio - 1.0), wrong->number("max_error"), right->number("max_error"),
+      wrong->count("inversions"), right->count("inversions")));
+}
+
+// Whether a form that adds half a step may be stored in a texture that rounds.
+void add_form_of_2007(std::vector<std::string>& sentences, std::span<const StudyRow> rows, DepthSet set) {
+  constexpr std::string_view kForm = "rgba8-base255-2007";
+  const StudyRow* const rounded = row_of(rows, kForm, ChannelStorage::round, set);
+  const StudyRow* const truncated = row_of(rows, kForm, ChannelStorage::truncate, set);
+  if (rounded == nullptr || truncated == nullptr) return;
+  const double high = rounded->number("mean_bias"), low = truncated->number("mean_bias");
+  sentences.push_back(
+      fmt::format("The components of {} {} be rounded: depths then read {:+.3g} off in the mean; {:+.3g} if they are "
+                  "truncated ({}).",
+                  kForm, high > low ? "must not" : "may", high, low, set_in_words(name_of(set))));
+}
+
+// Which packings keep depth 1 and the order of all depths, for each storage, over all sets measured.
+void add_order_keepers(std::vector<std::string>& sentences, const DepthPackingOptions& options,
+                       std::span<const StudyRow> rows) {
+  for (const ChannelStorage storage : options.storages) {
+    std::vector<std::string> names;
+    for (const std::string& packing : options.packings) {
+      const bool keeps = std::all_of(options.sets.begin(), options.sets.end(), [&](DepthSet set) {
+        const StudyRow* const row = row_of(rows, packing, storage, set);
+        return row != nullptr && row->count("inversions") == 0 && row->number("one_reads_as") == 1.0;
+      });
+      if (keeps) names.push_back(packing);
+    }
+    sentences.push_back(fmt::format("Depth 1 reads as 1 and no depths are inverted in any set, {}: {}.",
+                                    rule_of(storage).help,
+                                    names.empty() ? "no packing" : fmt::format("{}", fmt::join(names, ", "))));
+  }
+}
+
+// Questions that are asked of these packings.
+std::vector<std::string> questions_in_words(const DepthPackingOptions& options, std::span<const StudyRow> rows) {
+  std::vector<std::string> sentences;
+  const DepthSet set = set_of_a_scene(options);
+  if (rows.empty()) return sentences;
+  add_order_keepers(sentences, options, rows);
+  add_typing_error(sentences, rows, set);
+  add_form_of_2007(sentences, rows, set);
+  return sentences;
 }
 
 // The opening of the page: which packings are exact, for each set of depths, and which change depth 1.
@@ -179,16 +268,11 @@ ReportTable error_table(std::span<const StudyRow> rows) {
   ReportTable table{.title = "Round trips", .columns = {}, .rows = {}};
   for (const StudyRow& row : rows) {
     if (row.table != "rows") continue;
-    if (table.columns.empty()) {
-      table.columns = {"packing", "three.js"};
-      for (std::size_t i = 1; i < row.fields.size(); ++i) {
-        const std::string& name = row.fields[i].first;
-        table.columns.push_back(is_below_one(name) ? name + " below 1" : name);
-      }
+    std::vector<StudyValue>& values = table.rows.emplace_back();
+    for (const auto& [name, value] : row.fields) {
+      if (table.rows.size() == 1) table.columns.push_back(is_below_one(name) ? name + " below 1" : name);
+      values.push_back(value);
     }
-    std::vector<StudyValue> values{row.text("packing"), std::string(find_depth_packing(row.text("packing"))->releases)};
-    for (std::size_t i = 1; i < row.fields.size(); ++i) values.push_back(row.fields[i].second);
-    table.rows.push_back(std::move(values));
   }
   table.caption =
       "Depths go from 0 to 1. An error is the value read back minus the depth. Over depths below 1, max_error is the "
@@ -197,19 +281,42 @@ ReportTable error_table(std::span<const StudyRow> rows) {
   return table;
 }
 
+ReportTable packing_table(const DepthPackingOptions& options) {
+  ReportTable table{.title = "Packings", .columns = {"packing", "bytes", "formula", "found in"}, .rows = {}};
+  for (const std::string& name : options.packings) {
+    const DepthPacking& packing = *find_depth_packing(name);
+    table.rows.push_back(
+        {name, std::int64_t{packing.channels}, std::string(packing.formula), std::string(packing.source)});
+  }
+  table.caption = "The components of depth d, and the depth of components c as they are read.";
+  return table;
+}
+
+ReportTable storage_table(const DepthPackingOptions& options) {
+  ReportTable table{.title = "Storages", .columns = {"storage", "meaning", "formula", "found in"}, .rows = {}};
+  for (const ChannelStorage storage : options.storages) {
+    const StorageRule& rule = rule_of(storage);
+    table.rows.push_back(
+        {std::string(rule.name), std::string(rule.help), std::string(rule.formula), std::string(rule.source)});
+  }
+  table.caption = "The byte of component v, which is clamped to [0, 1]; and what byte n is read as.";
+  return table;
+}
+
 }  // namespace
 
 StudyReport depth_packing_report(const DepthPackingOptions& options, std::span<const StudyRow> rows) {
   StudyReport report{.title = "Depth packing", .answers = {}};
   const std::vector<DigitGrid> grids = digit_grids(options);
-  for (const auto& sentences : {errors_in_words(options, rows), ends_in_words(rows), digits_in_words(grids, rows)}) {
+  const std::vector<std::string> questions = questions_in_words(options, rows), shifts = digits_in_words(grids, rows);
+  for (const auto& sentences : {questions, ends_in_words(rows), shifts, errors_in_words(options, rows)}) {
     report.answers.insert(report.answers.end(), sentences.begin(), sentences.end());
   }
-  report.headlines = exactness_in_words(options, rows);
-  const std::vector<std::string> shifts = digits_in_words(grids, rows);
-  report.headlines.insert(report.headlines.end(), shifts.begin(), shifts.end());
+  for (const auto& sentences : {questions, exactness_in_words(options, rows), shifts}) {
+    report.headlines.insert(report.headlines.end(), sentences.begin(), sentences.end());
+  }
   report.summary.push_back(largest_errors(options, rows));
-  report.tables.push_back(error_table(rows));
+  report.tables = {packing_table(options), storage_table(options), error_table(rows)};
   report.plots = depth_packing_plots(options, grids);
   report.heat_maps = depth_packing_maps(grids);
   return report;
@@ -218,7 +325,8 @@ StudyReport depth_packing_report(const DepthPackingOptions& options, std::span<c
 namespace {
 
 double error_of(const DepthPacking& packing, ChannelStorage storage, float depth) {
-  return static_cast<double>(read_depth(packing, store_depth(packing, depth, storage))) - static_cast<double>(depth);
+  return static_cast<double>(read_depth(packing, store_depth(packing, depth, storage), storage)) -
+         static_cast<double>(depth);
 }
 
 DigitGrid grid_of(const DepthPacking& packing, ChannelStorage storage) {
@@ -234,13 +342,12 @@ DigitGrid grid_of(const DepthPacking& packing, ChannelStorage storage) {
 // The largest absolute error in each of 512 parts of the range.
 Plot error_plot(const std::vector<DigitGrid>& grids, ChannelStorage storage) {
   constexpr int kStretches = 512, kDepths = 512;
-  Plot plot{
-      .file = fmt::format("error-by-depth-{}", name_of(storage)),
-      .title = fmt::format("Error by depth, components {}", storage == ChannelStorage::round ? "rounded" : "truncated"),
-      .x_label = "depth",
-      .y_label = "largest absolute error",
-      .log_y = true,
-      .series = {}};
+  Plot plot{.file = fmt::format("error-by-depth-{}", name_of(storage)),
+            .title = fmt::format("Error by depth, {}", rule_of(storage).help),
+            .x_label = "depth",
+            .y_label = "largest absolute error",
+            .log_y = true,
+            .series = {}};
   for (const DigitGrid& grid : grids) {
     if (grid.storage != storage || !grid.keeps_depth()) continue;
     PlotSeries series{.name = std::string(grid.packing->name), .points = {}};

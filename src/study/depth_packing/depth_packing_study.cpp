@@ -9,6 +9,7 @@ namespace {
 
 StudyRow error_row(const DepthPacking& packing, ChannelStorage storage, DepthSet set, const RoundTripError& e) {
   return {.fields = {{"packing", std::string(packing.name)},
+                     {"source", std::string(packing.source)},
                      {"storage", std::string(name_of(storage))},
                      {"depths", std::string(name_of(set))},
                      {"count", e.depths},
@@ -44,13 +45,14 @@ constexpr double kMostDepth = 16.0;
 
 RowRule error_rule(const DepthPacking& packing, ChannelStorage storage, DepthSet set, std::uint64_t depths) {
   const auto most = static_cast<double>(depths);
-  return {
-      .fields = {exactly("packing", std::string(packing.name)), exactly("storage", std::string(name_of(storage))),
-                 exactly("depths", std::string(name_of(set))), exactly("count", depths), count_up_to("exact", most),
-                 count_up_to("distinct", most), count_up_to("inversions", most), real_in("max_error", 0.0, kMostDepth),
-                 real_in("mean_error", 0.0, kMostDepth), real_in("mean_bias", -kMostDepth, kMostDepth),
-                 real_in("worst_depth", 0.0, 1.0), real_in("worst_reads_as", -kMostDepth, kMostDepth),
-                 real_in("zero_reads_as", -kMostDepth, kMostDepth), real_in("one_reads_as", -kMostDepth, kMostDepth)}};
+  return {.fields = {exactly("packing", std::string(packing.name)), exactly("source", std::string(packing.source)),
+                     exactly("storage", std::string(name_of(storage))), exactly("depths", std::string(name_of(set))),
+                     exactly("count", depths), count_up_to("exact", most), count_up_to("distinct", most),
+                     count_up_to("inversions", most), real_in("max_error", 0.0, kMostDepth),
+                     real_in("mean_error", 0.0, kMostDepth), real_in("mean_bias", -kMostDepth, kMostDepth),
+                     real_in("worst_depth", 0.0, 1.0), real_in("worst_reads_as", -kMostDepth, kMostDepth),
+                     real_in("zero_reads_as", -kMostDepth, kMostDepth),
+                     real_in("one_reads_as", -kMostDepth, kMostDepth)}};
 }
 
 std::vector<RowRule> second_digit_rules(const DepthPacking& packing, ChannelStorage storage) {

@@ -1,4 +1,6 @@
 // `ninebit study depth-packing`: the errors of depths after a round trip through bytes.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "ninebit/study/depth_packing_error.h"
@@ -10,7 +12,7 @@ namespace {
 struct DepthPackingFlags {
   StudyFlags study;
   std::string packings, storages, depths;
-  std::uint32_t float_step = 64;
+  std::uint32_t float_step = DepthPackingOptions().float_step;
 };
 
 std::vector<std::string> all_sets() {
@@ -20,13 +22,33 @@ std::vector<std::string> all_sets() {
   return names;
 }
 
+std::vector<std::string> all_storages() {
+  std::vector<std::string> names;
+  names.reserve(storage_rules().size());
+  for (const StorageRule& rule : storage_rules()) names.emplace_back(rule.name);
+  return names;
+}
+
+// A line for each packing and storage.
+std::string tables_in_words() {
+  std::string text = "Packings:\n";
+  for (const DepthPacking& packing : depth_packings()) {
+    text += fmt::format("  {:<22}{}\n", packing.name, packing.source);
+  }
+  text += "Storages of component v, which is in [0, 1]:\n";
+  for (const StorageRule& rule : storage_rules()) text += fmt::format("  {:<11}{}\n", rule.name, rule.formula);
+  return text;
+}
+
 Result<std::unique_ptr<Study>> make_study(const DepthPackingFlags& flags) {
   DepthPackingOptions options = all_depth_packings();
   if (!flags.packings.empty()) options.packings = items_of(flags.packings);
   if (!flags.storages.empty()) {
     options.storages.clear();
     for (const std::string& name : items_of(flags.storages)) {
-      options.storages.push_back(name == "round" ? ChannelStorage::round : ChannelStorage::truncate);
+      for (const StorageRule& rule : storage_rules()) {
+        if (name == rule.name) options.storages.push_back(rule.storage);
+      }
     }
   }
   if (!flags.depths.empty()) {
@@ -44,21 +66,21 @@ Result<std::unique_ptr<Study>> make_study(const DepthPackingFlags& flags) {
 }  // namespace
 
 void add_study_depth_packing(CLI::App& verbs, StudyRequest& request) {
-  CLI::App* verb =
-      verbs.add_subcommand("depth-packing", "Measure round-trip errors of depths packed into bytes, as in three.js");
-  verb->footer(
-      "Examples:\n"
-      "  ninebit study depth-packing\n"
-      "  ninebit study depth-packing --packings rgba8-fract,rgba8-mod --storages round --depths 16 --json\n"
-      "  ninebit study depth-packing --depths floats --float-step 1");
+  CLI::App* verb = verbs.add_subcommand(
+      "depth-packing", "Measure round-trip errors of depths packed into bytes, as in three.js and other engines");
+  verb->footer(tables_in_words() +
+               "Examples:\n"
+               "  ninebit study depth-packing\n"
+               "  ninebit study depth-packing --packings rgba8-fract,rgba8-mod --storages round --depths 16 --json\n"
+               "  ninebit study depth-packing --depths floats --float-step 1");
   auto flags = std::make_shared<DepthPackingFlags>();
   add_study_flags(*verb, flags->study, StudyProfiles::none);
   verb->add_option("--packings", flags->packings, "Packings to measure (default: all)")
       ->type_name("LIST")
       ->check(list_of(all_depth_packings().packings));
-  verb->add_option("--storages", flags->storages, "Conversions of components to bytes (default: both): round,truncate")
+  verb->add_option("--storages", flags->storages, "Conversions of components to bytes (default: round,truncate)")
       ->type_name("LIST")
-      ->check(list_of({"round", "truncate"}));
+      ->check(list_of(all_storages()));
   verb->add_option("--depths", flags->depths, "Sets of depths: 16 bits, 24 bits or floats (default: all): 16,24,floats")
       ->type_name("LIST")
       ->check(list_of(all_sets()));
