@@ -71,6 +71,15 @@ TEST(SourceFaults, OfProgramsInStringsHaveTheirPlace) {
             "s:3:29: expected a register to read, found 'tex7'; did you mean 'tex0'?\n");
 }
 
+// All that a macro calls stands where it is used.
+TEST(SourceFaults, AMisspelledCallOfAMacroIsFoundBehindAnotherCall) {
+  const std::string both =
+      "#define BOTH(x) setupCombiners(x); glCombinerParameteriNw(GL_NUM_GENERAL_COMBINERS_NV, x)\n";
+  EXPECT_NE(
+      faults_of(both + "void f() { " + kSetCount + "2); BOTH(1); }").find("did you mean 'glCombinerParameteriNV'"),
+      std::string::npos);
+}
+
 TEST(SourceFaults, EndlessLoopsAndRecursionEnd) {
   EXPECT_EQ(faults_of("void a() { " + kSetCount + "2); while (1) { draw(); } }"), "");
   EXPECT_EQ(faults_of("void a() { " + kSetCount + "2); for (;;) ; }"), "");

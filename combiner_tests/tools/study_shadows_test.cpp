@@ -111,7 +111,7 @@ TEST(StudyDepthPacking, NamesWherePackingsAndStoragesAreFound) {
   const Json rows = json_of(ninebit({"study", "depth-packing", "--packings", "rgba8-base255-2007", "--storages",
                                      "floor-256,half", "--depths", "16", "--json"}))["rows"];
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0]["source"], "aras-p.info, 29 June 2007");
+  EXPECT_EQ(rows[0]["source"], "aras-p.info, 29 June 2007, with 255^3 as corrected since");
   EXPECT_EQ(rows[1]["storage"], "half");
   EXPECT_NE(rows[0]["max_error"], rows[1]["max_error"]);
   const std::string help = ninebit({"study", "depth-packing", "--help"}).out;

@@ -272,7 +272,7 @@ constexpr std::array kPackings{
         {"rgba8-base255-clamped", "rgba8-base255 of min(d, 0.999)", "Unity's cube shadow maps"}, 4, true),
     packing_of<&pack_255_half_added, &unpack_255>(
         {"rgba8-base255-2007", "fract(d (1, 255, 255^2, 255^3)) + 0.5/255; as rgba8-base255",
-         "aras-p.info, 29 June 2007"},
+         "aras-p.info, 29 June 2007, with 255^3 as corrected since"},
         4, true),
     packing_of<&pack_255_by_256, &unpack_255>(
         {"rgba8-base255-by-256", "rgba8-base255 with d for fract(d) and e.yzw / 256; as rgba8-base255",
@@ -283,7 +283,9 @@ constexpr std::array kPackings{
     packing_of<&pack_two_255, &unpack_two_255>(
         {"rg8-base255", "two components of rgba8-base255, of 0.99 d; / 0.99", "older engines"}, 2, true),
     packing_of<&pack_24_bits, &unpack_24_bits>(
-        {"rgb8-65793", "256/255 fract((d, 256 g, 65536 b)), less the lower / 256; c . (65536, 256, 1) / 65793",
+        {"rgb8-65793",
+         "256/255 fract((d, 256 g, 65536 b)), g and b = d mod 65536/m and 256/m, m = 16777215, less the lower / 256; c "
+         ". (65536, 256, 1) / 65793",
          "skytiger.wordpress.com, 1 December 2010"},
         3, true),
     packing_of<&pack_floors, &unpack_floors>(

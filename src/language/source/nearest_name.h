@@ -31,6 +31,7 @@ template <class Names>
     if (count >= fewest || 3 * count > longer) continue;
     fewest = count;
     nearest = name;
+    if (fewest == 0) break;
   }
   return nearest;
 }

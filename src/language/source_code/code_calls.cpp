@@ -218,7 +218,7 @@ std::vector<WholeState> Machine::programs() const {
 
 // A call that is one letter away from one of the combiners'.
 void Machine::look_for_misspelling(std::string_view name, const Expression& e) {
-  if (name.find("ombin") == std::string_view::npos || !spelled_.insert(e.offset).second) return;
+  if (name.find("ombin") == std::string_view::npos || !spelled_.emplace(e.offset, name).second) return;
   const std::string meant = detail::meant_call(name);
   if (!meant.empty()) report(e.offset, quoted(name) + " is not a call of the register combiners" + meant);
 }

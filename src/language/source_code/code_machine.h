@@ -340,15 +340,15 @@ class Machine {
   std::map<std::string, std::set<std::uint32_t>> needs_;                      // where each is used
   std::set<std::string> used_;                                                // definitions that were looked at
   std::map<std::string, std::pair<std::uint32_t, std::string>> assumptions_;  // notes, by their names in origins
-  std::set<std::string> used_origins_;   // those on which a call or a decision depends
-  std::set<std::string> arrays_;         // needed names of which four numbers are needed
-  std::set<std::string> skipped_;        // functions that were not executed
-  std::string_view skipped_language_{};  // of a program in a literal that is not for combiners
-  std::set<std::uint32_t> loaded_;       // programs in literals
-  std::set<std::uint32_t> reported_;     // places that were reported
-  std::set<std::uint32_t> spelled_;      // calls whose names were compared with those of the combiners' calls
-  std::map<std::string, FilledDefinition> filled_;  // by their objects
-  std::vector<WholeState> drawn_;                   // programs with which something was drawn
+  std::set<std::string> used_origins_;                       // those on which a call or a decision depends
+  std::set<std::string> arrays_;                             // needed names of which four numbers are needed
+  std::set<std::string> skipped_;                            // functions that were not executed
+  std::string_view skipped_language_{};                      // of a program in a literal that is not for combiners
+  std::set<std::uint32_t> loaded_;                           // programs in literals
+  std::set<std::uint32_t> reported_;                         // places that were reported
+  std::set<std::pair<std::uint32_t, std::string>> spelled_;  // places and names there that were compared
+  std::map<std::string, FilledDefinition> filled_;           // by their objects
+  std::vector<WholeState> drawn_;                            // programs with which something was drawn
   std::uint32_t first_skipped_ = 0, last_skipped_ = 0;
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
   std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0;

@@ -86,10 +86,11 @@ export function afterPause(milliseconds, run) {
  * @param {() => void} run
  */
 export function nextFrame(run) {
-  let waiting = false, timer = 0;
+  let waiting = false, timer = 0, frame = 0;
   const now = () => {
     if (!waiting) return;
     clearTimeout(timer);
+    cancelAnimationFrame(frame);
     waiting = false;
     run();
   };
@@ -97,7 +98,7 @@ export function nextFrame(run) {
     if (waiting) return;
     waiting = true;
     timer = setTimeout(now, document.hidden ? 0 : 100);
-    requestAnimationFrame(now);
+    frame = requestAnimationFrame(now);
   };
 }
 

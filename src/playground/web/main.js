@@ -75,7 +75,7 @@ async function restoreFiles(store, shelf) {
 }
 
 /** Where nobody waits: an address that a browser refuses, as it does after many, is written after the next change. */
-const unwritten = () => {};
+const unwritten = (error) => { if (error.name !== 'SecurityError') throw error; };
 
 /** Where Ctrl-Z is the browser's or the editor's, or nothing's. */
 const ownUndo = '.cm-editor, dialog, input:not([type=range]):not([type=color]), textarea';

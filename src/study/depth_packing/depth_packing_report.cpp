@@ -178,13 +178,17 @@ void add_order_keepers(std::vector<std::string>& sentences, const DepthPackingOp
                        std::span<const StudyRow> rows) {
   for (const ChannelStorage storage : options.storages) {
     std::vector<std::string> names;
+    bool measured = true;  // a part of a study lacks rows
     for (const std::string& packing : options.packings) {
-      const bool keeps = std::all_of(options.sets.begin(), options.sets.end(), [&](DepthSet set) {
+      bool keeps = true;
+      for (const DepthSet set : options.sets) {
         const StudyRow* const row = row_of(rows, packing, storage, set);
-        return row != nullptr && row->count("inversions") == 0 && row->number("one_reads_as") == 1.0;
-      });
+        measured = measured && row != nullptr;
+        keeps = keeps && row != nullptr && row->count("inversions") == 0 && row->number("one_reads_as") == 1.0;
+      }
       if (keeps) names.push_back(packing);
     }
+    if (!measured) continue;
     sentences.push_back(fmt::format("Depth 1 reads as 1 and no depths are inverted in any set, {}: {}.",
                                     rule_of(storage).help,
                                     names.empty() ? "no packing" : fmt::format("{}", fmt::join(names, ", "))));

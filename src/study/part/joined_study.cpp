@@ -73,7 +73,7 @@ class JoinedStudy final : public Study {
       titled(part);
       part.file.insert(0, profile + '-');
     };
-    add(report.rows, all.rows, [](const StudyRow&) {});
+    add(report.rows, all.rows, [&](StudyRow& row) { row.fields.insert(row.fields.begin(), {"profile", profile}); });
     add(report.answers, all.answers, sentence);
     add(report.headlines, all.headlines, sentence);
     add(report.summary, all.summary, titled);
