@@ -112,10 +112,14 @@ TEST(GoldenHashes, RenderingsAreTheSameToTheBit) {
   ASSERT_TRUE(std::filesystem::exists(kExpected)) << "NINEBIT_UPDATE_HASHES=1 makes " << kExpected;
   const Json expected = Json::parse(read_bytes(kExpected), nullptr, false);
   ASSERT_TRUE(expected.is_object()) << kExpected << " is not a JSON object";
-  EXPECT_TRUE(kSome || keys_of(expected) == keys_of(found));
+  if (!kSome) {
+    EXPECT_EQ(keys_of(expected), keys_of(found));
+  }
   for (const auto& [scene, renderings] : found.items()) {
     ASSERT_TRUE(expected.contains(scene)) << scene;
-    EXPECT_TRUE(kSome || keys_of(expected[scene]) == keys_of(renderings)) << scene;
+    if (!kSome) {
+      EXPECT_EQ(keys_of(expected[scene]), keys_of(renderings)) << scene;
+    }
     for (const auto& [flags, hashes] : renderings.items()) {
       if (!expected[scene].contains(flags)) continue;  // the keys' comparison has told
       EXPECT_EQ(hashes, expected[scene][flags]) << scene << ' ' << flags;
