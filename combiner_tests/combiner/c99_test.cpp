@@ -37,7 +37,7 @@ nbc_profile profile_in_c(const HardwareProfile& p) {
           p.color_sum_inverts};
 }
 
-bool operator_equal(const nbc_profile& a, const nbc_profile& b) {
+bool is_same_profile(const nbc_profile& a, const nbc_profile& b) {
   const auto tied = [](const nbc_profile& p) {
     return std::array<int, 15>{p.one,
                                p.lowest,
@@ -99,11 +99,11 @@ nbc_state in_c(const CombinerState& state) {
 }
 
 // All that a program says, as one text that two programs can be compared by.
-std::string text_of(const nbc_input& in) {
+std::string c_text_of(const nbc_input& in) {
   return std::to_string(in.reg) + '/' + std::to_string(in.mapping) + '/' + std::to_string(in.usage) + ' ';
 }
-std::string text_of(const nbc_portion& p) {
-  std::string text = text_of(p.a) + text_of(p.b) + text_of(p.c) + text_of(p.d);
+std::string c_text_of(const nbc_portion& p) {
+  std::string text = c_text_of(p.a) + c_text_of(p.b) + c_text_of(p.c) + c_text_of(p.d);
   const nbc_output& out = p.out;
   for (const int field : {int{out.ab}, int{out.cd}, int{out.sum}, int{out.scale}, int{out.bias},
                           int{out.ab_dot_product}, int{out.cd_dot_product}, int{out.mux_sum},
@@ -112,25 +112,25 @@ std::string text_of(const nbc_portion& p) {
   }
   return text;
 }
-std::string text_of(const nbc_final& f) {
-  return text_of(f.a) + text_of(f.b) + text_of(f.c) + text_of(f.d) + text_of(f.e) + text_of(f.f) + text_of(f.g);
+std::string c_text_of(const nbc_final& f) {
+  return c_text_of(f.a) + c_text_of(f.b) + c_text_of(f.c) + c_text_of(f.d) + c_text_of(f.e) + c_text_of(f.f) + c_text_of(f.g);
 }
 template <class Four>
-std::string text_of_four(const Four& four) {
+std::string c_text_of_four(const Four& four) {
   std::string text;
   for (const auto v : four) text += std::to_string(v) + ' ';
   return text;
 }
-std::string text_of(const nbc_program& p) {
+std::string c_text_of(const nbc_program& p) {
   std::string text = std::to_string(p.num_general_combiners) + (p.color_sum_clamp ? "c" : "-") +
                      (p.color_sum_invert_spare0 ? "0" : "-") + (p.color_sum_invert_secondary ? "1" : "-") + '\n';
   for (const nbc_stage& stage : p.general) {
-    text += text_of(stage.rgb) + "| " + text_of(stage.alpha) + "| " + text_of_four(stage.constant0) +
-            text_of_four(stage.constant1) + (stage.mux_by_lowest_bit ? "lsb\n" : "msb\n");
+    text += c_text_of(stage.rgb) + "| " + c_text_of(stage.alpha) + "| " + c_text_of_four(stage.constant0) +
+            c_text_of_four(stage.constant1) + (stage.mux_by_lowest_bit ? "lsb\n" : "msb\n");
   }
-  return text + text_of(p.final_combiner) + text_of_four(p.constant0) + text_of_four(p.constant1);
+  return text + c_text_of(p.final_combiner) + c_text_of_four(p.constant0) + c_text_of_four(p.constant1);
 }
-std::string text_of(const Program& p) {
+std::string c_text_of(const Program& p) {
   nbc_program c{};
   c.num_general_combiners = p.num_general_combiners;
   c.color_sum_clamp = p.color_sum_clamp;
@@ -147,38 +147,38 @@ std::string text_of(const Program& p) {
   c.final_combiner = in_c(p.final_combiner);
   std::copy(p.constant0.begin(), p.constant0.end(), c.constant0);
   std::copy(p.constant1.begin(), p.constant1.end(), c.constant1);
-  return text_of(c);
+  return c_text_of(c);
 }
 
-struct Evaluated {
+struct EvaluatedInC {
   RegisterFile registers;
   Rgba9 color{};
 };
 
-Evaluated evaluate_in_c(const nbc_program& program, const RegisterFile& start) {
+EvaluatedInC evaluate_in_c(const nbc_program& program, const RegisterFile& start) {
   std::int16_t registers[NBC_REGISTERS][4];
   for (std::size_t r = 0; r < kRegisterCount; ++r) std::copy(start.value[r].begin(), start.value[r].end(), registers[r]);
-  Evaluated result;
+  EvaluatedInC result;
   nbc_evaluate(&program, registers, result.color.data());
   for (std::size_t r = 0; r < kRegisterCount; ++r) std::copy_n(registers[r], 4, result.registers.value[r].begin());
   return result;
 }
 
 // The program of a valid state by both, which are expected to be equal.
-nbc_program compiled(const CombinerState& state, const HardwareProfile& profile) {
+nbc_program compiled_in_c(const CombinerState& state, const HardwareProfile& profile) {
   const nbc_state c = in_c(state);
   const nbc_profile c_profile = profile_in_c(profile);
   nbc_program program{};
   EXPECT_TRUE(nbc_compile(&c, &c_profile, &program));
-  EXPECT_EQ(text_of(program), text_of(normalize(state, profile)));
-  EXPECT_TRUE(operator_equal(program.datapath, c_profile));
+  EXPECT_EQ(c_text_of(program), c_text_of(normalize(state, profile)));
+  EXPECT_TRUE(is_same_profile(program.datapath, c_profile));
   return program;
 }
 
-void expect_same(const Program& program, const nbc_program& c, const RegisterFile& start) {
+void expect_same_in_c(const Program& program, const nbc_program& c, const RegisterFile& start) {
   RegisterFile registers = start;
   evaluate_general(program, registers);
-  const Evaluated result = evaluate_in_c(c, start);
+  const EvaluatedInC result = evaluate_in_c(c, start);
   ASSERT_EQ(result.registers, registers);
   ASSERT_EQ(result.color, evaluate_final(program, registers));
 }
@@ -191,7 +191,7 @@ TEST(C99, HasTheShippedIntegerProfiles) {
     EXPECT_EQ(c != nullptr, profile.arithmetic == Arithmetic::integer) << name;
     if (c == nullptr) continue;
     ++found;
-    EXPECT_TRUE(operator_equal(*c, profile_in_c(profile))) << name;
+    EXPECT_TRUE(is_same_profile(*c, profile_in_c(profile))) << name;
     EXPECT_EQ(c->name, profile.name);
   }
   EXPECT_EQ(found, integer_profiles().size());
@@ -206,7 +206,7 @@ TEST(C99, TheDefaultStateIsOpenGls) {
   for (const HardwareProfile& profile : integer_profiles()) {
     const nbc_profile c_profile = profile_in_c(profile);
     ASSERT_TRUE(nbc_compile(&state, &c_profile, &program));
-    EXPECT_EQ(text_of(program), text_of(normalize({}, profile)));
+    EXPECT_EQ(c_text_of(program), c_text_of(normalize({}, profile)));
   }
 }
 
@@ -225,7 +225,7 @@ TEST(C99, AllBytesBecomeTheSameCodesAndBack) {
 // Runs a state over all pairs of codes in texture 0 and the primary colour, of which each component has another one.
 void expect_same_for_all_pairs(const CombinerState& state, const HardwareProfile& profile) {
   const Program program = normalize(state, profile);
-  const nbc_program c = compiled(state, profile);
+  const nbc_program c = compiled_in_c(state, profile);
   RegisterFile registers;
   const int low = profile.lowest, count = profile.one - low + 1;
   for (int x = 0; x < count; ++x) {
@@ -237,7 +237,7 @@ void expect_same_for_all_pairs(const CombinerState& state, const HardwareProfile
       }
       registers[Register::spare0] = registers[Register::primary];
       registers[Register::secondary] = registers[Register::texture0];
-      ASSERT_NO_FATAL_FAILURE(expect_same(program, c, registers));
+      ASSERT_NO_FATAL_FAILURE(expect_same_in_c(program, c, registers));
     }
   }
 }
@@ -296,13 +296,13 @@ TEST(C99, TheFinalCombinerOfAllPairsOfCodes) {
 
 TEST(C99, RandomProgramsGiveTheSameRegistersAndColors) {
   Random random(50);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     const HardwareProfile profile = random_profile(random);
     const CombinerState state = random_state(random, profile);
     const Program program = normalize(state, profile);
-    const nbc_program c = compiled(state, profile);
+    const nbc_program c = compiled_in_c(state, profile);
     for (int k = 0; k < 4; ++k) {
-      ASSERT_NO_FATAL_FAILURE(expect_same(program, c, random_registers(random, profile))) << "case " << i;
+      ASSERT_NO_FATAL_FAILURE(expect_same_in_c(program, c, random_registers(random, profile))) << "case " << i;
     }
   }
 }
@@ -354,7 +354,7 @@ CombinerState damaged_state(Random& random, const HardwareProfile& profile) {
 TEST(C99, FaultsAreThoseOfTheLibrary) {
   Random random(51);
   int faulty = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     HardwareProfile profile = random_profile(random);
     profile.name = "a profile";
     const CombinerState state = damaged_state(random, profile);
@@ -380,7 +380,7 @@ TEST(C99, FaultsAreThoseOfTheLibrary) {
     }
     faulty += expected.empty() ? 0 : 1;
   }
-  EXPECT_GT(faulty, 12000);
+  EXPECT_GT(faulty, 3000);
 }
 
 TEST(C99, AFaultsTextIsCutToItsSize) {
@@ -401,14 +401,14 @@ TEST(C99, AFaultsTextIsCutToItsSize) {
 }
 
 // Words of a chip: some random bits in the words of a random valid state.
-struct Words {
+struct ChipWords {
   nbc_words c{};
   std::vector<RegisterWord> named;
 };
 
-Words random_words(Random& random, ChipClass chip) {
+ChipWords random_words(Random& random, ChipClass chip) {
   const HardwareProfile& profile = chip == ChipClass::nv20 ? profiles::nv2a : profiles::geforce2;
-  Words words;
+  ChipWords words;
   CombinerState state = random_state(random, profile);
   const auto encoded = encode_register_words(state, chip, profile);
   EXPECT_TRUE(encoded) << encoded.error().text();
@@ -447,8 +447,8 @@ TEST(C99, RegisterWordsGiveTheSamePrograms) {
     const HardwareProfile& profile = chip == ChipClass::nv20 ? profiles::nv2a : profiles::geforce2;
     const nbc_profile c_profile = profile_in_c(profile);
     int read = 0, refused = 0;
-    for (int i = 0; i < 20000; ++i) {
-      const Words words = random_words(random, chip);
+    for (int i = 0; i < 4000; ++i) {
+      const ChipWords words = random_words(random, chip);
       const auto expected = decode_register_words(words.named, "words", chip, profile);
       nbc_state state;
       const bool is_right = nbc_read_words(&words.c, chip == ChipClass::nv20 ? NBC_NV20 : NBC_NV10, &state);
@@ -461,11 +461,11 @@ TEST(C99, RegisterWordsGiveTheSamePrograms) {
       }
       ASSERT_TRUE(is_right) << "case " << i;
       ASSERT_TRUE(is_valid) << "case " << i;
-      ASSERT_EQ(text_of(program), text_of(normalize(*expected, profile))) << "case " << i;
+      ASSERT_EQ(c_text_of(program), c_text_of(normalize(*expected, profile))) << "case " << i;
       ++read;
     }
-    EXPECT_GT(read, 14000);
-    EXPECT_GT(refused, 1000);
+    EXPECT_GT(read, 3000);
+    EXPECT_GT(refused, 50);
   }
 }
 
