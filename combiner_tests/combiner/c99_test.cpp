@@ -222,14 +222,14 @@ TEST(C99, AllBytesBecomeTheSameCodesAndBack) {
   }
 }
 
-// Runs a state over all pairs of codes in texture 0 and the primary colour, of which each component has another one.
-void expect_same_for_all_pairs(const CombinerState& state, const HardwareProfile& profile) {
+// Runs a state over all codes in texture 0, each with one of `stride` in the primary colour, whose components differ.
+void expect_same_for_pairs(const CombinerState& state, const HardwareProfile& profile, int stride) {
   const Program program = normalize(state, profile);
   const nbc_program c = compiled_in_c(state, profile);
   RegisterFile registers;
   const int low = profile.lowest, count = profile.one - low + 1;
   for (int x = 0; x < count; ++x) {
-    for (int y = 0; y < count; y += 3) {
+    for (int y = x % stride; y < count; y += stride) {
       for (int k = 0; k < 4; ++k) {
         const auto i = static_cast<std::size_t>(k);
         registers[Register::texture0][i] = static_cast<s9>(low + x);
@@ -250,7 +250,7 @@ TEST(C99, AllMappingsOfAllCodesAndAllOutputsOfAllProducts) {
       state.general[0].rgb.b = rgb_of(Register::primary, mapping);
       state.general[0].alpha.a = alpha_of(Register::texture0, mapping);
       state.general[0].alpha.b = blue_of(Register::primary, mapping);
-      ASSERT_NO_FATAL_FAILURE(expect_same_for_all_pairs(state, profile));
+      ASSERT_NO_FATAL_FAILURE(expect_same_for_pairs(state, profile, 31));
     }
     for (const auto& [scale, bias] : kScaleBias) {
       for (const bool mux : {false, true}) {
@@ -266,13 +266,13 @@ TEST(C99, AllMappingsOfAllCodesAndAllOutputsOfAllProducts) {
         Portion& alpha = state.general[0].alpha;
         for (CombinerInput* const in : {&alpha.a, &alpha.b, &alpha.c, &alpha.d}) in->usage = ComponentUsage::alpha;
         state.mux_by_lowest_bit = mux && profile.mux_by_lowest_bit && bias == Bias::none;
-        ASSERT_NO_FATAL_FAILURE(expect_same_for_all_pairs(state, profile));
+        ASSERT_NO_FATAL_FAILURE(expect_same_for_pairs(state, profile, 7));
       }
     }
   }
 }
 
-TEST(C99, TheFinalCombinerOfAllPairsOfCodes) {
+TEST(C99, TheFinalCombinerOfManyPairsOfCodes) {
   for (const HardwareProfile& profile : profiles_and_rivals()) {
     for (const bool clamp : {false, true}) {
       for (const bool invert : {false, true}) {
@@ -288,7 +288,7 @@ TEST(C99, TheFinalCombinerOfAllPairsOfCodes) {
         state.color_sum_clamp = clamp;
         state.color_sum_invert_spare0 = invert && profile.color_sum_inverts;
         state.color_sum_invert_secondary = clamp && profile.color_sum_inverts;
-        ASSERT_NO_FATAL_FAILURE(expect_same_for_all_pairs(state, profile));
+        ASSERT_NO_FATAL_FAILURE(expect_same_for_pairs(state, profile, 7));
       }
     }
   }
