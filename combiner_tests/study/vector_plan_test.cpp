@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <set>
 #include <string>
@@ -200,10 +201,12 @@ TEST(VectorPlan, EmulatorsWithManyFaultsAreMended) {
 }
 
 // An author who mends what `verify` names first, and runs the pack again, until nothing differs: every step removes a
-// fault that is there, so there are as many steps as faults that show something.
+// fault that is there. NINEBIT_JOURNEYS=all takes the longest one, too.
 TEST(VectorPlan, JourneysFromAnEmulatorToTheChip) {
   if (test::kSanitized) GTEST_SKIP() << "too slow; the build without sanitizers runs this";
+  const bool all = std::getenv("NINEBIT_JOURNEYS") != nullptr;
   for (const Emulator& emulator : kEmulators) {
+    if (!all && emulator.faults.size() > 9) continue;
     SCOPED_TRACE(emulator.name);
     std::set<EmulatorFault> left = emulator.faults;
     std::size_t steps = 0;
