@@ -16,7 +16,7 @@ std::filesystem::path path_in(const Effect& effect, const std::string& file) {
   return path.is_absolute() || effect.folder.empty() ? path : std::filesystem::path(effect.folder) / path;
 }
 
-// What an origin makes of the file's texture.
+// Adapts the file's texture to its origin.
 Result<Texture> made_from(const Texture& file, const TextureRecipe& recipe) {
   const auto steepness = static_cast<double>(recipe.steepness);
   switch (recipe.origin) {

@@ -79,7 +79,7 @@ std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what) {
 }
 
 Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options,
-                  std::vector<KeptTexture>* kept) {
+                  std::vector<CachedTexture>* kept) {
   Drawn drawn;
   if (std::string complaint = complaint_about_amount(what.effect, shelf); !complaint.empty()) {
     drawn.refused = refusal(std::move(complaint), "effect");

@@ -41,9 +41,9 @@ class ShelfReaders {
   ShelfReaders(const FileTexts& texts, const Shelf& shelf) : texts_(texts), shelf_(shelf) {}
 
   // Takes textures from those that were made before of the same shelf. The profile does not change a texture here.
-  void reuse(std::vector<KeptTexture> textures) { reused_ = std::move(textures); }
+  void reuse(std::vector<CachedTexture> textures) { reused_ = std::move(textures); }
   // The textures that were read or taken, for the next drawing.
-  [[nodiscard]] std::vector<KeptTexture> textures() && { return std::move(kept_); }
+  [[nodiscard]] std::vector<CachedTexture> textures() && { return std::move(kept_); }
 
   [[nodiscard]] EffectReaders readers();
   // Faults of the program that was read last, with places in its text; none: the reading did not fail there.
@@ -61,7 +61,7 @@ class ShelfReaders {
   const Shelf& shelf_;
   std::vector<TextFault> program_faults_{};
   std::vector<std::string> warnings_{};
-  std::vector<KeptTexture> reused_{}, kept_{};
+  std::vector<CachedTexture> reused_{}, kept_{};
 };
 
 // An effect's request, without its profiles. Faults of the effect's own text are in `refused`.
@@ -82,7 +82,7 @@ struct Drawn {
 };
 // `kept`: textures of an earlier drawing of the same shelf; then those of this one.
 [[nodiscard]] Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options,
-                                std::vector<KeptTexture>* kept = nullptr);
+                                std::vector<CachedTexture>* kept = nullptr);
 
 // The picture's RGBA, rows from the top, appended to `bytes`.
 void append_picture(const Surface& surface, std::vector<std::uint8_t>& bytes);

@@ -38,7 +38,7 @@ struct Shelf {
 };
 
 // Textures of the last drawing, for the next one, with the warnings that came with them.
-struct KeptTexture {
+struct CachedTexture {
   TextureRecipe recipe{};
   Texture texture{};
   std::vector<std::string> warnings{};
@@ -86,7 +86,7 @@ class Engine {
   std::vector<std::uint8_t> buffer_{};
   std::vector<std::uint8_t> bytes_{};
   std::optional<LastDrawing> last_{};
-  std::vector<KeptTexture> textures_{};  // of the last "draw"; none after a "put"
+  std::vector<CachedTexture> textures_{};  // of the last "draw"; none after a "put"
   std::unique_ptr<Judging> judging_;
 };
 

@@ -121,7 +121,7 @@ Result<TextProgram> ShelfReaders::read_program(const std::string& name, const Ha
 }
 
 Result<Texture> ShelfReaders::kept_texture(const TextureRecipe& recipe, const std::function<Result<Texture>()>& make) {
-  const auto is_it = [&](const KeptTexture& kept) { return kept.recipe == recipe; };
+  const auto is_it = [&](const CachedTexture& kept) { return kept.recipe == recipe; };
   if (const auto found = std::find_if(reused_.begin(), reused_.end(), is_it); found != reused_.end()) {
     kept_.push_back(std::move(*found));
     reused_.erase(found);

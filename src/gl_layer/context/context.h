@@ -74,7 +74,7 @@ struct SavedState {
   StagePixelTransfer pixel_transfer{};             // for the pixel mode group
 };
 
-// What the last draw's texture shaders were compiled for, and which textures have all levels that they need.
+// The set-up that the last draw's texture shaders were compiled for, and the textures that have all levels they need.
 struct StageCache {
   StageTextures textures{};
   std::uint64_t images_changed = 0;  // when `levels` was asked for

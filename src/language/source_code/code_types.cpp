@@ -106,7 +106,7 @@ std::size_t Parser::behind_template(std::size_t at) const {
   return 0;
 }
 
-bool Parser::number_words(Specifiers& out) {
+bool Parser::number_words(DeclarationHead& out) {
   int longs = 0, total = 0;
   bool is_unsigned = false, is_short = false;
   std::string_view main;
@@ -152,7 +152,7 @@ bool Parser::number_words(Specifiers& out) {
 }
 
 // The words before a declarator. Without `takes_unknown`, only a type that is known.
-bool Parser::specifiers(Specifiers& out, bool takes_unknown) {
+bool Parser::specifiers(DeclarationHead& out, bool takes_unknown) {
   while (true) {
     const Token& word = peek();
     if (word.is("[") && peek(1).is("[")) {  // an attribute
@@ -205,7 +205,7 @@ bool Parser::specifiers(Specifiers& out, bool takes_unknown) {
 }
 
 // struct, class, union or enum, with its body or without.
-const Type* Parser::structure(Specifiers& out) {
+const Type* Parser::structure(DeclarationHead& out) {
   const Token keyword = take();
   if (keyword.is("enum")) {
     enumeration(out);
@@ -274,7 +274,7 @@ void Parser::members(Struct& out, bool& is_read) {
       skip_brackets();
       continue;
     }
-    const Head head = this->head();
+    const DeclarationHead head = this->head();
     const bool points = head.parenthesis + 1 < end_ && token(head.parenthesis + 1).is("*");
     if (head.parenthesis != 0 && !head.is_class && !points && function(head, &out)) continue;
     at_ = begin;
@@ -299,7 +299,7 @@ void Parser::members(Struct& out, bool& is_read) {
   }
 }
 
-void Parser::enumeration(Specifiers& out) {
+void Parser::enumeration(DeclarationHead& out) {
   takes("class");
   takes("struct");
   std::string_view name = peek().is_name() ? take().text : std::string_view();

@@ -14,7 +14,7 @@
 
 namespace ninebit::tools {
 
-// What is asked about a pixel of a scene.
+// A question about a pixel of a scene.
 struct PixelQuestion {
   int x = 0, y = 0;            // from the top left, inside the picture
   bool other_program = false;  // a program replaces that of the pass
@@ -35,7 +35,7 @@ struct RenderedPixel {
 
 [[nodiscard]] std::string pixel_text(const TracedPixel& pixel);
 
-// What is true of the pixel, and why: "wrong (joint): …", a sentence.
+// The verdict on the pixel, with its reason: "wrong (joint): …", a sentence.
 [[nodiscard]] std::string truth_text(const TracedPixel& pixel, const JudgedPixel& truth);
 // The same as `truth` of the answer; polygons count from 1.
 [[nodiscard]] Json truth_json(const JudgedPixel& truth);
