@@ -217,7 +217,7 @@ const Type* Parser::result_type(std::size_t begin, std::size_t name) {
   const Type* found = nullptr;
   for (std::size_t i = begin; i < name && found == nullptr; ++i) {
     at_ = i;
-    DeclarationHead words;
+    Specifiers words;
     if (!specifiers(words, false) || words.type == nullptr) continue;
     Declared out;
     const Type* const type = pointers(words.type, out);

@@ -45,7 +45,7 @@ class Parser {
     const Type* type = nullptr;
     std::optional<Number> constant{};
   };
-  struct DeclarationHead {
+  struct Specifiers {
     const Type* type = nullptr;
     bool is_constant = false, is_static = false, is_extern = false, is_typedef = false, is_final = false;
     bool is_volatile = false;
@@ -105,11 +105,11 @@ class Parser {
   void declare(std::string_view name, Symbol symbol);
   void open_scope() { saved_.emplace_back(); }
   void close_scope();
-  bool specifiers(DeclarationHead& out, bool takes_unknown);
-  bool number_words(DeclarationHead& out);
-  const Type* structure(DeclarationHead& out);
+  bool specifiers(Specifiers& out, bool takes_unknown);
+  bool number_words(Specifiers& out);
+  const Type* structure(Specifiers& out);
   void members(Struct& out, bool& is_read);
-  void enumeration(DeclarationHead& out);
+  void enumeration(Specifiers& out);
   const Type* pointers(const Type* base, Declared& out);
   const Type* declarator(const Type* base, Declared& out, Function* function);
   const Type* suffixes(const Type* base, Function* function);

@@ -106,7 +106,7 @@ std::size_t Parser::behind_template(std::size_t at) const {
   return 0;
 }
 
-bool Parser::number_words(DeclarationHead& out) {
+bool Parser::number_words(Specifiers& out) {
   int longs = 0, total = 0;
   bool is_unsigned = false, is_short = false;
   std::string_view main;
@@ -152,7 +152,7 @@ bool Parser::number_words(DeclarationHead& out) {
 }
 
 // The words before a declarator. Without `takes_unknown`, only a type that is known.
-bool Parser::specifiers(DeclarationHead& out, bool takes_unknown) {
+bool Parser::specifiers(Specifiers& out, bool takes_unknown) {
   while (true) {
     const Token& word = peek();
     if (word.is("[") && peek(1).is("[")) {  // an attribute
@@ -205,7 +205,7 @@ bool Parser::specifiers(DeclarationHead& out, bool takes_unknown) {
 }
 
 // struct, class, union or enum, with its body or without.
-const Type* Parser::structure(DeclarationHead& out) {
+const Type* Parser::structure(Specifiers& out) {
   const Token keyword = take();
   if (keyword.is("enum")) {
     enumeration(out);
@@ -299,7 +299,7 @@ void Parser::members(Struct& out, bool& is_read) {
   }
 }
 
-void Parser::enumeration(DeclarationHead& out) {
+void Parser::enumeration(Specifiers& out) {
   takes("class");
   takes("struct");
   std::string_view name = peek().is_name() ? take().text : std::string_view();
