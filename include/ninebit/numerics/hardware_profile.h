@@ -218,7 +218,7 @@ inline constexpr HardwareProfile geforce2{
     .line_shape = {LineShape::rectangles, Evidence::inferred, "rule 30, measured on NV2A"},
     .point_shape = {PointShape::squares, Evidence::inferred, "rule 31, measured on NV2A"},
     .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
-    .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20, measured on NV2A"},
+    .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20: equal slopes in depth dumps of an NV2A"},
     .polygon_offset_fraction = {OffsetFraction::kept, Evidence::inferred,
                                 "rule 20, measured on NV2A: the depth and the offset are added, then cut"},
     .color_interpolation = {ColorInterpolation::perspective, Evidence::inferred,
