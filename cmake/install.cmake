@@ -21,6 +21,10 @@ foreach(room IN LISTS rooms)
           FILES_MATCHING PATTERN *.h PATTERN *.inl ${without})
 endforeach()
 
+# The two C99 files that emulators copy.
+install(FILES ${PROJECT_SOURCE_DIR}/src/combiner/c99/ninebit_combiner.h ${PROJECT_SOURCE_DIR}/src/combiner/c99/ninebit_combiner.c
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ninebit/c99)
+
 # --- CMake packages: one file of targets for each component and kind of library.
 foreach(component IN LISTS components)
   install(EXPORT ninebit-${component}-static NAMESPACE ninebit:: DESTINATION ${package_dir})

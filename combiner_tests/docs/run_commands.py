@@ -6,7 +6,7 @@ usage: run_commands.py [--here] PROGRAM PAGE ...
 In fenced blocks without a language, a line that begins with `ninebit `, `python3 `, `cp `, `sed `, `cc ` or `./check `
 is a command, `cat > FILE <<END` is one with all lines to END, and so is a line that begins with `$ ninebit ` or
 `$ ./check `; the lines below the latter are what it prints, on both streams. Commands run from top to bottom, a page's in the same folder: a new one with
-copies of docs/, scenes/ and combiner_tests/hardware/, or with --here the current one. Output is compared word by word, so
+copies of docs/, scenes/, combiner_tests/hardware/ and src/combiner/c99/, or with --here the current one. Output is compared word by word, so
 that a page may break lines; `…` stands for whatever a page leaves out. A command must exit with 0, or, where the page
 shows its output, with 1 after a found fault or 3 after `ninebit: error:`.
 
@@ -122,7 +122,7 @@ def run_page(program, page, folder):
 
 def run_in_copies(program, page):
     with tempfile.TemporaryDirectory() as folder:
-        for name in ('docs', 'scenes', 'combiner_tests/hardware'):
+        for name in ('docs', 'scenes', 'combiner_tests/hardware', 'src/combiner/c99'):
             shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name))
         return run_page(program, page, folder)
 

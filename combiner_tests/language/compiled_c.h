@@ -23,11 +23,12 @@ using EmittedFunction = void (*)(EmittedArgument, EmittedArgument, EmittedArgume
 class CompiledC {
  public:
   enum class Runs { often, seldom };  // compiled to run fast, or soon
-  explicit CompiledC(const std::string& source, Runs runs = Runs::often) {
+  // `language`: what the compiler is told of it.
+  explicit CompiledC(const std::string& source, Runs runs = Runs::often, const std::string& language = "-std=c99") {
     const std::string file = folder_ / "emitted.c", library = folder_ / "emitted.so";
     std::ofstream(file) << source;
     const std::string command =
-        std::string("'") + NINEBIT_C_COMPILER + "' -std=c99 " + (runs == Runs::often ? "-O1" : "-O0") +
+        std::string("'") + NINEBIT_C_COMPILER + "' " + language + (runs == Runs::often ? " -O1" : " -O0") +
         " -shared -fPIC -pedantic -Wall -Wextra -Wconversion " +
         "-Werror -fsanitize=undefined -fsanitize-undefined-trap-on-error -o '" + library + "' '" + file + "' 2>&1";
     FILE* const out = popen(command.c_str(), "r");

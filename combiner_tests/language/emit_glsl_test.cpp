@@ -63,6 +63,50 @@ class EmitGlsl : public ::testing::TestWithParam<GlslVersion> {
   std::unique_ptr<GlRunner> runner_;
 };
 
+// By stages, with the uniform array as an array of constants.
+std::string pixel_text(const Program& program, GlslVersion version, const std::string& name) {
+  const PixelLanguage language = version == GlslVersion::glsl_130   ? PixelLanguage::glsl_130
+                                 : version == GlslVersion::glsl_330 ? PixelLanguage::glsl_330
+                                                                    : PixelLanguage::es_300;
+  std::string text = emit_pixel_shader(program, language, name).value();
+  std::string values;
+  const auto add = [&](const Rgba9& codes) {
+    values += values.empty() ? "ivec4(" : ", ivec4(";
+    for (std::size_t c = 0; c < 4; ++c) values += (c > 0 ? ", " : "") + std::to_string(codes[c]);
+    values += ')';
+  };
+  for (const ProgramStage& stage : program.general) {
+    add(stage.constant0);
+    add(stage.constant1);
+  }
+  add(program.constant0);
+  add(program.constant1);
+  const std::string declared = "uniform ivec4 " + name + "_constants[18];";
+  text.replace(text.find(declared), declared.size(),
+               "const ivec4 " + name + "_constants[18] = ivec4[18](" + values + ");");
+  return text;
+}
+
+TEST_P(EmitGlsl, ProgramsByStagesGiveTheBitsOfTheReference) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
+  std::vector<EmitCase> cases = random_cases(kGlslSeed + 1, kGlslCases / 2);
+  for (const EmitCase& c : known_cases()) cases.push_back(c);
+  Outputs outputs;
+  for (const EmitCase& c : cases) {
+    const std::string text = pixel_text(c.program, GetParam(), "ninebit_combine");
+    std::string message;
+    const std::vector<RegisterFile> inputs = emit_inputs(c.profile, kGlslSeed, kGlslFragments);
+    const auto colors = runner_->run(text, {"ninebit_combine"}, inputs, message);
+    ASSERT_TRUE(colors.has_value()) << c.name << '\n' << message << text;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Rgba9 expected = evaluate(c.program, inputs[k]);
+      ASSERT_EQ(expected, (*colors)[0][k]) << mismatch(c, inputs[k], expected, (*colors)[0][k]) << text;
+      outputs.add(expected);
+    }
+  }
+  outputs.expect_meaning(cases.size() * kGlslFragments);
+}
+
 TEST_P(EmitGlsl, RandomProgramsGiveTheBitsOfTheReference) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   Outputs outputs;

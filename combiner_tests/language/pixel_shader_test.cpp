@@ -114,10 +114,35 @@ TEST(PixelShader, ConstantsBelongToAStageWhereThereAreMoreThanTwo) {
                 "{ const0 = (0, 0, 1, 0); const1 = (1, 0, 0, 0);\n"
                 "  rgb { discard = const0 * spare0; discard = one * const1; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, 1, 0, 0, 0\ndef c1, 0, 1, 0, 0\ndef c2, 0, 0, 1, 0\ntex t0\n", profiles::nv2a);
-  // A number below 0 is stored as its negative.
+  // A number below 0 is stored as its negative: -0.5 is -127, the nearest with halves up, as 0.5 is 128.
   expect_same({{"add r0.rgb, t0, c0",
-                "const0 = (0.5, 0, 0.25, 0);\n{ rgb { discard = tex0; discard = -const0; spare0 = sum(); } }\n"}},
+                "const0 = (0.498, 0, 0.25, 0);\n{ rgb { discard = tex0; discard = -const0; spare0 = sum(); } }\n"}},
               "ps.1.1\ndef c0, -0.5, 0, -0.25, 0\ntex t0\n", profiles::geforce2);
+}
+
+TEST(PixelShader, AConstantWithMixedSignsIsTheDifferenceOfTwo) {
+  const std::string two = "{ const0 = (1, 0, 0, 1); const1 = (0, 0.498, 1, 0);\n"
+                          "  rgb { discard = unsigned(const0); discard = -const1; spare1 = sum(); }\n"
+                          "  alpha { discard = unsigned(const0); discard = -const1; spare1 = sum(); } }\n";
+  // The register keeps the constant for later instructions; one that is negated is read as its negative.
+  expect_same({{"mul r0, t0, c1\nadd r0, r0, -c1",
+                two + "{ rgb { spare0 = tex0 * spare1; } alpha { spare0 = tex0 * spare1; } }\n"
+                      "{ rgb { discard = spare0; discard = -spare1; spare0 = sum(); }\n"
+                      "  alpha { discard = spare0; discard = -spare1; spare0 = sum(); } }\n"},
+               {"mov r1, c1\nmul r0, t0, r1",
+                "{ const0 = (1, 0, 0, 1); const1 = (0, 0.498, 1, 0);\n"
+                "  rgb { discard = unsigned(const0); discard = -const1; col1 = sum(); }\n"
+                "  alpha { discard = unsigned(const0); discard = -const1; col1 = sum(); } }\n"
+                "{ rgb { spare1 = col1; } alpha { spare1 = col1; } }\n"
+                "{ rgb { spare0 = tex0 * spare1; } alpha { spare0 = tex0 * spare1; } }\n"}},
+              "ps.1.1\ndef c0, 1, 1, 1, 1\ndef c1, 1.25, -0.5, -1.5, 1\ntex t0\n", profiles::nv2a);
+}
+
+TEST(PixelShader, ConstantsWithMixedSignsGiveTheColorsOfDirect3DsReferenceDrivers) {
+  // 128, 128, 0 there.
+  const Program program = program_of_shader(
+      "ps.1.1\ndef c1, 1.25, -0.5, -1.5, 1\ndef c2, -0.5, 1.25, 2, 1\nmov r0, c1\nadd r0, r0, c2\n", profiles::nv2a);
+  EXPECT_EQ(evaluate(program, {}), (Rgba9{128, 128, 0, 255}));
 }
 
 TEST(PixelShader, ADotProductOfAllComponentsReachesAlpha) {

@@ -211,5 +211,32 @@ TEST(VectorPlan, EmulatorsWithManyFaultsAreMended) {
   }
 }
 
+// An author who mends what `verify` names first, and runs the pack again, until nothing differs: every step removes a
+// fault that is there, so there are as many steps as faults that show something.
+TEST(VectorPlan, JourneysFromAnEmulatorToTheChip) {
+  if (test::kSanitized) GTEST_SKIP() << "too slow; the build without sanitizers runs this";
+  for (const Emulator& emulator : kEmulators) {
+    SCOPED_TRACE(emulator.name);
+    std::set<EmulatorFault> left = emulator.faults;
+    std::size_t steps = 0;
+    std::string way;
+    VectorVerdict verdict = judged(left);
+    for (; verdict.differ != 0 && steps <= emulator.faults.size(); ++steps) {
+      ASSERT_FALSE(verdict.plan.empty()) << way << text_of(verdict);
+      const VectorVerdict::Step& first = verdict.plan.front();
+      const std::size_t before = left.size();
+      // What stands for floats and cut bytes together is mended as both.
+      std::erase_if(left, [&](EmulatorFault fault) { return names(first, fault); });
+      ASSERT_LT(left.size(), before) << "named, but not made: " << first.mistake.name << '\n' << way;
+      const VectorVerdict next = judged(left);
+      way += std::to_string(steps + 1) + ". " + first.mistake.name + ": " + std::to_string(verdict.differ) + " -> " +
+             std::to_string(next.differ) + " fragments\n";
+      verdict = next;
+    }
+    EXPECT_EQ(verdict.differ, 0U) << way;
+    std::cout << emulator.name << ": " << steps << " steps\n" << way;
+  }
+}
+
 }  // namespace
 }  // namespace ninebit

@@ -217,5 +217,50 @@ TEST_F(Kit, FlagsOfOtherTables) {
   expect_error(ninebit({"prove", "kit", "--family", "ideal", "-o", folder_ / "kit"}), 2, {"--family", "geforce2"});
 }
 
+// The kit for an Xbox, compiled with headers that have nxdk's calls: its push buffer, played by the two C files, gives the
+// expected colours, and its methods are a log that has the pack's programs.
+TEST_F(Kit, TheXboxsStreamGivesTheColorsOfThePack) {
+  const std::string kit = folder_ / "xbox";
+  const Json answer = json_of(ninebit({"prove", "kit", "--target", "xbox", "-o", kit, "--json"}));
+  EXPECT_EQ(answer["family"], "nv2a");
+  EXPECT_TRUE(std::filesystem::exists(kit + "/Makefile"));
+  EXPECT_NE(read_bytes(kit + "/README.md").find("Nobody has run this program on an Xbox yet"), std::string::npos);
+  const std::string sources(NINEBIT_SOURCE_DIR), stubs = sources + "/combiner_tests/emulators/xbox",
+                    combiner = sources + "/src/combiner/c99";
+  const auto [messages, status] =
+      shell("cc -std=c99 -pedantic -Wall -Wextra -Werror -DDRIVE='\"" + (folder_ / "") + "\"' -I '" + stubs + "' -I '" +
+            combiner + "' '" + kit + "/kit.c' '" + stubs + "/player.c' '" + combiner + "/ninebit_combiner.c' -lm -o '" +
+            (folder_ / "player") + "'");
+  ASSERT_EQ(status, 0) << messages;
+  const std::string log = folder_ / "trace.log";
+  const auto [said, code] = shell("LOG='" + log + "' '" + (folder_ / "player") + "'");
+  ASSERT_EQ(code, 0) << said;
+
+  // What it wrote, as ninebit reads it.
+  EXPECT_EQ(ninebit({"verify", "--decide", folder_ / "ninebit_kit.csv", "--family", "nv2a"}).code, 0);
+  ASSERT_EQ(ninebit({"vectors", "--profile", "nv2a", "-o", folder_ / "pack", "--quiet"}).code, 0);
+  const Json verified =
+      json_of(ninebit({"verify", folder_ / "ninebit_pack.txt", "--vectors", folder_ / "pack", "--json"}));
+  EXPECT_EQ(verified["differ"], 0);
+  EXPECT_GT(verified["agree"], 3000);
+
+  // Its methods as a log: each set-up is a program, of which some are looked at.
+  const Json listed = json_of(ninebit({"convert", log, "--profile", "nv2a", "--json"}));
+  ASSERT_GT(listed["setups"].size(), 150U);
+  const std::string pack = read_bytes(folder_ / "pack/vectors.txt");
+  for (const char* number : {"5", "60", "120"}) {
+    const auto words = ninebit({"convert", log + "#" + number, "--to", "words", "--profile", "nv2a"});
+    EXPECT_EQ(words.code, 0) << words.err;
+    const std::string in = between(words.out, "RC_IN_RGB[0] = 0x", "\n", 0);
+    EXPECT_NE(pack.find("=" + in.substr(in.find_first_not_of('0'))), std::string::npos) << words.out;
+  }
+}
+
+TEST_F(Kit, TheXboxHasAnNv2a) {
+  const auto refused = ninebit({"prove", "kit", "--target", "xbox", "--family", "geforce2", "-o", folder_ / "kit"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("--target xbox: --family is geforce2, expected nv2a"), std::string::npos) << refused.err;
+}
+
 }  // namespace
 }  // namespace tools_test

@@ -19,9 +19,8 @@ class UsedRegisters {
       const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
       for (const Portion* const p : {&stage.rgb, &stage.alpha}) {
         for (const Register r : {p->a.reg, p->b.reg, p->c.reg, p->d.reg}) use(r);
-        const detail::Components written_by =
-            detail::components_of(p == &stage.rgb ? PortionName::rgb : PortionName::alpha);
-        for (int c = written_by.first; c < written_by.end; ++c) {
+        const PortionName name = p == &stage.rgb ? PortionName::rgb : PortionName::alpha;
+        for (int c = detail::first_component(name); c < detail::end_component(name); ++c) {
           for (std::size_t k = 0; k < 3; ++k) {
             detail::for_each_write({p->out, k, c}, [&](Register r, int component) {
               use(r);

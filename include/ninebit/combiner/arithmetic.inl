@@ -1,9 +1,10 @@
 // The arithmetic of the register combiners, defined once: input mappings, general combiner output, mux, final combiner.
 // Rule numbers are those of docs/numerics.md. The order of the steps is in portion_walk.h.
 //
-// This file has no include guard. Three files include it, each in a namespace of its own:
+// This file has no include guard. Four files include it, each in a namespace of its own:
 //   include/ninebit/combiner/evaluate.h     V is int, functions are constexpr: the reference
 //   src/language/emit/emit_program.cpp      V is an expression: the text of emitted C and GLSL
+//   src/language/emit/emit_pixel.cpp        the same, of vectors: GLSL and HLSL by stages
 //   src/study/datapath/sum_kernels.cpp      V is a vector of 32-bit lanes, once for each of Highway's SIMD targets
 // Batches do not include it: src/combiner/batch_compiler.cpp compiles them to other formulas, reads mappings, ranges
 // and constants off the reference, and is tested against it.

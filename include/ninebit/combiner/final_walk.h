@@ -44,49 +44,51 @@ struct FinalSteps {
   std::array<typename Domain::Code, 4> color{};
 };
 
+// Returns a variable's value in a channel: a register's component, E·F or the colour sum, mapped.
+template <class Domain>
+constexpr typename Domain::Input final_input(Domain& domain, const CombinerInput& in, int channel,
+                                             const FinalSteps<Domain>& steps) {
+  const int component = component_of(in.usage, channel);
+  const auto i = static_cast<std::size_t>(component);
+  if (in.reg == Register::e_times_f) return domain.map(in.mapping, steps.e_times_f[i]);
+  if (in.reg == Register::spare0_plus_secondary) return domain.map(in.mapping, steps.color_sum[i]);
+  return domain.input(in, component);
+}
+
+// The components of a colour that are wanted where all are.
+inline constexpr std::array<bool, 4> kWholeColor{true, true, true, true};
+
 // Computes the wanted components of the colour.
 template <class Domain>
 constexpr void walk_final(Domain& domain, const Program& program, FinalSteps<Domain>& steps,
-                          const std::array<bool, 4>& wanted = {true, true, true, true}) {
+                          const std::array<bool, 4>& wanted = kWholeColor) {
   const FinalCombiner& f = program.final_combiner;
-  const auto computes = [&](Register special) {
-    return Domain::kEveryStep || f.a.reg == special || f.b.reg == special || f.c.reg == special || f.d.reg == special ||
-           f.g.reg == special;
-  };
-  if (computes(Register::e_times_f)) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto channel = static_cast<int>(c);
+  if (Domain::kEveryStep || reads_directly(f, Register::e_times_f)) {
+    for (int channel = 0; channel < 3; ++channel) {
+      const auto c = static_cast<std::size_t>(channel);
       steps.input[4][c] = domain.input(f.e, component_of(f.e.usage, channel));
       steps.input[5][c] = domain.input(f.f, component_of(f.f.usage, channel));
       steps.e_times_f[c] = domain.product(steps.input[4][c], steps.input[5][c]);
     }
   }
-  if (computes(Register::spare0_plus_secondary)) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto channel = static_cast<int>(c);
-      steps.color_sum[c] = domain.sum(
+  if (Domain::kEveryStep || reads_directly(f, Register::spare0_plus_secondary)) {
+    for (int channel = 0; channel < 3; ++channel) {
+      steps.color_sum[static_cast<std::size_t>(channel)] = domain.sum(
           program.color_sum_clamp, domain.sum_part(program.color_sum_invert_spare0, Register::spare0, channel),
           domain.sum_part(program.color_sum_invert_secondary, Register::secondary, channel));
     }
   }
-  const auto input = [&](const CombinerInput& in, int channel) {
-    const int component = component_of(in.usage, channel);
-    const auto i = static_cast<std::size_t>(component);
-    if (in.reg == Register::e_times_f) return domain.map(in.mapping, steps.e_times_f[i]);
-    if (in.reg == Register::spare0_plus_secondary) return domain.map(in.mapping, steps.color_sum[i]);
-    return domain.input(in, component);
-  };
   for (int channel = 0; channel < 3; ++channel) {
     const auto c = static_cast<std::size_t>(channel);
     if (!wanted[c]) continue;
-    steps.input[0][c] = input(f.a, channel);
-    steps.input[1][c] = input(f.b, channel);
-    steps.input[2][c] = input(f.c, channel);
-    steps.input[3][c] = input(f.d, channel);
+    steps.input[0][c] = final_input(domain, f.a, channel, steps);
+    steps.input[1][c] = final_input(domain, f.b, channel, steps);
+    steps.input[2][c] = final_input(domain, f.c, channel, steps);
+    steps.input[3][c] = final_input(domain, f.d, channel, steps);
     steps.color[c] = domain.rgb(channel, steps.input[0][c], steps.input[1][c], steps.input[2][c], steps.input[3][c]);
   }
   if (!wanted[kAlpha]) return;
-  steps.g = input(f.g, kAlpha);
+  steps.g = final_input(domain, f.g, kAlpha, steps);
   steps.color[kAlpha] = domain.alpha(steps.g);
 }
 

@@ -41,11 +41,11 @@ constexpr int component_of(ComponentUsage usage, int channel) {
 }
 
 // The components [first, end) that a portion writes: one for each of its channels.
-struct Components {
-  int first = kRed, end = kAlpha;
-};
-constexpr Components components_of(PortionName name) {
-  return name == PortionName::rgb ? Components{kRed, kAlpha} : Components{kAlpha, kAlpha + 1};
+constexpr int first_component(PortionName name) {
+  return name == PortionName::rgb ? kRed : kAlpha;
+}
+constexpr int end_component(PortionName name) {
+  return name == PortionName::rgb ? kAlpha : kAlpha + 1;
 }
 
 // One of a portion's outputs in one of its channels.
@@ -60,16 +60,19 @@ constexpr Register register_of(const PortionOutput& out, std::size_t k) {
   return k == 0 ? out.ab : k == 1 ? out.cd : out.sum;
 }
 
+// Whether output k also goes to the alpha of its register in this channel: its blue, with blue to alpha (rule 23).
+constexpr bool copies_to_alpha(const PortionOutput& out, std::size_t k, int component) {
+  return component == kBlue && (k == 0 ? out.ab_blue_to_alpha : k == 1 && out.cd_blue_to_alpha);
+}
+
 // Calls put(register, component) for everything that an output writes in its channel: the channel's component and, with
-// blue to alpha, the blue also to the alpha (rule 23). Calls nothing for a discarded output.
+// blue to alpha, the alpha. Calls nothing for a discarded output.
 template <class Put>
 constexpr void for_each_write(const Target& target, const Put& put) {
-  const PortionOutput& out = target.out;
-  const Register to = register_of(out, target.k);
+  const Register to = register_of(target.out, target.k);
   if (to == Register::discard) return;
   put(to, target.component);
-  const bool blue_to_alpha = target.k == 0 ? out.ab_blue_to_alpha : target.k == 1 && out.cd_blue_to_alpha;
-  if (blue_to_alpha && target.component == kBlue) put(to, kAlpha);
+  if (copies_to_alpha(target.out, target.k, target.component)) put(to, kAlpha);
 }
 
 // The values of one channel on the walk. Outputs that are discarded are not touched.
@@ -83,52 +86,54 @@ struct ChannelSteps {
 template <class Domain>
 using StageSteps = std::array<ChannelSteps<Domain>, 4>;
 
-// Computes a portion's outputs. A portion that writes nothing leaves `steps` unchanged. `kName` is a template argument
-// because the compiler then unrolls the channels, which makes the reference faster by a tenth.
+// Computes product k, A·B or C·D, in all channels of its portion. `kName` is a template argument because the compiler
+// then unrolls the channels, which makes the reference faster by a tenth.
+template <PortionName kName, class Domain>
+constexpr void compute_product(Domain& domain, std::size_t k, const CombinerInput& x, const CombinerInput& y, bool dot,
+                               StageSteps<Domain>& steps) {
+  constexpr int kFirst = first_component(kName), kEnd = end_component(kName);
+  for (int c = kFirst; c < kEnd; ++c) {
+    ChannelSteps<Domain>& at = steps[static_cast<std::size_t>(c)];
+    at.input[2 * k] = domain.input(x, component_of(x.usage, c - kFirst));
+    at.input[2 * k + 1] = domain.input(y, component_of(y.usage, c - kFirst));
+    at.wide[k] = domain.product(at.input[2 * k], at.input[2 * k + 1]);
+  }
+  if (!dot) return;
+  typename Domain::Wide total = steps[static_cast<std::size_t>(kFirst)].wide[k];
+  for (int c = kFirst + 1; c < kEnd; ++c) total = domain.sum(total, steps[static_cast<std::size_t>(c)].wide[k]);
+  if constexpr (requires { domain.name_dot_product(Variable::a, total); }) {
+    domain.name_dot_product(k == 0 ? Variable::a : Variable::c, total);
+  }
+  for (int c = kFirst; c < kEnd; ++c) steps[static_cast<std::size_t>(c)].wide[k] = total;
+}
+
+// Computes a portion's outputs. A portion that writes nothing leaves `steps` unchanged.
 template <PortionName kName, class Domain>
 constexpr void compute_portion(Domain& domain, const Portion& portion, StageSteps<Domain>& steps) {
   const PortionOutput& out = portion.out;
   if (!is_live(out)) return;
-  constexpr int kFirst = components_of(kName).first, kEnd = components_of(kName).end;
-  const auto at = [&](int component) -> ChannelSteps<Domain>& { return steps[static_cast<std::size_t>(component)]; };
-
-  const auto products = [&](std::size_t k, const CombinerInput& x, const CombinerInput& y, bool dot) {
-    for (int c = kFirst; c < kEnd; ++c) {
-      auto& input = at(c).input;
-      input[2 * k] = domain.input(x, component_of(x.usage, c - kFirst));
-      input[2 * k + 1] = domain.input(y, component_of(y.usage, c - kFirst));
-      at(c).wide[k] = domain.product(input[2 * k], input[2 * k + 1]);
-    }
-    if (!dot) return;
-    typename Domain::Wide total = at(kFirst).wide[k];
-    for (int c = kFirst + 1; c < kEnd; ++c) total = domain.sum(total, at(c).wide[k]);
-    if constexpr (requires { domain.name_dot_product(Variable::a, total); }) {
-      domain.name_dot_product(k == 0 ? Variable::a : Variable::c, total);
-    }
-    for (int c = kFirst; c < kEnd; ++c) at(c).wide[k] = total;
-  };
-  products(0, portion.a, portion.b, out.ab_dot_product);
-  products(1, portion.c, portion.d, out.cd_dot_product);
-
-  for (int c = kFirst; c < kEnd; ++c) {
-    auto& wide = at(c).wide;
-    auto& output = at(c).output;
-    if (out.ab != Register::discard) output[0] = domain.output({out, 0, c}, wide[0]);
-    if (out.cd != Register::discard) output[1] = domain.output({out, 1, c}, wide[1]);
+  compute_product<kName>(domain, 0, portion.a, portion.b, out.ab_dot_product, steps);
+  compute_product<kName>(domain, 1, portion.c, portion.d, out.cd_dot_product, steps);
+  for (int c = first_component(kName); c < end_component(kName); ++c) {
+    ChannelSteps<Domain>& at = steps[static_cast<std::size_t>(c)];
+    if (out.ab != Register::discard) at.output[0] = domain.output(Target{out, 0, c}, at.wide[0]);
+    if (out.cd != Register::discard) at.output[1] = domain.output(Target{out, 1, c}, at.wide[1]);
     if (out.sum == Register::discard) continue;
-    wide[2] = out.mux_sum ? domain.mux(wide[0], wide[1]) : domain.sum(wide[0], wide[1]);
-    output[2] = domain.output({out, 2, c}, wide[2]);
+    at.wide[2] = out.mux_sum ? domain.mux(at.wide[0], at.wide[1]) : domain.sum(at.wide[0], at.wide[1]);
+    at.output[2] = domain.output(Target{out, 2, c}, at.wide[2]);
   }
 }
 
 // Writes a portion's outputs.
 template <PortionName kName, class Domain>
 constexpr void write_portion(Domain& domain, const PortionOutput& out, const StageSteps<Domain>& steps) {
-  constexpr int kFirst = components_of(kName).first, kEnd = components_of(kName).end;
-  for (int c = kFirst; c < kEnd; ++c) {
-    const auto& channel = steps[static_cast<std::size_t>(c)];
+  for (int c = first_component(kName); c < end_component(kName); ++c) {
+    const ChannelSteps<Domain>& at = steps[static_cast<std::size_t>(c)];
     for (std::size_t k = 0; k < 3; ++k) {
-      for_each_write({out, k, c}, [&](Register to, int i) { domain.write(to, i, channel.output[k]); });
+      const Register to = register_of(out, k);
+      if (to == Register::discard) continue;
+      domain.write(to, c, at.output[k]);
+      if (copies_to_alpha(out, k, c)) domain.write(to, kAlpha, at.output[k]);
     }
   }
 }

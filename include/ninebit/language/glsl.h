@@ -47,6 +47,24 @@ inline constexpr int kGlslConstants = 2 * (kMaxGeneralCombiners + 1);
 [[nodiscard]] Result<std::string> emit_glsl_with_uniform_constants(const Program& program, GlslVersion version,
                                                                    std::string_view function = "ninebit_combine");
 
+// The languages of emit_pixel_shader.
+enum class PixelLanguage : std::uint8_t {
+  glsl_130,  // OpenGL 2.1 with integers in its shaders
+  glsl_330,  // OpenGL 3.3 core
+  glsl_450,  // OpenGL 4.5 core
+  es_300,    // OpenGL ES 3.0
+  hlsl       // Direct3D 10 and later: shader model 4
+};
+
+// The same function for emulators: a function a general combiner, in vectors of red, green and blue, and constants in
+// an array that the text declares, which has the elements of emit_glsl_with_uniform_constants. HLSL has it in a
+// `cbuffer FUNCTION_of_program`. Registers are a struct, FUNCTION_registers, which FUNCTION_stageN changes and
+// FUNCTION_final reads; stages that write nothing that is read have no function.
+//
+// Programs that differ only in their constants give the same text, apart from comments.
+[[nodiscard]] Result<std::string> emit_pixel_shader(const Program& program, PixelLanguage language,
+                                                    std::string_view function = "ninebit_combine");
+
 // Whether the numbers of a stage that animations change stand in the text or in uniforms.
 enum class StageNumbers : std::uint8_t {
   literal,  // in the text

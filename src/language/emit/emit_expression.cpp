@@ -122,12 +122,17 @@ Interval V::range() const {
   return is_constant() ? Interval{constant, constant} : (*graph)[node].range;
 }
 
-V Graph::input(std::string text, Interval range) {
+bool V::is_vector() const {
+  return !is_constant() && (*graph)[node].vector;
+}
+
+V Graph::input(std::string text, Interval range, bool vector) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_[i].opcode == Opcode::input && nodes_[i].name == text) return {this, static_cast<int>(i), 0};
   }
   Node node;
   node.range = range;
+  node.vector = vector;
   node.name = std::move(text);
   nodes_.push_back(std::move(node));
   return {this, static_cast<int>(nodes_.size()) - 1, 0};
@@ -142,6 +147,8 @@ V Graph::make(Opcode opcode, const std::array<V, 4>& args, Interval range) {
   node.opcode = opcode;
   node.args = args;
   node.range = range;
+  node.vector = opcode != Opcode::sum_of_components &&
+                std::any_of(args.begin(), args.end(), [](const V& arg) { return arg.is_vector(); });
   nodes_.push_back(std::move(node));
   return {this, static_cast<int>(nodes_.size()) - 1, 0};
 }
@@ -284,6 +291,12 @@ V negate_where_negative(V sign, V x) {
   }
   const Interval n = negated(p);
   return node_of(Opcode::negate_where_negative, sign, x, {std::min(n.low, p.low), std::max(n.high, p.high)});
+}
+
+V sum_of_components(V a) {
+  if (!a.is_vector()) return times(a, 3);
+  const Interval p = a.range();
+  return node_of(Opcode::sum_of_components, a, constant_of(0), {3 * p.low, 3 * p.high});
 }
 
 V select_where_at_least(V v, V limit, V yes, V no) {

@@ -28,6 +28,7 @@ struct V {
 
   [[nodiscard]] bool is_constant() const { return graph == nullptr; }
   [[nodiscard]] Interval range() const;
+  [[nodiscard]] bool is_vector() const;
   friend bool operator==(const V&, const V&) = default;
 };
 
@@ -41,7 +42,8 @@ enum class Opcode : std::uint8_t {
   abs_of,                 // |args[0]|
   divide,                 // args[0] / args[1], args[0] >= 0, args[1] a constant > 0
   negate_where_negative,  // args[0] < 0 ? -args[1] : args[1]
-  select_where_at_least   // args[0] >= args[1] ? args[2] : args[3]
+  select_where_at_least,  // args[0] >= args[1] ? args[2] : args[3]
+  sum_of_components       // of a vector
 };
 
 struct Node {
@@ -49,7 +51,8 @@ struct Node {
   std::array<V, 4> args{};
   Interval range;
   std::string name;    // empty: an inner value
-  bool named = false;  // declared in its own line even if used once
+  bool named = false;   // declared in its own line even if used once
+  bool vector = false;  // red, green and blue; the interval is that of each
 };
 
 // Nodes in the order of creation: arguments precede their users. Equal nodes are created once.
@@ -63,7 +66,7 @@ class Graph {
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
-  V input(std::string text, Interval range);
+  V input(std::string text, Interval range, bool vector = false);
   V make(Opcode opcode, const std::array<V, 4>& args, Interval range);
 
   // Names a value and returns true, unless it already has a name; constants and inputs keep their text.
@@ -95,5 +98,8 @@ V abs_of(V a);
 V divide(V n, int d);
 V negate_where_negative(V sign, V x);
 V select_where_at_least(V v, V limit, V yes, V no);
+
+// The sum of a value's red, green and blue, which are equal if it is not a vector. No rule has it: dot products do.
+V sum_of_components(V a);
 
 }  // namespace ninebit::emit

@@ -22,9 +22,13 @@ std::string wrapped(std::string line) {
 
 }  // namespace
 
-Printer::Printer(const Graph& graph, const Listing& listing, const Dialect& dialect)
+Printer::Printer(const Graph& graph, const std::vector<V>& results, const Dialect& dialect)
     : graph_(graph), dialect_(dialect), uses_(graph.size()), names_(graph.size()) {
-  for (const V& v : listing.result) count(v);
+  for (const V& v : results) count(v);
+}
+
+void Printer::statement(const std::string& text) {
+  out_ += wrapped("  " + text + ';');
 }
 
 void Printer::count(const V& v) {
@@ -59,7 +63,7 @@ void Printer::declare(int index, const std::string& name_of_parts) {
   std::string name = node.named ? base : base + "_part";
   for (int i = 2; taken_.count(name) != 0; ++i) name = base + "_part" + std::to_string(i);
   taken_.insert(name);
-  out_ += wrapped("  " + dialect_.type + ' ' + name + " = " + operation(node).text + ';');
+  out_ += wrapped("  " + (node.vector ? dialect_.vector_type : dialect_.type) + ' ' + name + " = " + operation(node).text + ';');
   names_[static_cast<std::size_t>(index)] = name;
 }
 
@@ -116,8 +120,14 @@ Printer::Text Printer::operation(const Node& node) {
       return {call(dialect_.abs_of, {a}), kAtom};
     case Opcode::negate_where_negative:
       return {call(dialect_.with_sign, {a, b}), kAtom};
-    case Opcode::select_where_at_least:
-      return {text(a, kSum) + " >= " + text(b, kSum) + " ? " + text(c, kSum) + " : " + text(d, kSum), kConditional};
+    case Opcode::select_where_at_least: {
+      const auto branch = [&](const V& v) {
+        return node.vector && !v.is_vector() ? vector(v) : text(v, kSum);
+      };
+      return {text(a, kSum) + " >= " + text(b, kSum) + " ? " + branch(c) + " : " + branch(d), kConditional};
+    }
+    case Opcode::sum_of_components:
+      return {call(dialect_.sum_of_components, {a}), kAtom};
   }
   return {};
 }

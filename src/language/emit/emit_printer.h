@@ -18,21 +18,36 @@ struct Dialect {
   std::string clamp;      // function of (x, low, high)
   std::string abs_of;     // function of (x)
   std::string with_sign;  // function of (n, magnitude): n < 0 ? -magnitude : magnitude
+  // Of languages with vectors of three, in which the functions above take them, too:
+  std::string vector_type{};        // of a variable
+  std::string splat_open{};         // what stands before a number that becomes a vector; behind it: ')'
+  std::string sum_of_components{};  // function of (vector)
 };
 
 class Printer {
  public:
-  Printer(const Graph& graph, const Listing& listing, const Dialect& dialect);
+  // Prints what `results` need.
+  Printer(const Graph& graph, const std::vector<V>& results, const Dialect& dialect);
+  Printer(const Graph& graph, const Listing& listing, const Dialect& dialect)
+      : Printer(graph, std::vector<V>(listing.result.begin(), listing.result.end()), dialect) {}
 
   // Declares a listed value, or writes a comment with the known value that it equals.
   void line(const Line& line);
   // Declares the variables that text() of this value needs.
   void prepare(const V& v, const std::string& name_of_parts);
   void comment(const std::string& text) { out_ += "  // " + text + '\n'; }
+  // Adds a statement, without its semicolon.
+  void statement(const std::string& text);
   void blank() { out_ += '\n'; }
 
   // The value as an operand, in parentheses unless it is a name, a constant or a call.
   [[nodiscard]] std::string atom(const V& v) { return text(v, kAtom); }
+  // The value as a whole expression.
+  [[nodiscard]] std::string whole(const V& v) { return text(v, kConditional); }
+  // The same as a vector.
+  [[nodiscard]] std::string vector(const V& v) {
+    return v.is_vector() ? whole(v) : dialect_.splat_open + text(v, kConditional) + ')';
+  }
 
   [[nodiscard]] const std::string& out() const { return out_; }
   // The functions of the dialect that were called.

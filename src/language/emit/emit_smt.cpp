@@ -150,6 +150,8 @@ class Writer {
         return divide(term(node.args[0]), node.args[1].constant, node.range);
       case Opcode::negate_where_negative:
         return with_sign(node.args[0], node.args[1], node.range);
+      case Opcode::sum_of_components:  // of vectors, which these programs do not have
+        break;
       case Opcode::select_where_at_least:
         break;
     }

@@ -178,6 +178,20 @@ Result<std::string> print_glsl(const TextProgram& program, ChipClass, const Hard
                      [](const auto& stages, const auto& of) { return emit_glsl_texture_shader(stages, of); });
 }
 
+template <PixelLanguage language>
+Result<std::string> print_pixel(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
+  auto text = emit_pixel_shader(normalize(program.state, profile), language);
+  if constexpr (language == PixelLanguage::hlsl) {
+    if (text && !only_reads_textures(program.texture_shader)) {
+      return "// The texture-shader stages of the program are not in this text.\n" + *text;
+    }
+    return text;
+  } else {
+    return with_stages(std::move(text), program, profile,
+                       [](const auto& stages, const auto& of) { return emit_glsl_texture_shader(stages, of); });
+  }
+}
+
 // A form whose printer needs both halves alone.
 template <Result<std::string> (*printer)(const CombinerState&, const HardwareProfile&, const TextureShaderState&)>
 Result<std::string> print_halves(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
@@ -321,6 +335,23 @@ const std::array kForms{
          .kind = "GLSL ES 3.00",
          .print = print_glsl<GlslVersion::es_300>,
          .writes_values = true},
+    Form{.name = "glsl-pixel-130",
+         .title = "GLSL 1.30 by stages",
+         .kind = "GLSL 1.30",
+         .print = print_pixel<PixelLanguage::glsl_130>},
+    Form{.name = "glsl-pixel",
+         .title = "GLSL 3.30 by stages",
+         .kind = "GLSL 3.30",
+         .print = print_pixel<PixelLanguage::glsl_330>},
+    Form{.name = "glsl-pixel-450",
+         .title = "GLSL 4.50 by stages",
+         .kind = "GLSL 4.50",
+         .print = print_pixel<PixelLanguage::glsl_450>},
+    Form{.name = "glsl-pixel-es",
+         .title = "GLSL ES 3.00 by stages",
+         .kind = "GLSL ES 3.00",
+         .print = print_pixel<PixelLanguage::es_300>},
+    Form{.name = "hlsl", .title = "HLSL by stages", .kind = "HLSL", .print = print_pixel<PixelLanguage::hlsl>},
     Form{.name = "c",
          .title = "C",
          .kind = "C",

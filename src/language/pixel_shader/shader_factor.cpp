@@ -1,5 +1,6 @@
 // Sources of a pixel shader as factors of general combiners.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "src/language/pixel_shader/shader_stage.h"
@@ -31,6 +32,15 @@ InputMapping mapping_of_one(const ShaderOperand& from) {
   return InputMapping::unsigned_invert;
 }
 
+// What a constant holds for a component below 0: its negative, so that the nearest code is that of the component with
+// halves up, as for those above 0. -0.5 is 127.5 255ths below 0, of which 127 is nearest so.
+float negative_of(float component) {
+  const float magnitude = std::clamp(-component, 0.0F, 1.0F) + 0.0F;
+  const double codes = static_cast<double>(magnitude) * 255.0;
+  const double whole = std::floor(codes);
+  return codes - whole == 0.5 ? static_cast<float>(whole / 255.0) : magnitude;
+}
+
 }  // namespace
 
 std::optional<InputMapping> negated_mapping(InputMapping mapping, Register reg) {
@@ -55,10 +65,11 @@ std::optional<InputMapping> negated_mapping(InputMapping mapping, Register reg) 
   return std::nullopt;
 }
 
-std::optional<Register> ShaderConstants::place(int index) {
+std::optional<Register> ShaderConstants::place(int index, ConstantPart part) {
+  const Placed wanted{index, part};
   for (std::size_t i = 0; i < placed_.size(); ++i) {
-    if (placed_[i] && *placed_[i] != index) continue;
-    placed_[i] = index;
+    if (placed_[i] && *placed_[i] != wanted) continue;
+    placed_[i] = wanted;
     return i == 0 ? Register::constant0 : Register::constant1;
   }
   return std::nullopt;
@@ -68,13 +79,18 @@ void ShaderConstants::store(const ShaderText& text, bool own, ColorF& constant0,
                             std::array<ConstantOrigin, 2>& origin) const {
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     if (!placed_[i]) continue;
-    const auto index = static_cast<std::size_t>(*placed_[i]);
+    const auto index = static_cast<std::size_t>(placed_[i]->index);
     const ShaderConstant& from = text.constants.at(index);
+    const bool is_whole = placed_[i]->part == ConstantPart::whole;
     origin.at(i).unset = !from.defined;
-    if (own || index != i) origin.at(i).name = static_cast<ConstantName>(index);
-    const float sign = is_negative(from) && !text.version.is_xbox ? -1.0F : 1.0F;
+    // A part has no name: who gives another value to c1 would have to give both.
+    if (is_whole && (own || index != i)) origin.at(i).name = static_cast<ConstantName>(index);
+    const bool negative =
+        placed_[i]->part == ConstantPart::negative || (is_whole && is_negative(from) && !text.version.is_xbox);
     ColorF& to = i == 0 ? constant0 : constant1;
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] = std::clamp(sign * from.color[k], 0.0F, 1.0F) + 0.0F;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      to[k] = negative ? negative_of(from.color[k]) : std::clamp(from.color[k], 0.0F, 1.0F) + 0.0F;
+    }
   }
 }
 
@@ -82,6 +98,12 @@ bool is_negative(const ShaderConstant& constant) {
   const auto& color = constant.color;
   return std::all_of(color.begin(), color.end(), [](float c) { return c <= 0; }) &&
          std::any_of(color.begin(), color.end(), [](float c) { return c < 0; });
+}
+
+bool is_mixed(const ShaderConstant& constant) {
+  const auto& color = constant.color;
+  return std::any_of(color.begin(), color.end(), [](float c) { return c < 0; }) &&
+         std::any_of(color.begin(), color.end(), [](float c) { return c > 0; });
 }
 
 std::optional<ComponentUsage> ShaderPortions::usage(const ShaderOperand& from, PortionName which) {
@@ -113,14 +135,8 @@ std::optional<CombinerInput> ShaderPortions::place(const ShaderOperand& from, Co
     return std::nullopt;
   }
   if (from.file == ShaderFile::constant) {
-    const ShaderConstant& constant = context_.text.constants.at(static_cast<std::size_t>(from.index));
-    const bool below = std::any_of(constant.color.begin(), constant.color.end(), [](float c) { return c < 0; });
-    if (below && !is_negative(constant) && !context_.text.version.is_xbox) {
-      fault(from.offset, quoted(from.text) +
-                             " has values below 0 and above 0, and constants of combiners have none below 0; "
-                             "expected (x + 1) / 2, read as " +
-                             std::string(from.text) + "_bx2");
-      return std::nullopt;
+    if (const auto& mixed = context_.mixed.at(static_cast<std::size_t>(from.index))) {
+      return CombinerInput{*mixed, InputMapping::signed_identity, usage};
     }
     const auto reg = context_.constants.place(from.index);
     if (!reg) {
@@ -169,13 +185,14 @@ std::optional<ShaderFactor> ShaderPortions::factor(const ShaderOperand& from, Po
     const auto& saturated = alpha ? context_.values.saturated_alpha : context_.values.saturated_rgb;
     in.mapping = mapping_of(from.modifier, saturated[index_of(in.reg)]);
   }
-  if (from.file == ShaderFile::constant && !context_.text.version.is_xbox &&
-      is_negative(context_.text.constants.at(static_cast<std::size_t>(from.index)))) {
-    if (from.invert || from.modifier != ShaderModifier::none) {
+  if (from.file == ShaderFile::constant && !context_.text.version.is_xbox) {
+    const ShaderConstant& constant = context_.text.constants.at(static_cast<std::size_t>(from.index));
+    const bool negative = is_negative(constant);
+    if ((negative || is_mixed(constant)) && (from.invert || from.modifier != ShaderModifier::none)) {
       fault(from.offset, quoted(from.text) + " is below 0, where combiners can only read it or its negative");
       return std::nullopt;
     }
-    out.negate = !out.negate;
+    out.negate = out.negate != negative;
   }
   if (out.negate) {
     if (const auto mapping = negated_mapping(in.mapping, in.reg)) {

@@ -119,13 +119,17 @@ struct ShaderConstant {
   std::array<float, 4> color{};
 };
 
+// Whether it has components above 0 and others below. A stage then subtracts two constants of the combiners, and a
+// register has the difference.
+[[nodiscard]] bool is_mixed(const ShaderConstant& constant);
+
 struct ShaderText {
   ShaderVersion version{};
   std::vector<ShaderInstruction> instructions{};  // without def and nop
   std::array<ShaderConstant, kShaderConstants> constants{};
   bool complete = true;  // whether no instruction was left out
 
-  // How many constants the combiners read.
+  // How many constants of the combiners the shader reads.
   [[nodiscard]] std::size_t constants_read() const;
 };
 

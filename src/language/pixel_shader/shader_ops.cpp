@@ -105,7 +105,10 @@ std::size_t ShaderText::constants_read() const {
   std::set<int> read;
   for (const ShaderInstruction& one : instructions) {
     for (const ShaderOperand& from : one.operands) {
-      if (from.file == ShaderFile::constant && one.op() != ShaderOp::texture) read.insert(from.index);
+      if (from.file != ShaderFile::constant || one.op() == ShaderOp::texture) continue;
+      read.insert(from.index);
+      const bool is_two = !version.is_xbox && is_mixed(constants.at(static_cast<std::size_t>(from.index)));
+      if (is_two) read.insert(from.index + static_cast<int>(kShaderConstants));
     }
   }
   return read.size();

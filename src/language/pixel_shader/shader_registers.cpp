@@ -130,7 +130,29 @@ bool ShaderRegisters::reads_rgb(const ShaderInstruction& by, std::size_t operand
   return dot || by.writes(false);
 }
 
+// Whether an instruction, one of textures included, names a register.
+bool ShaderRegisters::is_named(Register reg) const {
+  const auto names = [&](const auto& one) { return find(one.file, one.index) == reg; };
+  return std::any_of(text_.instructions.begin(), text_.instructions.end(), [&](const ShaderInstruction& one) {
+    return std::any_of(one.operands.begin(), one.operands.end(), names) ||
+           std::any_of(one.targets.begin(), one.targets.end(), names);
+  });
+}
+
+std::optional<Register> ShaderRegisters::take_free() {
+  for (const Register reg : {Register::spare1, Register::secondary, Register::primary, Register::texture3,
+                             Register::texture2, Register::texture1, Register::texture0}) {
+    const bool exists = !is_texture(reg) || texture_unit_of(reg) < profile_.texture_units;
+    const bool is_taken = std::find(taken_.begin(), taken_.end(), reg) != taken_.end();
+    if (!exists || is_taken || is_named(reg)) continue;
+    taken_.push_back(reg);
+    return reg;
+  }
+  return std::nullopt;
+}
+
 bool ShaderRegisters::needs(Register reg, std::size_t first, bool alpha) const {
+  if (std::find(taken_.begin(), taken_.end(), reg) != taken_.end()) return true;
   bool final = false;
   for (std::size_t i = first; i < text_.instructions.size(); ++i) {
     const ShaderInstruction& one = text_.instructions[i];

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "ninebit/combiner/registers.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -36,6 +37,8 @@ class ShaderRegisters {
   // Whether an instruction from `first` on reads a register's alpha (or colour) before another one writes it.
   [[nodiscard]] bool needs_alpha(Register reg, std::size_t first) const { return needs(reg, first, true); }
   [[nodiscard]] bool needs_rgb(Register reg, std::size_t first) const { return needs(reg, first, false); }
+  // Takes a register that no instruction reads or writes, for the rest of the shader. Empty: there is none.
+  [[nodiscard]] std::optional<Register> take_free();
   // Whether a source's alpha is read by an instruction, and whether its colour is.
   [[nodiscard]] static bool reads_alpha(const ShaderInstruction& by, std::size_t operand);
   [[nodiscard]] static bool reads_rgb(const ShaderInstruction& by, std::size_t operand);
@@ -45,11 +48,13 @@ class ShaderRegisters {
   void place_others(SourceFaults& faults);
   [[nodiscard]] bool is_free(Register reg) const;
   [[nodiscard]] bool needs(Register reg, std::size_t first, bool alpha) const;
+  [[nodiscard]] bool is_named(Register reg) const;
 
   const ShaderText& text_;
   const HardwareProfile& profile_;
   std::array<Register, 6> temporaries_{Register::spare0,  Register::spare1,  Register::discard,
                                        Register::discard, Register::discard, Register::discard};
+  std::vector<Register> taken_{};  // by take_free()
 };
 
 }  // namespace ninebit::detail

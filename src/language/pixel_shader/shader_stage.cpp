@@ -83,6 +83,10 @@ void ShaderPortions::interpolate(Portion& portion, PortionName which) {
     fault(from.offset, "the weight of lrp, " + quoted(from.text) + ", takes no modifier but 1-x");
     return;
   }
+  if (from.file == ShaderFile::constant && context_.mixed.at(static_cast<std::size_t>(from.index))) {
+    fault(from.offset, "the weight of lrp, " + quoted(from.text) + ", has values below 0, which lrp reads as 0");
+    return;
+  }
   const bool inverted = weight->input.mapping == InputMapping::unsigned_invert;
   const InputMapping same = InputMapping::unsigned_identity, other = InputMapping::unsigned_invert;
   weight->input.mapping = inverted ? other : same;

@@ -14,18 +14,26 @@
 
 namespace ninebit::detail {
 
+// What a combiner's constant holds of a shader's: all of it, its components above 0, or the negatives of those below 0.
+enum class ConstantPart : std::uint8_t { whole, positive, negative };
+
 // The two constants that a stage can read, or all stages together.
 class ShaderConstants {
  public:
   // The register of a shader's constant; empty: both hold others.
-  [[nodiscard]] std::optional<Register> place(int index);
+  [[nodiscard]] std::optional<Register> place(int index, ConstantPart part = ConstantPart::whole);
   // The constants, as far as the text defines them, and what it says of them. `own`: they are a stage's own.
   void store(const ShaderText& text, bool own, ColorF& constant0, ColorF& constant1,
              std::array<ConstantOrigin, 2>& origin) const;
   void clear() { placed_ = {}; }
 
  private:
-  std::array<std::optional<int>, 2> placed_{};
+  struct Placed {
+    int index = 0;
+    ConstantPart part = ConstantPart::whole;
+    friend bool operator==(const Placed&, const Placed&) = default;
+  };
+  std::array<std::optional<Placed>, 2> placed_{};
 };
 
 // A source as a factor.
@@ -47,6 +55,8 @@ struct ShaderContext {
   ShaderRegisters registers;
   ShaderValues values{};
   ShaderConstants constants{};
+  // The registers of constants with mixed signs, as soon as a stage has written them.
+  std::array<std::optional<Register>, kShaderConstants> mixed{};
 };
 
 // Builds the portions of one instruction. Faults of a source that both portions read are reported once.

@@ -174,6 +174,7 @@ class ShaderTranslator {
   // One stage, and what must come before it.
   void group(const ShaderInstruction& first, const ShaderInstruction* second, std::size_t next) {
     stages_.belongs_to(first.offset);
+    if (!write_mixed_constants(first) || (second != nullptr && !write_mixed_constants(*second))) return;
     if (first.op() == ShaderOp::dp4) return dot_of_four(first, second);
     for (const ShaderInstruction* const one : {&first, second}) {
       if (one != nullptr && one->op() == ShaderOp::dp4) {
@@ -208,8 +209,41 @@ class ShaderTranslator {
   // Constants have their registers in the order of the text.
   void place_constants(const ShaderInstruction& one) {
     for (const ShaderOperand& from : one.operands) {
-      if (from.file == ShaderFile::constant) (void)context_.constants.place(from.index);
+      if (from.file != ShaderFile::constant || context_.mixed.at(static_cast<std::size_t>(from.index))) continue;
+      (void)context_.constants.place(from.index);
     }
+  }
+
+  // Before the first instruction that reads it: a constant with values below 0 and above 0 is the difference of two
+  // constants of the combiners, in a register that is free. False: a fault.
+  bool write_mixed_constants(const ShaderInstruction& one) {
+    for (const ShaderOperand& from : one.operands) {
+      if (from.file != ShaderFile::constant || text_.version.is_xbox) continue;
+      const auto index = static_cast<std::size_t>(from.index);
+      if (context_.mixed.at(index) || !is_mixed(text_.constants.at(index))) continue;
+      stages_.begin();
+      const auto above = context_.constants.place(from.index, ConstantPart::positive);
+      const auto below = context_.constants.place(from.index, ConstantPart::negative);
+      const auto reg = above && below ? context_.registers.take_free() : std::nullopt;
+      if (!reg) {
+        const std::string missing = above && below ? "a register that the shader does not use, and there is none"
+                                                   : "two constants of the combiners, which read no more than two";
+        faults_.add(from.offset, quoted(from.text) + " has values below 0 and above 0, which takes " + missing +
+                                     "; expected (x + 1) / 2, read as " + std::string(from.text) + "_bx2");
+        return false;
+      }
+      GeneralCombiner stage = empty_shader_stage();
+      for (const PortionName which : {PortionName::rgb, PortionName::alpha}) {
+        Portion& portion = which == PortionName::rgb ? stage.rgb : stage.alpha;
+        portion.a = {*above, InputMapping::unsigned_identity, shader_usage(which)};
+        portion.b = portion.d = shader_one(which);
+        portion.c = {*below, InputMapping::signed_negate, shader_usage(which)};
+        portion.out.sum = *reg;
+      }
+      stages_.end(stage);
+      context_.mixed.at(index) = reg;
+    }
+    return true;
   }
 
   // Dot products that go to alpha, too: alpha portions have none.

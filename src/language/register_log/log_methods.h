@@ -8,7 +8,8 @@
 
 #include "src/language/register_words/register_words_layout.h"
 
-namespace ninebit::reglog {
+namespace NINEBIT_PUBLIC ninebit {
+namespace reglog {
 
 enum class MethodKind : std::uint8_t {
   none,            // anything else
@@ -55,4 +56,5 @@ struct AttributeSize {
 };
 [[nodiscard]] AttributeSize size_of_attribute(std::uint32_t format);
 
-}  // namespace ninebit::reglog
+}  // namespace reglog
+}  // namespace ninebit

@@ -15,11 +15,6 @@ std::string letter(int variable) {
   return {static_cast<char>('A' + variable)};
 }
 
-ColorF color_of(std::uint32_t argb) {
-  const auto real = [&](int low) { return static_cast<float>(bits(argb, low, 8)) / 255.0F; };
-  return {real(16), real(8), real(0), real(24)};
-}
-
 bool reads(const Portion& p, Register r) {
   return p.a.reg == r || p.b.reg == r || p.c.reg == r || p.d.reg == r;
 }
@@ -61,10 +56,7 @@ class Decoder {
     inputs({Kind::final0, 0}, {&f.a, &f.b, &f.c, &f.d});
     inputs({Kind::final1, 0}, {&f.e, &f.f, &f.g, nullptr});
     final_flags();
-    if (leaves_out_final_combiner()) {
-      f.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-      f.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
-    }
+    if (leaves_out_final_combiner()) leave_out_final_combiner(f);
     state_.constant0 = color({Kind::color, 0});
     state_.constant1 = color({Kind::color, 1});
     for (std::size_t k = 0; k < 2; ++k) given_[kFinalConstants][k] = has_color(k, std::nullopt);
@@ -142,12 +134,8 @@ class Decoder {
       }
       const bool scalar = slot.kind == Kind::in_alpha || variable == 6;
       input->reg = *r;
-      input->usage = bits(word, low + kUsageBit, 1) != 0 ? ComponentUsage::alpha
-                     : scalar                            ? ComponentUsage::blue
-                                                         : ComponentUsage::rgb;
-      // The final combiner's words have only one bit of the mapping.
-      const int mapping_bits = slot.kind == Kind::final0 || slot.kind == Kind::final1 ? 1 : 3;
-      input->mapping = static_cast<InputMapping>(bits(word, low + kMappingShift, mapping_bits));
+      const bool final = slot.kind == Kind::final0 || slot.kind == Kind::final1;
+      read_input(word, low, scalar, final ? 1 : 3, *input);
     }
   }
 
@@ -176,8 +164,7 @@ class Decoder {
       }
       *into = code == 0 ? Register::discard : *r;
     }
-    out.scale = static_cast<Scale>(bits(word, kScaleShift, 2));
-    out.bias = static_cast<Bias>(bits(word, kBiasBit, 1));
+    read_output(word, rgb, chip_ == ChipClass::nv20, out);
     if (out.bias != Bias::none && (out.scale == Scale::by_four || out.scale == Scale::by_one_half)) {
       fault(slot,
             "bits 17..15 are " + std::to_string(bits(word, kBiasBit, 3)) +
@@ -185,27 +172,14 @@ class Decoder {
             GlError::invalid_operation);
       out.bias = Bias::none;
     }
-    out.mux_sum = bits(word, kMuxBit, 1) != 0;
-    if (rgb) {
-      out.ab_dot_product = bits(word, kAbDotBit, 1) != 0;
-      out.cd_dot_product = bits(word, kCdDotBit, 1) != 0;
-    }
-    if (rgb && chip_ == ChipClass::nv20) {
-      out.ab_blue_to_alpha = bits(word, kAbBlueToAlphaBit, 1) != 0;
-      out.cd_blue_to_alpha = bits(word, kCdBlueToAlphaBit, 1) != 0;
-    }
   }
 
   void final_flags() {
     const Slot slot{Kind::final1, 0};
     if (at(slot) == nullptr) return;
-    const std::uint32_t word = at(slot)->value;
-    state_.color_sum_invert_spare0 = bits(word, kSumInvertSpare0Bit, 1) != 0;
-    state_.color_sum_invert_secondary = bits(word, kSumInvertSecondaryBit, 1) != 0;
-    state_.color_sum_clamp = bits(word, kColorSumClampBit, 1) != 0;
+    read_final_flags(at(slot)->value, state_);
   }
 
-  // The NV2A outputs spare0 where both words of the final combiner are 0.
   bool leaves_out_final_combiner() {
     const auto is_zero = [](const RegisterWord* word) { return word != nullptr && word->value == 0; };
     return chip_ == ChipClass::nv20 && is_zero(at({Kind::final0, 0})) && is_zero(at({Kind::final1, 0}));
@@ -295,13 +269,11 @@ class Decoder {
     return false;
   }
 
-  // Whether a stage in use has a mux. Without one, the mux bit has no meaning: a word that is 0 except for the number
-  // of stages sets only that number.
+  // Whether a stage in use has a mux. A word that is 0 except for the number of stages sets only that number.
   [[nodiscard]] bool uses_mux() const {
-    const auto muxes = [](const PortionOutput& out) { return out.mux_sum && out.sum != Register::discard; };
     for (int i = 0; i < state_.num_general_combiners; ++i) {
       const GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
-      if (muxes(stage.rgb.out) || muxes(stage.alpha.out)) return true;
+      if (has_mux(stage.rgb.out) || has_mux(stage.alpha.out)) return true;
     }
     return false;
   }

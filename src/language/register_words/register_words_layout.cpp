@@ -278,20 +278,14 @@ std::uint32_t mask_of(Slot slot, ChipClass chip) {
   }
 }
 
-namespace {
-constexpr std::array<std::optional<Register>, 16> kRegisters{
-    Register::zero,      Register::constant0, Register::constant1, Register::fog,      Register::primary,
-    Register::secondary, std::nullopt,        std::nullopt,        Register::texture0, Register::texture1,
-    Register::texture2,  Register::texture3,  Register::spare0,    Register::spare1,   Register::spare0_plus_secondary,
-    Register::e_times_f};
-}  // namespace
-
 std::optional<Register> register_of(std::uint32_t code) {
-  return code < kRegisters.size() ? kRegisters[code] : std::nullopt;
+  if (code >= kRegisters.size() || kRegisters[code] == kReserved) return std::nullopt;
+  return kRegisters[code];
 }
 
 std::uint32_t code_of(Register r) {
-  const auto found = std::find(kRegisters.begin(), kRegisters.end(), std::optional<Register>(r));
+  if (r == kReserved) return 0;
+  const auto found = std::find(kRegisters.begin(), kRegisters.end(), r);
   return found == kRegisters.end() ? 0 : static_cast<std::uint32_t>(found - kRegisters.begin());
 }
 

@@ -11,6 +11,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/language/source/source_faults.h"
 
 // Exported because the JSON forms are in a shared library of their own and use these.
@@ -94,7 +95,64 @@ inline constexpr int kSumInvertSpare0Bit = 5, kSumInvertSecondaryBit = 6, kColor
   return (word >> low) & ((1U << count) - 1U);
 }
 
-// The register of a code; code 0 is zero as an input and discard as an output. Empty: reserved.
+// What follows is in the part of C++ that src/combiner/c99/generate.py translates to C.
+
+// The registers by their codes; code 0 is zero as an input and discard as an output. kReserved: no register has it.
+inline constexpr Register kReserved = Register::discard;
+inline constexpr std::array<Register, 16> kRegisters{
+    Register::zero,      Register::constant0, Register::constant1, Register::fog,      Register::primary,
+    Register::secondary, kReserved,           kReserved,           Register::texture0, Register::texture1,
+    Register::texture2,  Register::texture3,  Register::spare0,    Register::spare1,   Register::spare0_plus_secondary,
+    Register::e_times_f};
+
+// Reads usage and mapping of the input whose byte begins at bit `low`. `scalar`: of an alpha portion or of variable G.
+// The final combiner's words have only one bit of the mapping.
+constexpr void read_input(std::uint32_t word, int low, bool scalar, int mapping_bits, CombinerInput& input) {
+  input.usage = scalar ? ComponentUsage::blue : ComponentUsage::rgb;
+  if (bits(word, low + kUsageBit, 1) != 0) input.usage = ComponentUsage::alpha;
+  input.mapping = static_cast<InputMapping>(bits(word, low + kMappingShift, mapping_bits));
+}
+
+// Reads what an output word has besides registers.
+constexpr void read_output(std::uint32_t word, bool rgb, bool has_blue_to_alpha, PortionOutput& out) {
+  out.scale = static_cast<Scale>(bits(word, kScaleShift, 2));
+  out.bias = static_cast<Bias>(bits(word, kBiasBit, 1));
+  out.mux_sum = bits(word, kMuxBit, 1) != 0;
+  out.ab_dot_product = rgb && bits(word, kAbDotBit, 1) != 0;
+  out.cd_dot_product = rgb && bits(word, kCdDotBit, 1) != 0;
+  out.ab_blue_to_alpha = rgb && has_blue_to_alpha && bits(word, kAbBlueToAlphaBit, 1) != 0;
+  out.cd_blue_to_alpha = rgb && has_blue_to_alpha && bits(word, kCdBlueToAlphaBit, 1) != 0;
+}
+
+// Reads the flags of the final combiner's second word.
+constexpr void read_final_flags(std::uint32_t word, CombinerState& state) {
+  state.color_sum_invert_spare0 = bits(word, kSumInvertSpare0Bit, 1) != 0;
+  state.color_sum_invert_secondary = bits(word, kSumInvertSecondaryBit, 1) != 0;
+  state.color_sum_clamp = bits(word, kColorSumClampBit, 1) != 0;
+}
+
+// The NV2A outputs spare0 where both words of the final combiner are 0.
+constexpr void leave_out_final_combiner(FinalCombiner& f) {
+  f.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  f.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+}
+
+// Whether a portion has a mux. Without one in any stage that is used, the mux bit has no meaning.
+constexpr bool has_mux(const PortionOutput& out) {
+  return out.mux_sum && out.sum != Register::discard;
+}
+
+// The colour of a constant's word.
+constexpr ColorF color_of(std::uint32_t argb) {
+  ColorF color{};
+  for (int i = 0; i < 4; ++i) {
+    const int low = i == kAlpha ? 24 : 16 - 8 * i;
+    color[static_cast<std::size_t>(i)] = static_cast<float>(bits(argb, low, 8)) / 255.0F;
+  }
+  return color;
+}
+
+// The register of a code. Empty: reserved.
 [[nodiscard]] std::optional<Register> register_of(std::uint32_t code);
 [[nodiscard]] std::uint32_t code_of(Register r);
 

@@ -17,7 +17,8 @@ from ._questions import study as study
 from ._questions import vectors as vectors
 
 ReadForm = Literal["gl", "rc10", "ps", "tokens", "xbox", "json", "words", "words-json", "source", "log"]
-Form = Literal["gl", "rc10", "tokens", "xbox", "json", "words", "words-json", "ps11", "glsl", "glsl-es", "c"]
+Form = Literal["gl", "rc10", "tokens", "xbox", "json", "words", "words-json", "ps11", "glsl", "glsl-es",
+               "glsl-pixel-130", "glsl-pixel", "glsl-pixel-450", "glsl-pixel-es", "hlsl", "c"]
 Chip = Literal["nv10", "nv20"]
 # Whole numbers: alone, in lists, in arrays.
 Codes = int | np.integer[Any] | NDArray[np.integer[Any]] | Sequence["Codes"]

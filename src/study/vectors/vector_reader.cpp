@@ -245,8 +245,7 @@ Written written_by(const ProgramStage& stage) {
   };
   for (const PortionName name : {PortionName::rgb, PortionName::alpha}) {
     const PortionOutput& out = name == PortionName::rgb ? stage.rgb.out : stage.alpha.out;
-    const auto [first, end] = detail::components_of(name);
-    for (int c = first; c < end; ++c) {
+    for (int c = detail::first_component(name); c < detail::end_component(name); ++c) {
       for (std::size_t k = 0; k < 3; ++k) detail::for_each_write({out, k, c}, put);
     }
   }
