@@ -139,7 +139,7 @@ class Render(Folder):
 
     def test_warnings_are_pythons(self):
         with self.assertWarnsRegex(UserWarning, "^tex0: 4 x 3 is resampled to powers of two") as caught:
-            ninebit.draw(compare_gl, tex0=np.zeros((3, 4), np.uint8), size=(8, 8))
+            ninebit.draw(compare_gl, tex0=np.zeros((3, 4), np.uint8), size=(8, 8), filter0="trilinear")
         self.assertEqual(caught.filename, __file__)
 
     def test_options_are_listed(self):
@@ -160,6 +160,12 @@ class Draw(Folder):
         np.testing.assert_array_equal(drawn.color, ninebit.Program(state).evaluate(tex0=picture))
         self.assertEqual(drawn["program"], "State")
         self.assertRegex(repr(drawn), "64 x 32 pixels, geforce2, 1 pass>")
+
+    def test_an_array_of_any_shape_keeps_its_size(self):
+        picture = np.random.default_rng(4).integers(0, 256, (7, 11, 4), dtype=np.uint8)
+        program = ninebit.State.parse("!!RC1.0\nout.rgb = unsigned_invert(tex0);\nout.a = tex0.a;")
+        drawn = ninebit.draw(program, tex0=picture)
+        np.testing.assert_array_equal(drawn.color, ninebit.Program(program).evaluate(tex0=picture))
 
     def test_polygons_and_samplers(self):
         program = effects / "programs" / "texture0.rc1"

@@ -15,12 +15,12 @@
 namespace ninebit::tools {
 namespace {
 
-struct Size {
+struct Sides {
   int width = 0, height = 0;
 };
 
 // A PNG file says it in its first bytes; other files are read.
-std::optional<Size> size_of(const std::filesystem::path& file, const HardwareProfile& profile,
+std::optional<Sides> size_of(const std::filesystem::path& file, const HardwareProfile& profile,
                             const EffectReaders& readers) {
   constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
   constexpr std::size_t kWidth = 16, kHeight = 20, kHeader = 24;
@@ -34,15 +34,15 @@ std::optional<Size> size_of(const std::filesystem::path& file, const HardwarePro
     };
     const std::uint32_t width = number_at(kWidth), height = number_at(kHeight);
     if (width == 0 || height == 0 || width > kMaxSurfaceSize || height > kMaxSurfaceSize) return std::nullopt;
-    return Size{static_cast<int>(width), static_cast<int>(height)};
+    return Sides{static_cast<int>(width), static_cast<int>(height)};
   }
   const auto picture = readers.rectangle(file, profile);
   if (!picture) return std::nullopt;
   const TextureImage& image = picture->faces[0][0];
-  return Size{image.width, image.height};
+  return Sides{image.width, image.height};
 }
 
-bool has_power_of_two(const Size& size) {
+bool has_power_of_two(const Sides& size) {
   return std::has_single_bit(static_cast<unsigned>(size.width)) &&
          std::has_single_bit(static_cast<unsigned>(size.height));
 }
@@ -62,10 +62,13 @@ bool is_picture(const EffectTexture& texture) {
          texture.origin != TextureOrigin::volume;
 }
 
-void become_rectangle(const DrawFlags& flags, std::size_t unit, const Size& size, EffectUnit& read,
-                      EffectTexture& texture) {
+// `texel_by_texel`: the drawing has the picture's size, so that the nearest texel is the pixel's own. Coordinates that
+// count texels are too coarse for a linear filter to find its centre everywhere.
+void become_rectangle(const DrawFlags& flags, std::size_t unit, const Sides& size, bool texel_by_texel,
+                      EffectUnit& read, EffectTexture& texture) {
   EffectTexture rectangle = parse_texture_source("rectangle:" + texture.files[0]).value();
   rectangle.name = texture.name;
+  if (texel_by_texel) (void)parse_filter("nearest", rectangle.sampler);
   set_sampler(flags, unit, rectangle.sampler);
   if (!suits_rectangle(rectangle.sampler)) return;
   texture = std::move(rectangle);
@@ -83,7 +86,7 @@ void keep_sizes(const DrawFlags& flags, const HardwareProfile& profile, const Ef
   if (pass.geometry != EffectGeometry::rectangle) return;
   struct Odd {
     std::size_t unit = 0;
-    Size size{};
+    Sides size{};
     EffectTexture* texture = nullptr;
   };
   std::vector<Odd> odd;  // pictures whose sides are not powers of two
@@ -107,7 +110,10 @@ void keep_sizes(const DrawFlags& flags, const HardwareProfile& profile, const Ef
   if (odd.empty()) return;
   const auto program = readers.program(pass.program, profile);
   if (!program || program->texture_shader.enabled) return;
-  for (const Odd& one : odd) become_rectangle(flags, one.unit, one.size, pass.units[one.unit], *one.texture);
+  for (const Odd& one : odd) {
+    const bool same = one.size.width == effect.width && one.size.height == effect.height;
+    become_rectangle(flags, one.unit, one.size, same, pass.units[one.unit], *one.texture);
+  }
 }
 
 }  // namespace ninebit::tools
