@@ -127,7 +127,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
       return wrong_usage("trace", chosen.error().message);
     }
   }
-  warn_of_unused_order(settings, pixel->index_order, flags.common.quiet);
+  warn_of_unused_order(settings, pixel->index_order);
   const Drawn drawn{pixel, &profile_of(flags.common), rendered->truth ? &*rendered->truth : nullptr};
   if (!pixel->fragment) return print(flags, drawn, nullptr, {});
   const ProbedPass& pass = pixel->passes[*pixel->pass];

@@ -12,6 +12,7 @@ import { traceModel } from './trace_model.js';
 
 const kValuedWidth = 204;
 const kPlainWidth = 158;
+const kPaperWidth = 700;  // of A4 between margins of 12 mm
 
 function ancestorsOf(cell) {
   const found = new Set([cell]);
@@ -81,6 +82,7 @@ class Diagram {
     const sheet = make('div', 'nb-sheet');
     sheet.style.width = `${this.layout.width}px`;
     sheet.style.height = `${this.layout.height}px`;
+    sheet.style.setProperty('--nb-print-zoom', Math.min(1, kPaperWidth / this.layout.width));
     sheet.append(wireElements(this.layout));
     for (const section of model.sections) {
       sheet.append(...sectionElements(section, model, boxWidth), ...section.boxes.map((box) => boxElement(box, model)));

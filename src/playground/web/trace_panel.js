@@ -48,7 +48,7 @@ export class TracePanel {
     this.trace = trace;
     const effect = trace.effect ?? {};
     const fragments = (effect.passes ?? []).flatMap((pass) => (pass.fragments ?? []).map((fragment) => `${pass.name}: ${fragment.fate}`));
-    this.place.textContent = [where, effect.pass && `pass ${effect.pass}`, ...fragments].filter(Boolean).join(' · ');
+    this.place.textContent = [where, effect.pass && `pass ${effect.pass}`, ...fragments].filter(Boolean).join(', ');
     const names = (effect.passes ?? []).filter((drawn) => drawn.fragments?.length).map((drawn) => drawn.name);
     if (names.length > 1) this.place.append(' ', choice('Pass', names, pass ?? effect.pass ?? names[0], this.choose));
     this.parent.append(...stageLines(effect));

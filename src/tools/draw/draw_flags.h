@@ -52,6 +52,9 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags);
 // The effect of one pass that the flags describe. The Diagnostic is wrong usage.
 [[nodiscard]] Result<Effect> effect_of(const DrawFlags& flags);
 
+// Sets what the flags of a unit say about its sampler.
+void set_sampler(const DrawFlags& flags, std::size_t unit, Sampler& sampler);
+
 // Whether to write the picture, the difference or the layers: --only.
 [[nodiscard]] bool writes(const DrawFlags& flags, std::string_view name);
 // The Diagnostic is wrong usage: a file of --only that no flag asks for.

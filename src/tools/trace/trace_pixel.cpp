@@ -52,8 +52,9 @@ Result<RenderedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& c
   settings.evidence = question.ground_truth;
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
-  const auto loaded = load_drawn_scene(flags, settings, common.quiet);
+  const auto loaded = load_drawn_scene(flags, settings);
   if (!loaded) return loaded.error();
+  warn_of_ignored(flags.file, loaded->ignored);
   const Scene* const scene = &loaded->scene;
   auto rendering = render_scene(flags, *scene, settings,
                                 [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); });
