@@ -145,10 +145,10 @@ TEST(PlaygroundLosses, MarksTruncationClampsAndDistances) {
     const PageJson pixel = ask(engine, {{"do", "pixel"}, {"x", x}, {"y", 5}});
     EXPECT_EQ(pixel["stages"].size(), 2U);
     bool truncated = false;
-    for (const PageJson& channel : pixel["stages"][0]["rgb"]["channels"]) {
-      for (const char* output : {"ab_output", "cd_output", "third_output"}) {
-        if (channel.contains(output) && channel[output].is_object()) {
-          truncated |= channel[output]["dropped"]["units"].get<double>() != 0.0;
+    for (const char* portion : {"rgb", "alpha"}) {
+      for (const PageJson& channel : pixel["stages"][0][portion]["channels"]) {
+        for (const PageJson& output : channel["outputs"]) {
+          truncated |= output["dropped"]["units"].get<double>() != 0.0;
         }
       }
     }

@@ -1,7 +1,7 @@
 /**
- * Bundles the playground into one file: node build.mjs ENGINE.js OUTPUT.html NPM_FOLDER
+ * Bundles the playground into one file: node build.mjs ENGINE OUTPUT.html NPM_FOLDER
  *
- * NPM_FOLDER has the packages of package.json; ENGINE.js is Emscripten's ninebit_playground.js.
+ * NPM_FOLDER has the packages of package.json; ENGINE.js and ENGINE.wasm are Emscripten's.
  */
 import { readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -9,11 +9,11 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const [engineFile, output, npm] = process.argv.slice(2);
+const [engine, output, npm] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const effectsFolder = resolve(here, '../../../scenes/effects');
 const { build } = createRequire(resolve(npm, 'package.json'))('esbuild');
-const most = 5 * 1024 * 1024;
+const most = 2_100_000;
 
 /** A module and what it imports as one script. */
 async function bundled(name) {
@@ -47,14 +47,15 @@ const inScript = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
 const parts = {
   STYLE: readFileSync(join(here, 'style.css'), 'utf8'),
   CONTENT: inScript(gallery()),
-  ENGINE: gzipSync(readFileSync(engineFile), { level: 9 }).toString('base64'),
+  ENGINE: readFileSync(`${engine}.js`, 'utf8'),
+  WASM: gzipSync(readFileSync(`${engine}.wasm`), { level: 9 }).toString('base64'),
   WORKER: await bundled('engine_worker.js'),
   SCRIPT: await bundled('main.js'),
 };
-for (const name of ['WORKER', 'SCRIPT']) {
+for (const name of ['ENGINE', 'WORKER', 'SCRIPT']) {
   if (/<\/script/i.test(parts[name])) throw new Error(`${name} would end its own element`);
 }
-const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\/\*(STYLE|CONTENT|ENGINE|WORKER|SCRIPT)\*\//g, (_, name) => parts[name]);
+const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\/\*(STYLE|CONTENT|ENGINE|WASM|WORKER|SCRIPT)\*\//g, (_, name) => parts[name]);
 if (page.length > most) throw new Error(`the page has ${page.length} bytes; expected ${most} at most`);
 writeFileSync(`${output}.part`, page);
 renameSync(`${output}.part`, output);

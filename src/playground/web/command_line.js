@@ -19,7 +19,7 @@ const isBelow = (name) => /^[^/\\\0-\x1f-][^\\\0-\x1f]*$/.test(name) && !name.sp
   !/^program-\d+\.txt$/.test(name) && !['effect.json', 'profile.json', 'picture.png', 'playground.sh'].includes(name);
 
 /** The effect and its files by names that lie in one folder. @param {import('./state.js').State} state */
-function inOneFolder({ effect, files }) {
+export function inOneFolder({ effect, files }) {
   const names = new Map(Object.keys(files).map((name, at) => [name, isBelow(name) ? name : `program-${at}.txt`]));
   const passes = effect.passes.map((pass) => (names.has(pass.program) ? { ...pass, program: names.get(pass.program) } : pass));
   return { effect: { ...effect, passes }, texts: Object.entries(files).map(([name, text]) => [names.get(name), text]) };

@@ -8,9 +8,28 @@ import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
-import { Compartment, EditorState } from '@codemirror/state';
-import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { Compartment, EditorState, StateEffect, StateField } from '@codemirror/state';
+import { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 import { programLanguage } from './language.js';
+
+/** Marks lines, by their numbers from 1. */
+const markLines = StateEffect.define();
+
+/** The marked lines. */
+const markedLines = StateField.define({
+  create: () => Decoration.none,
+  update(marks, transaction) {
+    let found = marks.map(transaction.changes);
+    for (const effect of transaction.effects) {
+      if (!effect.is(markLines)) continue;
+      const { doc } = transaction.state;
+      const lines = /** @type {number[]} */ (effect.value).filter((line) => line <= doc.lines);
+      found = Decoration.set(lines.map((line) => Decoration.line({ class: 'cm-lit' }).range(doc.line(line).from)));
+    }
+    return found;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
 
 export class Editor {
   /**
@@ -25,7 +44,11 @@ export class Editor {
     this.file = null;
     /** @type {Map<string|null, EditorState>} */
     this.kept = new Map();
+    /** Hears into which line the cursor was moved. @type {(line: number) => void} */
+    this.onmove = () => {};
     const listener = EditorView.updateListener.of((update) => {
+      const line = (/** @type {EditorState} */ state) => state.doc.lineAt(state.selection.main.head).number;
+      if (update.selectionSet && update.view.hasFocus && line(update.state) !== line(update.startState)) this.onmove(line(update.state));
       if (update.docChanged && !this.silent) changed(update.state.doc.toString());
     });
     // Tab leaves the editor, so that the keyboard alone suffices: Control-] and Control-[ indent.
@@ -33,7 +56,7 @@ export class Editor {
       lineNumbers(), history(), drawSelection(), bracketMatching(), closeBrackets(), highlightActiveLine(),
       highlightSelectionMatches(), autocompletion(), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
       keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...completionKeymap, ...lintKeymap]),
-      this.language.of(this.words), EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
+      this.language.of(this.words), markedLines, EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
     ];
     this.view = new EditorView({ parent, state: this.fresh('') });
   }
@@ -72,6 +95,11 @@ export class Editor {
     this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text } });
     this.silent = false;
     this.show([]);
+  }
+
+  /** Lights lines, by their numbers from 1. @param {number[]} lines */
+  light(lines) {
+    this.view.dispatch({ effects: markLines.of(lines) });
   }
 
   /** @param {Diagnostic[]} diagnostics */

@@ -24,13 +24,13 @@ const limit = 20_000;
 
 export class Engine {
   /**
-   * @param {string[]} scripts the engine's and the worker's: together they are the worker, as WebKit imports nothing into
-   *     a worker of a page from the disk
+   * @param {{scripts: string[], wasm: ArrayBuffer}} program the engine's and the worker's scripts: together they are the
+   *     worker, as WebKit imports nothing into a worker of a page from the disk
    * @param {(busy: boolean) => void} busy hears when work begins and ends
    * @param {(reason: string) => void} broken hears why the engine started anew
    */
-  constructor(scripts, busy, broken) {
-    this.scripts = scripts;
+  constructor(program, busy, broken) {
+    this.program = program;
     this.busy = busy;
     this.broken = broken;
     /** @type {any[]} */
@@ -45,7 +45,7 @@ export class Engine {
   }
 
   start() {
-    const address = URL.createObjectURL(new Blob(this.scripts, { type: 'text/javascript' }));
+    const address = URL.createObjectURL(new Blob(this.program.scripts, { type: 'text/javascript' }));
     this.worker = new Worker(address);
     URL.revokeObjectURL(address);
     this.worker.onmessage = ({ data }) => this.finished(data);
@@ -102,7 +102,7 @@ export class Engine {
     const { id, request, bytes, start } = this.running;
     this.timer = setTimeout(() => this.restart(`the engine took longer than ${limit / 1000} s and was stopped`), limit);
     this.busy(true);
-    this.worker.postMessage({ id, request, bytes, start });
+    this.worker.postMessage({ id, request, bytes, start, wasm: start && this.program.wasm });
   }
 
   finished(data) {

@@ -1,6 +1,6 @@
 /**
  * The engine in its worker, behind the engine's own script, which defines `createNinebit`. One request in, one answer out;
- * the first message starts the engine.
+ * the first message starts the engine and holds its WebAssembly.
  *
  * A request is `{id, request, bytes?}`; an answer is `{id, answer, bytes?}`, or `{id, crash}` with what broke.
  */
@@ -43,7 +43,7 @@ function answer(request, bytes) {
 self.onmessage = async ({ data }) => {
   try {
     if (data.start) {
-      state.engine = await self.createNinebit({ print() {}, printErr() {} });
+      state.engine = await self.createNinebit({ wasmBinary: data.wasm, print() {}, printErr() {} });
       self.postMessage({ id: data.id, answer: {} });
       return;
     }

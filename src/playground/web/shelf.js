@@ -68,6 +68,11 @@ export class Shelf {
     return this.loading.get(name);
   }
 
+  /** The content of a file of the page or one that was dropped; `null`: there is none of that name. @param {string} name */
+  bytesOf(name) {
+    return this.dropped.get(name) ?? (Object.hasOwn(this.embedded, name) ? bytesOf(this.embedded[name]) : null);
+  }
+
   /** Loads all files that an effect names. @param {any} effect */
   async loadFor(effect) {
     await Promise.all(picturesOf(effect).map((name) => this.load(name)));

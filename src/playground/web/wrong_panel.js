@@ -8,8 +8,14 @@ const marks = [['', 'not marked'], ['points', 'in the colour of their cause'], [
 const grouped = (number) => number.toLocaleString('en');
 
 export class WrongPixels {
-  /** @param {() => void} changed hears that counting was switched on or off */
-  constructor(changed) {
+  /**
+   * @param {import('./picture.js').Picture} picture the marks are over it
+   * @param {() => void} changed hears that counting was switched on or off
+   */
+  constructor(picture, changed) {
+    this.canvas = picture;
+    /** Whether the picture is the one whose pixels are counted. */
+    this.visible = false;
     /** Whether to count. */
     this.wanted = true;
     this.marks = '';
@@ -27,13 +33,13 @@ export class WrongPixels {
     shown.querySelector('select').id = 'mark-wrong';
     this.element = element('div', { class: 'wrong' }, element('div', { class: 'shadow-controls' },
       element('label', { class: 'field' }, box, element('span', {}, 'Count wrong pixels by rays')), shown), this.text, this.legend);
-    this.overlay = element('canvas', { width: 1, height: 1, hidden: true, role: 'img', 'aria-label': 'Wrong pixels' });
+    this.overlay = picture.layer('Wrong pixels');
   }
 
-  /** The picture's canvas with the marks over it. @param {HTMLCanvasElement} canvas */
-  over(canvas) {
-    this.canvas = canvas;
-    return element('div', { class: 'overlaid' }, canvas, this.overlay);
+  /** @param {boolean} visible */
+  see(visible) {
+    this.visible = visible;
+    this.mark();
   }
 
   switchTo(wanted, changed) {
@@ -81,9 +87,9 @@ export class WrongPixels {
   }
 
   mark() {
-    const current = this.marks && this.last && this.last.request === this.picture;
+    const current = Boolean(this.visible && this.marks && this.last && this.last.request === this.picture);
     this.overlay.hidden = !current;
-    this.canvas.classList.toggle('dimmed', Boolean(current));
+    if (this.visible) this.canvas.dim(current);
     this.legend.hidden = !current || this.marks !== 'points';
     if (!current) return;
     const { judgement, plane } = this.last;
