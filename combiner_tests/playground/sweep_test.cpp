@@ -1,6 +1,8 @@
 // Sweeps of an input, and where the combiners lost something.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -54,7 +56,8 @@ TEST(PlaygroundSweep, IsTheProductForEachByte) {
   ASSERT_EQ(fault_of_answer(ask(engine, drawn)), "");
   const PageJson answer = sweep(engine, "tex0.rgb", "out.g");
   ASSERT_EQ(fault_of_answer(answer), "");
-  EXPECT_EQ(answer["inputs"], (PageJson{"tex0", "primary"}));
+  EXPECT_EQ(answer["inputs"],
+            (PageJson{"tex0", "primary", "secondary", "fog"}));  // GL's default final combiner reads fog
   const PageJson& curve = answer["curves"][0];
   EXPECT_EQ(curve["profile"], "geforce2");
   EXPECT_EQ(curve["one"], 255);
@@ -137,23 +140,30 @@ TEST(PlaygroundLosses, MarksTruncationClampsAndDistances) {
   const auto at = [&](std::size_t stage, std::size_t x, std::size_t y) {
     return engine.bytes()[stage * plane + y * 32 + x];
   };
-  // White: four times 1, 0.5, 0.25 is clamped to 1; -1 in alpha stays. The final combiner clamps alpha to 0.
+  // White: four times 1, 0.5, 0.25 is clamped to 1.
   EXPECT_EQ(at(0, 3, 5) & 2, 2);
-  EXPECT_EQ(at(2, 3, 5) & 2, 2);
+  EXPECT_EQ(at(2, 3, 5) & 2, 0);
   // Each pixel's trace says the same.
-  for (const std::size_t x : {3U, 9U}) {
+  const std::vector<std::uint8_t> bytes(engine.bytes().begin(), engine.bytes().end());
+  for (const std::size_t x : {0U, 3U, 9U, 21U}) {
     const PageJson pixel = ask(engine, {{"do", "pixel"}, {"x", x}, {"y", 5}});
-    EXPECT_EQ(pixel["stages"].size(), 2U);
-    bool truncated = false;
-    for (const char* portion : {"rgb", "alpha"}) {
-      for (const PageJson& channel : pixel["stages"][0][portion]["channels"]) {
-        for (const PageJson& output : channel["outputs"]) {
-          truncated |= output["dropped"]["units"].get<double>() != 0.0;
+    ASSERT_EQ(pixel["stages"].size(), 2U);
+    for (std::size_t stage = 0; stage < 2; ++stage) {
+      bool truncated = false, clamped = false;
+      double distance = 0;
+      for (const char* portion : {"rgb", "alpha"}) {
+        for (const PageJson& channel : pixel["stages"][stage][portion]["channels"]) {
+          for (const PageJson& output : channel["outputs"]) {
+            truncated |= output["dropped"]["units"].get<double>() != 0.0;
+            clamped |= output["cut"]["code"].get<int>() != 0;
+            const PageJson& written = output["written"];
+            distance = std::max(distance, std::abs(written["code"].get<int>() - 255 * written["ideal"].get<double>()));
+          }
         }
       }
+      const int expected = (truncated ? 1 : 0) + (clamped ? 2 : 0) + 4 * static_cast<int>(std::floor(distance + 0.5));
+      EXPECT_EQ(int{bytes[stage * plane + 5 * 32 + x]}, expected) << x << " in stage " << stage;
     }
-    ask(engine, {{"do", "losses"}, {"pass", 0}});
-    EXPECT_EQ((at(0, x, 5) & 1) != 0, truncated) << x;
   }
 }
 
@@ -171,7 +181,7 @@ TEST(PlaygroundTime, MovesAnEffect) {
   PageJson request = draw_request();
   EXPECT_EQ(ask(engine, request)["moves"], false);
   request["effect"]["passes"][0]["units"][0]["matrix"] =
-      PageJson::parse(R"([[1, 0, 0, "time / 4"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])");
+      PageJson::parse(R"([[1, 0, 0, "time / 8"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])");
   const PageJson still = ask(engine, request);
   ASSERT_EQ(fault_of_answer(still), "");
   EXPECT_EQ(still["moves"], true);

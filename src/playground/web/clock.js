@@ -14,7 +14,7 @@ export class Clock {
     this.stopped = stopped;
     this.playing = false;
     this.button = element('button', { type: 'button', class: 'small', id: 'play', 'aria-pressed': 'false', onclick: () => this.toggle() }, 'Play');
-    this.start = element('button', { type: 'button', class: 'small', id: 'rewind', title: 'Back to time 0', onclick: () => this.rewind() }, '⏮ 0');
+    this.start = element('button', { type: 'button', class: 'small', id: 'rewind', title: 'Back to time 0', onclick: () => this.rewind() }, '0 s');
     this.text = element('output', { class: 'quiet', id: 'moment' });
     this.element = element('span', { class: 'clock', hidden: true }, this.button, this.start, this.text);
   }

@@ -53,7 +53,8 @@ export function commandsOf(state, pixel) {
 export class CommandPanel {
   /** @param {HTMLElement} parent @param {() => string} commands */
   constructor(parent, commands) {
-    Object.assign(this, { parent, commands });
+    this.parent = parent;
+    this.commands = commands;
     this.text = element('pre', { tabindex: 0, 'aria-label': 'Commands' });
     const button = (title, run) => element('button', { type: 'button', class: 'small', onclick: run }, title);
     parent.append(element('div', { class: 'bar' }, element('span', { class: 'quiet' }, 'The same picture with the program ninebit:'),

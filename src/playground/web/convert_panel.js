@@ -11,7 +11,9 @@ export class ConvertPanel {
    * @param {(to: string) => Promise<any>} convert asks the engine
    */
   constructor(parent, forms, convert) {
-    Object.assign(this, { parent, convert, to: 'gl' });
+    this.parent = parent;
+    this.convert = convert;
+    this.to = 'gl';
     this.text = element('pre', { tabindex: 0, 'aria-label': 'Converted program' });
     this.buttons = forms.map(({ name: form, title }) => element('button', {
       type: 'button', class: 'small', 'data-form': form, 'aria-pressed': form === this.to, onclick: () => this.choose(form),

@@ -33,7 +33,11 @@ export class GpuPanel {
    * @param {import('./engine_client.js').Engine} engine
    */
   constructor(parent, store, shelf, engine) {
-    Object.assign(this, { parent, store, shelf, engine, turn: 0 });
+    this.parent = parent;
+    this.store = store;
+    this.shelf = shelf;
+    this.engine = engine;
+    this.turn = 0;
     this.result = element('p', { role: 'status', id: 'gpu-result' });
     this.figures = ['The emulator', 'Your GPU', 'Difference'].map((title) => {
       const canvas = element('canvas', { width: 1, height: 1 });

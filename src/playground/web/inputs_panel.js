@@ -26,7 +26,10 @@ export class InputsPanel {
    * @param {{textures: string[], meshes: string[], profiles: any[]}} about what the engine offers
    */
   constructor(parent, store, shelf, about) {
-    Object.assign(this, { parent, store, shelf, about });
+    this.parent = parent;
+    this.store = store;
+    this.shelf = shelf;
+    this.about = about;
     /** The constants that the program sets itself. @type {Record<string, number[]>} */
     this.ofProgram = {};
     /** Where the engine put the camera. @type {{position: number[], target: number[]}|null} */

@@ -21,7 +21,9 @@ export class Judge {
    *     failed: (error: Error) => void}} view `plane`: the number of a cause for each pixel, plus 128 if it is falsely lit
    */
   constructor(newEngine, drawing, view) {
-    Object.assign(this, { newEngine, drawing, view });
+    this.newEngine = newEngine;
+    this.drawing = drawing;
+    this.view = view;
     /** The next request. */
     this.wanted = null;
     this.on = true;

@@ -39,12 +39,12 @@ export class LossesOverlay {
     this.layer = picture.layer('Where the combiners lost something');
     this.text = element('span', { class: 'quiet', id: 'losses-result', role: 'status' });
     this.stages = element('span');
-    this.element = element('div', { class: 'bar losses', id: 'losses' }, this.kinds(), this.stages, this.text);
+    this.element = element('div', { class: 'losses', id: 'losses' }, this.kinds(), this.stages, this.text);
   }
 
   kinds() {
     /** @type {[string, string][]} */
-    const options = [['', 'nothing'], ...[...kinds].map(([key, { title }]) => /** @type {[string, string]} */ ([key, title]))];
+    const options = [['', 'no losses'], ...[...kinds].map(([key, { title }]) => /** @type {[string, string]} */ ([key, title]))];
     const control = choice('Mark', options, this.kind, (value) => this.take(value, this.stage));
     control.querySelector('select').id = 'mark-losses';
     return control;

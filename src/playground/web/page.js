@@ -107,8 +107,8 @@ export class Page {
     this.flip = new Flip(this.store, this.live, this.picture, () => this.showPicture());
     this.losses = new LossesOverlay(this.store, this.live, this.picture, () => this.link());
     this.clock = new Clock(this.live, { draw: () => this.live.draw(), stopped: () => this.updatePanels() });
-    this.picture.bar.append(this.flip.button, this.clock.element);
-    byId('picture').append(this.losses.element);
+    this.picture.bar.append(this.flip.button, this.losses.element);
+    byId('below').prepend(this.clock.element, this.picture.status);
     this.strip = new Strip(byId('strip'), (name) => this.showPanel(name));
   }
 
@@ -162,7 +162,15 @@ export class Page {
     if (mode === 'effect') this.shadow.update();
     if (mode === 'effect' && this.live.pixel) this.picture.put(this.live.pixel);
     byId('strip').hidden = mode === 'shadow';
+    this.clock.element.hidden ||= mode === 'shadow';
+    this.showTitle();
     this.showPicture();
+    if (mode === 'effect') this.soon?.();
+  }
+
+  showTitle() {
+    byId('title').textContent = this.mode === 'shadow' ? 'Index shadows' : this.store.state.effect.title ?? 'Untitled';
+    byId('title').title = byId('title').textContent;
   }
 
   /** @param {'effect'|'shadow'} mode @param {Uint8Array} pixels @param {number} width @param {number} height */
@@ -253,9 +261,9 @@ export class Page {
     if (byId('message').dataset.about === 'engine') say(null);
     this.inputs.setView(answer.view);
     this.keepPicture('effect', bytes, answer.width, answer.height);
-    this.clock.show(answer.moves);
+    this.clock.show(answer.moves && this.mode === 'effect');
     byId('picture').dataset.hash = answer.hash?.color ?? '';
-    byId('title').textContent = this.store.state.effect.title ?? 'Untitled';
+    this.showTitle();
     byId('drawing').textContent = `${answer.width} x ${answer.height}, ${milliseconds.toFixed(1)} ms`;
     ready();
   }
@@ -292,6 +300,8 @@ export class Page {
       this.link();
     } else this.showPanel('trace');
     byId('panels').scrollTop = 0;
+    // One below the other, as on a phone, the picture comes to the upper edge, so that the trace is in view, too.
+    if (byId('panels').offsetTop > byId('picture-pane').offsetTop) byId('picture-pane').scrollIntoView({ block: 'start' });
   }
 
   /** Chooses a bright pixel, if none is chosen, and opens a panel. @param {string} panel */
@@ -463,6 +473,7 @@ export class Page {
         // They are there again at the next visit.
       }
     });
+    byId('strip').addEventListener('click', () => byId('panels').scrollIntoView({ block: 'nearest' }));
     const whole = element('a', { id: 'whole', target: '_blank', rel: 'noopener', href: location.pathname }, 'Open in the playground');
     whole.addEventListener('click', () => { whole.href = location.href.replace('?embed', ''); });
     byId('strip').after(whole);

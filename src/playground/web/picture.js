@@ -40,7 +40,7 @@ export class Picture {
     this.status = element('output', { class: 'quiet', id: 'pixel-status' });
     const button = (text, label, run) => element('button', { type: 'button', class: 'small', 'aria-label': label, title: label, onclick: run }, text);
     this.bar = element('div', { class: 'bar' }, button('−', 'Zoom out', () => this.zoomBy(-1)), button('+', 'Zoom in', () => this.zoomBy(1)),
-      button('Fit', 'Fit the picture', () => this.setZoom(0)), this.status);
+      button('Fit', 'Fit the picture', () => this.setZoom(0)));
     /** Says under which profile the picture is, where that is not the usual one. */
     this.badge = element('p', { class: 'badge', hidden: true });
     parent.append(element('div', { class: 'picture-frame' }, this.scroll, this.badge), this.bar);
@@ -85,7 +85,7 @@ export class Picture {
     if (this.zoom > 0) return this.zoom;
     const around = 28; // the space that style.css keeps around the picture
     const room = Math.min((this.scroll.clientWidth - around) / this.width, (this.scroll.clientHeight - around) / this.height);
-    return room >= 1 ? Math.floor(room) : room;
+    return room >= 2 ? Math.floor(room) : room;
   }
 
   layout() {
@@ -94,7 +94,7 @@ export class Picture {
     for (const canvas of [this.canvas, ...this.layers]) {
       canvas.style.width = `${this.width * scale}px`;
       canvas.style.height = `${this.height * scale}px`;
-      canvas.style.imageRendering = scale >= 1 ? 'pixelated' : 'auto';
+      canvas.style.imageRendering = Number.isInteger(scale) ? 'pixelated' : 'auto';
     }
     const side = Math.max(scale, 5);
     const shift = (scale - side) / 2;

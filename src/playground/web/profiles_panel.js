@@ -20,7 +20,11 @@ export class ProfilesPanel {
    * @param {{compare: (profiles: any[]) => Promise<any>, engine: import('./engine_client.js').Engine}} asks
    */
   constructor(parent, store, profiles, { compare, engine }) {
-    Object.assign(this, { parent, store, profiles, compare, engine });
+    this.parent = parent;
+    this.store = store;
+    this.profiles = profiles;
+    this.compare = compare;
+    this.engine = engine;
     this.result = element('p', { role: 'status', id: 'difference-count' });
     this.canvases = [0, 1, 2].map(() => element('canvas', { width: 1, height: 1 }));
     this.captions = [0, 1, 2].map(() => element('figcaption'));

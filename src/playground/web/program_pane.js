@@ -11,7 +11,10 @@ export class ProgramPane {
    * @param {Record<string, string>} programs the gallery's programs, for names that an edited effect adds
    */
   constructor(store, programs) {
-    Object.assign(this, { store, programs, shows: 'program', effectText: null });
+    this.store = store;
+    this.programs = programs;
+    this.shows = 'program';
+    this.effectText = null;
     this.editor = new Editor(byId('editor'), (text) => this.edited(text));
     /** Faults of the program or the effect, and of the drawing. */
     this.faults = { read: [], draw: [] };
