@@ -1,7 +1,7 @@
 /**
  * The program in every other form, each under a tab, with a button that copies it.
  */
-import { element } from './dom.js';
+import { element, messageOf } from './dom.js';
 import { Replaced } from './engine_client.js';
 
 export class ConvertPanel {
@@ -22,6 +22,7 @@ export class ConvertPanel {
     parent.append(element('div', { class: 'bar' }, ...this.buttons, copy), this.text);
   }
 
+  /** @param {string} form */
   choose(form) {
     this.to = form;
     for (const button of this.buttons) button.setAttribute('aria-pressed', String(button.dataset.form === form));
@@ -34,7 +35,7 @@ export class ConvertPanel {
       const { answer } = await this.convert(this.to);
       this.text.textContent = answer.text;
     } catch (error) {
-      if (!(error instanceof Replaced)) this.text.textContent = error.message;
+      if (!(error instanceof Replaced)) this.text.textContent = messageOf(error);
     }
   }
 }

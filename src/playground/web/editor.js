@@ -1,7 +1,7 @@
 /**
  * The editor: CodeMirror with the programs' language and the engine's diagnostics under their lines.
  *
- * @typedef {{line: number, column: number, length?: number, message: string, severity?: 'error'|'info'}} Diagnostic
+ * @typedef {{line?: number, column?: number, length?: number, message: string, severity?: 'error'|'info'}} Diagnostic
  */
 import { autocompletion, closeBrackets, completionKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
@@ -13,7 +13,7 @@ import { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lin
 import { programLanguage } from './language.js';
 
 /** Marks lines, by their numbers from 1. */
-const markLines = StateEffect.define();
+const markLines = /** @type {import('@codemirror/state').StateEffectType<number[]>} */ (StateEffect.define());
 
 /** The marked lines. */
 const markedLines = StateField.define({
@@ -23,7 +23,7 @@ const markedLines = StateField.define({
     for (const effect of transaction.effects) {
       if (!effect.is(markLines)) continue;
       const { doc } = transaction.state;
-      const lines = /** @type {number[]} */ (effect.value).filter((line) => line <= doc.lines);
+      const lines = effect.value.filter((line) => line <= doc.lines);
       found = Decoration.set(lines.map((line) => Decoration.line({ class: 'cm-lit' }).range(doc.line(line).from)));
     }
     return found;
@@ -41,7 +41,7 @@ export class Editor {
     this.words = programLanguage([]);
     this.silent = false;
     /** The file that is shown; each has its own history. @type {string|null} */
-    this.file = null;
+    this.file = /** @type {string|null} */ (null);
     /** @type {Map<string|null, EditorState>} */
     this.kept = new Map();
     /** Hears into which line the cursor was moved. @type {(line: number) => void} */
@@ -117,7 +117,7 @@ export class Editor {
     this.view.dispatch(setDiagnostics(this.view.state, placed));
   }
 
-  /** Moves to a place and into the editor. */
+  /** Moves to a place and into the editor. @param {number} line @param {number} [column] */
   go(line, column) {
     const { doc } = this.view.state;
     const place = doc.line(Math.min(Math.max(1, line || 1), doc.lines));

@@ -79,26 +79,6 @@ export class Page {
     this.profileNames = /** @type {string[]} */ ((about.profiles ?? []).map((/** @type {any} */ { name }) => name));
     /** How many words the editor completes, once it does. */
     this.words = 0;
-    this.addPicture();
-    this.addPanels(newEngine, about);
-    this.showPanel = tabs(document.querySelector('#panels [role=tablist]'), (name) => this.panelShown(name));
-    /** The picture follows each change; panels and the trace follow a pause. */
-    this.soon = nextFrame(() => this.draw());
-    this.later = afterPause(150, () => this.updatePanels());
-    this.link = afterPause(400, () => { this.keep().catch(unwritten); });
-    /** The last writing of the address: each waits for the one before, which may have failed. @type {Promise<void>} */
-    this.writing = Promise.resolve();
-    store.listen((what) => this.changed(what));
-    store.onstep = (before, navigated) => this.stepped(before, navigated);
-    /** Whether the browser did not keep a dropped file. */
-    this.fileLost = false;
-    this.shelf.onlost = () => {
-      this.fileLost = true;
-      this.keepWork();
-    };
-  }
-
-  addPicture() {
     this.picture = new Picture(byId('picture'), (x, y) => this.chosen(x, y));
     /** What the picture shows: the effect, or index shadows. @type {'effect'|'shadow'} */
     this.mode = 'effect';
@@ -110,11 +90,7 @@ export class Page {
     this.picture.bar.append(this.flip.button, this.losses.element);
     byId('below').prepend(this.clock.element, this.picture.status);
     this.strip = new Strip(byId('strip'), (name) => this.showPanel(name));
-  }
-
-  /** @param {() => import('./engine_client.js').Engine} newEngine @param {any} about */
-  addPanels(newEngine, about) {
-    const { store, shelf, engine, live, picture } = this;
+    const { shelf, live, picture } = this;
     const changed = () => this.link();
     this.trace = new TracePanel(byId('trace'), byId('trace-place'), (pass) => live.trace(pass), (lines) => this.program.editor.light(lines));
     this.program.editor.onmove = (line) => this.trace.lightLine(line);
@@ -130,6 +106,21 @@ export class Page {
     this.sweep = new SweepPanel(byId('panel-sweep'), store, live, { profiles: this.profileNames, choosePixel: () => this.chooseBright('sweep'), changed });
     this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, live.pixel));
     this.save = new SavePanel(byId('panel-save'), store, shelf, engine, picture);
+    this.showPanel = tabs(/** @type {HTMLElement} */ (document.querySelector('#panels [role=tablist]')), (name) => this.panelShown(name));
+    /** The picture follows each change; panels and the trace follow a pause. */
+    this.soon = nextFrame(() => this.draw());
+    this.later = afterPause(150, () => this.updatePanels());
+    this.link = afterPause(400, () => { this.keep().catch(unwritten); });
+    /** The last writing of the address: each waits for the one before, which may have failed. @type {Promise<void>} */
+    this.writing = Promise.resolve();
+    store.listen((what) => this.changed(what));
+    store.onstep = (before, navigated) => this.stepped(before, navigated);
+    /** Whether the browser did not keep a dropped file. */
+    this.fileLost = false;
+    this.shelf.onlost = () => {
+      this.fileLost = true;
+      this.keepWork();
+    };
   }
 
   /** The panel that is open. */

@@ -33,12 +33,12 @@ export class Picture {
     this.scroll = element('div', {
       class: 'picture-scroll', tabindex: 0, role: 'application',
       'aria-label': 'Picture. Arrow keys move the pixel mark, Enter traces the pixel, plus and minus zoom.',
-      onkeydown: (event) => this.key(event), onclick: (event) => this.click(event),
-      onmousemove: (event) => this.say(this.at(event)),
-      onwheel: (event) => this.wheel(event),
+      onkeydown: (/** @type {KeyboardEvent} */ event) => this.key(event), onclick: (/** @type {MouseEvent} */ event) => this.click(event),
+      onmousemove: (/** @type {MouseEvent} */ event) => this.say(this.at(event)),
+      onwheel: (/** @type {WheelEvent} */ event) => this.wheel(event),
     }, this.stage);
     this.status = element('output', { class: 'quiet', id: 'pixel-status' });
-    const button = (text, label, run) => element('button', { type: 'button', class: 'small', 'aria-label': label, title: label, onclick: run }, text);
+    const button = (/** @type {string} */ text, /** @type {string} */ label, /** @type {() => void} */ run) => element('button', { type: 'button', class: 'small', 'aria-label': label, title: label, onclick: run }, text);
     this.bar = element('div', { class: 'bar' }, button('−', 'Zoom out', () => this.zoomBy(-1)), button('+', 'Zoom in', () => this.zoomBy(1)),
       button('Fit', 'Fit the picture', () => this.setZoom(0)));
     /** Says under which profile the picture is, where that is not the usual one. */

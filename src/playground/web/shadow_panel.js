@@ -3,7 +3,7 @@
  * the light sees, unfolded.
  */
 import { cameraOf, orbitOf } from './camera.js';
-import { choice, element, paint, replaceChildren } from './dom.js';
+import { choice, element, messageOf, paint, replaceChildren } from './dom.js';
 import { Replaced } from './engine_client.js';
 import { Judge } from './judge.js';
 import { WrongPixels } from './wrong_panel.js';
@@ -33,7 +33,7 @@ export class ShadowPanel {
     this.asked = { ...usual };
     /** The request of the last picture. @type {any} */
     this.drawn = null;
-    /** Where the scene's own camera is; known after the first picture. */
+    /** Where the scene's own camera is; known after the first picture. @type {any} */
     this.view = null;
     this.controls = element('div', { class: 'shadow-controls' });
     this.result = element('p', { role: 'status', id: 'shadow-result' });
@@ -45,6 +45,7 @@ export class ShadowPanel {
       element('figure', {}, this.cube, element('figcaption', {}, 'The index cube, unfolded')));
   }
 
+  /** @param {any} change */
   ask(change) {
     Object.assign(this.asked, change);
     this.changed();
@@ -68,6 +69,7 @@ export class ShadowPanel {
     if (!this.view) return [];
     const scene = { camera: this.view.position, look_at: this.view.target };
     const orbit = orbitOf({ ...scene, camera: this.asked.camera?.position ?? scene.camera });
+    /** @param {string} title @param {'around'|'above'|'distance'} key @param {{min: number, max: number, step: number}} range */
     const part = (title, key, range) => slider(title, { ...range, value: orbit[key] }, (value) => {
       orbit[key] = value;
       this.ask({ camera: { position: cameraOf(scene, orbit), target: this.view.target, fov: this.view.fov } });
@@ -122,12 +124,17 @@ export class ShadowPanel {
         this.show();
       }
     } catch (error) {
-      if (!(error instanceof Replaced)) this.result.textContent = error.message;
+      if (!(error instanceof Replaced)) this.result.textContent = messageOf(error);
     }
   }
 }
 
-/** A number with its value beside it. @param {string} title @param {{value: number, min: number, max: number, step: number}} range */
+/**
+ * A number with its value beside it.
+ * @param {string} title
+ * @param {{value: number, min: number, max: number, step: number}} range
+ * @param {(value: number) => void} write
+ */
 function slider(title, { value, ...range }, write) {
   const shown = element('output', {}, value);
   const input = element('input', {

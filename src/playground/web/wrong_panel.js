@@ -5,7 +5,7 @@ import { causeColors, causeHelp, wrongPixels } from '../../page/web/wrong_pixels
 import { choice, element } from './dom.js';
 
 const marks = [['', 'not marked'], ['points', 'in the colour of their cause'], ['heat', 'as a heat map']];
-const grouped = (number) => number.toLocaleString('en');
+const grouped = (/** @type {number} */ number) => number.toLocaleString('en');
 
 export class WrongPixels {
   /**
@@ -19,8 +19,9 @@ export class WrongPixels {
     /** Whether to count. */
     this.wanted = true;
     this.marks = '';
-    /** The request of the picture that is shown, and the last judgement. */
+    /** The request of the picture that is shown. @type {any} */
     this.picture = null;
+    /** The last judgement. @type {{request: any, judgement: import('./judge.js').Judgement, plane: Uint8Array}|null} */
     this.last = null;
     this.text = element('p', { role: 'status', id: 'wrong-result' });
     this.legend = element('ul', { class: 'legend', hidden: true });
@@ -42,6 +43,7 @@ export class WrongPixels {
     this.mark();
   }
 
+  /** @param {boolean} wanted @param {() => void} changed */
   switchTo(wanted, changed) {
     this.wanted = wanted;
     this.last = null;
@@ -78,6 +80,7 @@ export class WrongPixels {
     this.mark();
   }
 
+  /** @param {import('./judge.js').Judgement} judgement */
   sentence({ errors, pixels }) {
     const wrong = errors.false_lit + errors.false_shadowed;
     const share = (100 * wrong / Math.max(1, pixels.lit + pixels.shadowed)).toFixed(2);
@@ -91,7 +94,7 @@ export class WrongPixels {
     this.overlay.hidden = !current;
     if (this.visible) this.canvas.dim(current);
     this.legend.hidden = !current || this.marks !== 'points';
-    if (!current) return;
+    if (!current || !this.last) return;
     const { judgement, plane } = this.last;
     const painter = wrongPixels(judgement.width, judgement.height, judgement.causes);
     const row = { plane };
