@@ -27,7 +27,7 @@ afterEach(() => { globalThis.Worker = kept; });
 
 function engine() {
   const heard = { busy: [], broken: [] };
-  const made = new Engine({ scripts: ['a'], wasm: new ArrayBuffer(8) }, (busy) => heard.busy.push(busy), (reason) => heard.broken.push(reason));
+  const made = new Engine({ scripts: ['a'], wasm: { packed: 'x', size: 8 } }, (busy) => heard.busy.push(busy), (reason) => heard.broken.push(reason));
   workers[0].answer({ answer: {} });
   return { made, heard, worker: workers[0] };
 }
@@ -35,7 +35,7 @@ function engine() {
 test('the first message starts the engine, with its WebAssembly', () => {
   const { worker } = engine();
   assert.equal(worker.sent[0].start, true);
-  assert.equal(worker.sent[0].wasm.byteLength, 8);
+  assert.equal(worker.sent[0].wasm.size, 8);
 });
 
 test('requests run one after the other', async () => {
@@ -93,7 +93,7 @@ test('a file that breaks the engine is not put again', async () => {
 });
 
 test('an engine that cannot start says so to everyone', async () => {
-  const made = new Engine({ scripts: [], wasm: new ArrayBuffer(0) }, () => {}, () => {});
+  const made = new Engine({ scripts: [], wasm: { packed: '', size: 0 } }, () => {}, () => {});
   const asked = made.ask({ do: 'a' });
   workers[0].answer({ crash: 'no WebAssembly' });
   await assert.rejects(asked, /no WebAssembly/);

@@ -24,7 +24,7 @@ const limit = 20_000;
 
 export class Engine {
   /**
-   * @param {{scripts: string[], wasm: ArrayBuffer}} program the engine's and the worker's scripts: together they are the
+   * @param {{scripts: string[], wasm: {packed: string, size: number}}} program the engine's and the worker's scripts: together they are the
    *     worker, as WebKit imports nothing into a worker of a page from the disk
    * @param {(busy: boolean) => void} busy hears when work begins and ends
    * @param {(reason: string) => void} broken hears why the engine started anew

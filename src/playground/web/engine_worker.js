@@ -1,9 +1,12 @@
 /**
  * The engine in its worker, behind the engine's own script, which defines `createNinebit`. One request in, one answer out;
- * the first message starts the engine and holds its WebAssembly.
+ * the first message starts the engine and holds its WebAssembly, packed.
  *
  * A request is `{id, request, bytes?}`; an answer is `{id, answer, bytes?}`, or `{id, crash}` with what broke.
  */
+
+import { unpackLzma } from './lzma.js';
+import { bytesOfText } from './text_bytes.js';
 
 /** @type {{engine: any}} */
 const state = { engine: null };
@@ -46,7 +49,7 @@ function answer(request, bytes) {
 worker.onmessage = async (/** @type {MessageEvent} */ { data }) => {
   try {
     if (data.start) {
-      state.engine = await worker.createNinebit({ wasmBinary: data.wasm, print() {}, printErr() {} });
+      state.engine = await worker.createNinebit({ wasmBinary: unpackLzma(bytesOfText(data.wasm.packed), data.wasm.size), print() {}, printErr() {} });
       worker.postMessage({ id: data.id, answer: {} });
       return;
     }

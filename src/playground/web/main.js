@@ -6,7 +6,6 @@ import { Engine, Replaced } from './engine_client.js';
 import { keptFiles, keptState } from './kept.js';
 import { Page, say } from './page.js';
 import { opened } from './permalink.js';
-import { bytesOf } from './shelf.js';
 import { bare, passOf, stateOf, Store } from './state.js';
 
 /** In a frame of another page: picture, editor and trace alone, and nothing is kept. */
@@ -20,11 +19,10 @@ function first() {
   return stateOf(content.effects[name] ?? Object.values(content.effects)[0], content.programs);
 }
 
-/** The engine: its scripts, and its WebAssembly, which the page holds compressed. */
-async function engineProgram() {
-  const stream = new Blob([bytesOf(byId('wasm').textContent)]).stream().pipeThrough(new DecompressionStream('gzip'));
-  const wasm = await new Response(stream).arrayBuffer();
-  return { scripts: [byId('engine').textContent, '\n', byId('worker').textContent], wasm };
+/** The engine: its scripts, and its WebAssembly, packed. */
+function engineProgram() {
+  const { textContent: packed, dataset } = byId('wasm');
+  return { scripts: [byId('engine').textContent, '\n', byId('worker').textContent], wasm: { packed, size: Number(dataset.size) } };
 }
 
 /** The state of the address, else what was kept, else the first effect; the steps before it; and what is looked at. */
@@ -74,7 +72,7 @@ function busyMark() {
 
 async function start() {
   document.body.classList.toggle('embed', embedded);
-  const program = await engineProgram();
+  const program = engineProgram();
   const engine = new Engine(program, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`, 'engine'));
   const newEngine = () => new Engine(program, () => {}, () => {});
   const { store, view } = await firstStore();
