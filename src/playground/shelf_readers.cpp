@@ -100,12 +100,8 @@ EffectReaders ShelfReaders::readers() {
   readers.kept = [this](const TextureRecipe& recipe, const std::function<Result<Texture>()>& make) {
     return kept_texture(recipe, make);
   };
-  readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis> up) -> Result<Scene> {
-    auto scene = shelf_scene(file.string(), shelf_, up);
-    if (scene) {
-      for (const std::string& note : scene->notes) warnings_.push_back(file.string() + ": ignored: " + note);
-    }
-    return scene;
+  readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis> up) {
+    return shelf_scene(file.string(), shelf_, up);
   };
   return readers;
 }

@@ -206,13 +206,18 @@ int draw(const DrawFlags& flags) {
     return wrong_usage("draw", fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
   }
   if (Status checked = check_files(flags); !checked) return wrong_usage("draw", checked.error().message);
-  DrawnFile file = read_effect_file(flags.file, flags.allow_outside);
+  DrawnFile file = read_effect_file(flags.file, {.allow_outside = flags.allow_outside, .moment = flags.moment});
   if (file.exit_code != kDone) return file.exit_code;
   const bool is_effect = file.effect.has_value();
   if (is_effect) {
     if (Status changed = override_effect(flags, *file.effect); !changed)
       return wrong_usage("draw", changed.error().message);
   } else {
+    for (const CLI::Option* const option : flags.moment_options) {
+      if (option->count() != 0)
+        return wrong_usage("draw",
+                           fmt::format("{} has no effect with a program; expected an effect file", option->get_name()));
+    }
     auto effect = effect_of(flags);
     if (!effect) return wrong_usage("draw", effect.error().message);
     file.effect.emplace(std::move(*effect));

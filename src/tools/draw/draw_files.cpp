@@ -92,9 +92,9 @@ Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::s
       .file = file};
 }
 
-DrawnFile read_effect_file(const std::string& file, bool allow_outside) {
+DrawnFile read_effect_file(const std::string& file, const EffectReadOptions& options) {
   if (!is_effect(file)) return {};
-  auto parsed = read_effect(file, {.allow_outside = allow_outside});
+  auto parsed = read_effect(file, options);
   if (!parsed) return {.effect = {}, .exit_code = report(parsed.faults())};
   return {.effect = std::move(*parsed)};
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/effect/effect_json.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/shadow/ground_truth.h"
@@ -51,11 +52,11 @@ struct TracedEffect {
 };
 
 // Draws the effect file and probes the pixel X,Y of its picture, counted from the top left. The rectangles that passes
-// draw count as one more object, whose polygons come after those of the mesh. `allow_outside` as in EffectReadOptions.
-// `given`: the profile of --profile, or nullptr. `defines`: as ProgramFlags::defines. Reports what `ninebit draw`
-// reports, and a pixel outside of the picture.
-[[nodiscard]] Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, bool allow_outside,
-                                              const CommonFlags& common, const HardwareProfile* given,
-                                              const std::vector<std::string>& defines);
+// draw count as one more object, whose polygons come after those of the mesh. `given`: the profile of --profile, or
+// nullptr. `defines`: as ProgramFlags::defines. Reports what `ninebit draw` reports, and a pixel outside of the
+// picture.
+[[nodiscard]] Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel,
+                                              const EffectReadOptions& options, const CommonFlags& common,
+                                              const HardwareProfile* given, const std::vector<std::string>& defines);
 
 }  // namespace ninebit::tools
