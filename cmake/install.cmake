@@ -6,6 +6,9 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ninebit)
 set(components combiner)
 set(rooms numerics combiner texture_shader language)
 set(without PATTERN *json.h EXCLUDE)  # they are of another library
+if(NOT NINEBIT_BUILD_TESTS)           # nor is this in a build of the combiners alone
+  list(APPEND without PATTERN register_log.h EXCLUDE PATTERN source_code.h EXCLUDE PATTERN smt_lib.h EXCLUDE)
+endif()
 if(NOT NINEBIT_COMBINER_ONLY)
   list(APPEND components json capi raster ninebit)
   list(APPEND rooms capi raster scene image frame shadow effect study)

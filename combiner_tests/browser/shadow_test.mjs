@@ -30,6 +30,7 @@ const marked = () => page.evaluate(() => {
 test('index shadows have the pixels of `ninebit render`', async () => {
   await page.evaluate(() => globalThis.ninebit.store.change('profile', (state) => { state.profile = 'geforce2'; }));
   await page.click('#tab-shadow');
+  await ask({ order: 'file' });
   const { pixels, errors } = rendered();
   const text = `${pixels.shadowed.toLocaleString('en')} pixels in shadow, ${pixels.lit.toLocaleString('en')} lit`;
   await page.waitForFunction((expected) => document.getElementById('shadow-result').textContent.startsWith(expected), {}, text);

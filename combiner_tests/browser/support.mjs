@@ -32,7 +32,7 @@ export const firefox = (executablePath) => puppeteer.launch({ browser: 'firefox'
  * Opens the page and waits for its first picture. `page.complaints` are errors of the console, of scripts, dialogs, and
  * requests that leave the page.
  */
-export async function openPage(browser, { hash = '', width = 1280, height = 900, hashes = true } = {}) {
+export async function openPage(browser, { hash = '', query = '', width = 1280, height = 900, hashes = true, first = 'sepia' } = {}) {
   // A context of its own, as pages of one browser share what it keeps.
   const page = await (await browser.createBrowserContext()).newPage();
   // By time: by frames, a page for which Chromium makes none would wait for ever.
@@ -47,11 +47,14 @@ export async function openPage(browser, { hash = '', width = 1280, height = 900,
     await dialog.dismiss();
   });
   page.on('request', (request) => {
-    if (!/^(blob:|data:)/.test(request.url()) && request.url().split('#')[0] !== `file://${pageFile}`) complain(`request: ${request.url()}`);
+    if (!/^(blob:|data:)/.test(request.url()) && request.url().split(/[?#]/)[0] !== `file://${pageFile}`) complain(`request: ${request.url()}`);
   });
   await page.setViewport({ width, height });
-  if (hashes) await page.evaluateOnNewDocument(() => { globalThis.ninebitHashes = true; });
-  await page.goto(`file://${pageFile}${hash}`);
+  await page.evaluateOnNewDocument((effect, hashed) => {
+    if (effect) globalThis.ninebitFirst = effect;
+    if (hashed) globalThis.ninebitHashes = true;
+  }, first, hashes);
+  await page.goto(`file://${pageFile}${query}${hash}`);
   await waitForReady(page);
   return page;
 }

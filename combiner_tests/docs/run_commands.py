@@ -14,22 +14,35 @@ HTML comments in front of a block, which readers do not see:
   <!-- not run: WHY -->      none of the block's commands is run
   <!-- run with: FLAGS -->   appended to those that lack the first of these flags, to make them quick: --size 160x120
 
+HTML comments in prose:
+  151<!-- value: EXPRESSION of ninebit ... -->   the figure before it, to the digits shown, is the value of a Python
+      expression over the answer of the command with --json, such as errors.by_cause.joint, rows[0].cases or len(rows)
+  <!-- picture: FILE -->   the next line's picture looks like FILE, which a command above or below writes: the means of
+      its blocks are the same within a few codes, as it may have been made smaller
+
 Exits with 1 if a command failed or printed something else, with 77 if every command was left out.
 """
+import json
+import math
 import os
 import re
 import shlex
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 REMARK = re.compile(r'<!-- (not run|run with): (.*?) -->$')
 COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ', 'cc ', './check ')
 SHOWN = ('$ ninebit ', '$ ./check ')
+VALUE = re.compile(r'([-−]?\d[\d,.\u202f]*)(?: %)?<!-- value: (.*?) of (ninebit .*?) -->')
+PICTURE = re.compile(r'<!-- picture: (\S+) -->\n!\[.*?\]\((.*?)\)')
 LIMIT_S = 300
+LIKE = 9  # codes by which the means of blocks of two pictures may differ
 
 
 class Command:
@@ -102,8 +115,100 @@ def run(command, folder, program):
     return None
 
 
+class Keys(dict):
+    """A JSON object whose keys are attributes, for expressions."""
+    __getattr__ = dict.__getitem__
+
+
+def wrong_value(shown, expression, command, folder, program, answers):
+    """What is wrong with a figure in prose, or None."""
+    if command not in answers:
+        function = f'ninebit() {{ {shlex.quote(program)} "$@"; }}\n'
+        result = subprocess.run(['bash', '-c', f'{function}{command} --json --quiet'], cwd=folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=LIMIT_S, check=False)
+        if result.returncode not in (0, 1):
+            return f'it exits with {result.returncode} and prints\n{result.stderr}'
+        answers[command] = json.loads(result.stdout, object_hook=Keys)
+    value = eval(expression, {'__builtins__': {}, 'len': len, 'sum': sum, 'max': max, 'min': min}, answers[command])
+    plain = shown.rstrip(',.').replace(',', '').replace('\u202f', '').replace('−', '-')
+    decimals = len(plain.partition('.')[2])
+    if abs(value - float(plain)) <= 0.5 * 10 ** -decimals * (1 + 1e-9):
+        return None
+    return f'it is {value}; the page shows {shown}'
+
+
+def pixels_of(file):
+    """The width, the height and the red, green and blue rows of a PNG file of eight bits, not interlaced."""
+    with open(file, 'rb') as opened:
+        data = opened.read()
+    width, height, depth, kind = struct.unpack('>IIBB', data[16:26])
+    channels = {0: 1, 2: 3, 6: 4}[kind]
+    assert depth == 8, file
+    packed, at = b'', 8
+    while at < len(data):
+        size, name = struct.unpack('>I4s', data[at:at + 8])
+        packed += data[at + 8:at + 8 + size] if name == b'IDAT' else b''
+        at += size + 12
+    raw, rows, above = zlib.decompress(packed), [], bytes(width * channels)
+    for y in range(height):
+        start = y * (1 + width * channels)
+        line, filtered = bytearray(raw[start + 1:start + 1 + width * channels]), raw[start]
+        for i in range(len(line) if filtered else 0):
+            left, up = line[i - channels] if i >= channels else 0, above[i]
+            corner = above[i - channels] if i >= channels else 0
+            near = min((left, up, corner), key=lambda one: abs(left + up - corner - one))
+            line[i] = (line[i] + (0, left, up, (left + up) // 2, near)[filtered]) & 255
+        rows.append([line[c::channels] for c in ((0, 0, 0) if channels == 1 else (0, 1, 2))])
+        above = line
+    return width, height, rows
+
+
+def means_of(file, across, down):
+    """The means of a picture's blocks, for red, green and blue."""
+    width, height, rows = pixels_of(file)
+    w, h = width // across, height // down
+    return [sum(sum(rows[y][c][x * w:x * w + w]) for y in range(j * h, j * h + h)) / (w * h)
+            for c in range(3) for j in range(down) for x in range(across)]
+
+
+def wrong_picture(shown, made):
+    """What is wrong with a picture of a page, or None."""
+    if not os.path.exists(made):
+        return f'no command writes {os.path.basename(made)}'
+    sizes = []
+    for file in (shown, made):
+        with open(file, 'rb') as opened:
+            sizes.append(struct.unpack('>II', opened.read(24)[16:]))
+    across, down = (math.gcd(a, b) // 4 for a, b in zip(*sizes))
+    if min(across, down) < 8:
+        return f'sides of {sizes[0]} and {sizes[1]} pixels have no blocks in common'
+    worst = max(abs(a - b) for a, b in zip(means_of(shown, across, down), means_of(made, across, down)))
+    return None if worst <= LIKE else f'the means of blocks differ by up to {worst:.1f} codes'
+
+
+def check_prose(program, page, folder):
+    """How many figures and pictures of a page were checked, and how many of them are wrong."""
+    with open(page, encoding='utf-8') as file:
+        text = file.read()
+    answers, checked, failed = {}, 0, 0
+    checks = [(found, lambda m: wrong_value(m[1], m[2], m[3], folder, program, answers)) for found in VALUE.finditer(text)]
+    checks += [(found, lambda m: wrong_picture(os.path.join(os.path.dirname(page), m[2]), os.path.join(folder, m[1])))
+               for found in PICTURE.finditer(text)]
+    if len(checks) != text.count('<!-- value:') + text.count('<!-- picture:'):
+        checked, failed = 1, 1
+        print(f'FAILED {os.path.relpath(page, ROOT)}: a comment is not "<!-- value: EXPRESSION of ninebit ... -->" behind a '
+              'figure or "<!-- picture: FILE -->" above a picture')
+    for found, check in checks:
+        fault = check(found)
+        checked += 1
+        failed += fault is not None
+        where = f'{os.path.relpath(page, ROOT)}:{text.count(chr(10), 0, found.start()) + 1}: {found[0]!r:.100}'
+        print(f'{"FAILED" if fault else "passed"}  {where}{f": {fault}" if fault else ""}', flush=True)
+    return checked, failed
+
+
 def run_page(program, page, folder):
-    """How many of a page's commands ran, and how many of them failed."""
+    """How many of a page's commands ran, how many of its figures were checked, and how many of both are wrong."""
     ran = failed = 0
     for command in commands_of(page):
         where = f'{os.path.relpath(page, ROOT)}:{command.line_number}: ' + ' '.join(command.text.split())
@@ -117,7 +222,8 @@ def run_page(program, page, folder):
         print(f'{"FAILED" if fault else "passed"} {time.monotonic() - begin:5.1f} s  {where}', flush=True)
         if fault:
             print(f'  {fault}')
-    return ran, failed
+    checked, wrong = check_prose(program, page, folder)
+    return ran, checked, failed + wrong
 
 
 def run_in_copies(program, page):
@@ -135,9 +241,9 @@ def main():
         raise SystemExit(__doc__)
     program = os.path.abspath(program)
     counts = [run_page(program, page, '.') if here else run_in_copies(program, page) for page in pages]
-    ran, failed = (sum(column) for column in zip(*counts))
-    print(f'{ran} commands, {failed} failed')
-    sys.exit(1 if failed else 0 if ran else 77)
+    ran, checked, failed = (sum(column) for column in zip(*counts))
+    print(f'{ran} commands, ' + (f'{checked} figures, ' if checked else '') + f'{failed} failed')
+    sys.exit(1 if failed else 0 if ran + checked else 77)
 
 
 if __name__ == '__main__':

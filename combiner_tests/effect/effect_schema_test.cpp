@@ -26,6 +26,14 @@ TEST(EffectSchema, AcceptsTheGallery) {
   }
 }
 
+TEST(EffectSchema, AcceptsNumbersThatMove) {
+  const Json moving = Json::parse(R"json({"ninebit": "effect", "version": 1,
+    "scene": {"mesh": "cube", "light": ["sin(time)", 1, 2], "fov": "40 + frame"},
+    "passes": [{"constants": {"const0": ["time", 0, 0, 1]}, "units": [{"texture": null,
+      "matrix": [[1, 0, 0, "time"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]}]})json");
+  EXPECT_EQ(complaint(moving), "");
+}
+
 TEST(EffectSchema, RefusesMistakes) {
   const std::string head = R"({"ninebit": "effect", "version": 1, )";
   for (const char* wrong :

@@ -78,10 +78,7 @@ class Reader {
   Real3 product() {
     Real3 value = atom();
     while (true) {
-      if (accept(" · ")) {
-        const Real3 other = atom();
-        value = splat(value[0] * other[0] + value[1] * other[1] + value[2] * other[2]);
-      } else if (accept("·") || accept(" × ")) {
+      if (accept("·") || accept(" × ")) {
         value = each(value, atom(), [](double a, double b) { return a * b; });
       } else if (accept(" / ") || accept("/")) {
         value = each(value, atom(), [](double a, double b) { return a / b; });
@@ -107,6 +104,13 @@ class Reader {
       expect(")");
       const double offset = d_.arithmetic == Arithmetic::integer ? real(d_.expand_offset) : 1.0;
       return each(value, splat(offset), [](double a, double b) { return 2.0 * a - b; });
+    }
+    if (accept("dot(")) {
+      const Real3 a = expression();
+      expect(", ");
+      const Real3 b = expression();
+      expect(")");
+      return splat(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
     }
     if (accept("(")) {
       const Real3 first = expression();

@@ -74,7 +74,7 @@ bool mentions(const std::vector<std::string>& sentences, const std::string& word
 TEST(Explain, TheArticle) {
   const Explanation e = explained(article());
   EXPECT_EQ(lines_of(e),
-            (Lines{"spare0 = 4·(primary − tex0)", "spare1 = 4·(spare0 · spare0)", "rgb = 0", "alpha = spare1.blue"}));
+            (Lines{"spare0 = 4·(primary − tex0)", "spare1 = 4·dot(spare0, spare0)", "rgb = 0", "alpha = spare1.blue"}));
   ASSERT_EQ(e.dead.size(), 2U);
   for (const DeadPortion& dead : e.dead) EXPECT_EQ(dead.portion, PortionName::alpha);
   EXPECT_TRUE(e.notes.empty());
@@ -131,8 +131,8 @@ TEST(Explain, MappingsScalesAndBiases) {
 
   const CombinerInput n = rgb_of(Register::texture0, InputMapping::expand_normal);
   const CombinerInput l = rgb_of(Register::texture1, InputMapping::expand_normal);
-  EXPECT_EQ(equation_of({n, l, zero, zero, {.ab_dot_product = true}}), "spare0 = expand(tex0) · expand(tex1)");
-  EXPECT_EQ(equation_of({n, kOne, zero, zero, {.ab_dot_product = true}}), "spare0 = expand(tex0) · (1, 1, 1)");
+  EXPECT_EQ(equation_of({n, l, zero, zero, {.ab_dot_product = true}}), "spare0 = dot(expand(tex0), expand(tex1))");
+  EXPECT_EQ(equation_of({n, kOne, zero, zero, {.ab_dot_product = true}}), "spare0 = dot(expand(tex0), (1, 1, 1))");
   EXPECT_EQ(equation_of({n, kOne, zero, zero, {.scale = Scale::by_two, .bias = Bias::by_negative_one_half}}),
             "spare0 = 2·(expand(tex0) − ½)");
   EXPECT_EQ(equation_of({n, kOne, l, kMinusOne, {.scale = Scale::by_one_half}}),
@@ -206,8 +206,8 @@ TEST(Explain, BlueToAlpha) {
   const std::vector<std::string> lines = lines_of(explain(normalize(state, xbox), xbox));
   EXPECT_EQ(lines.at(0), "spare0 = spare0 × tex0.a");
   EXPECT_EQ(lines.at(1), "spare0.a = spare0.blue × tex0.a");
-  EXPECT_EQ(lines.at(2), "spare1 = primary · tex1");
-  EXPECT_EQ(lines.at(3), "spare1.a = primary · tex1");
+  EXPECT_EQ(lines.at(2), "spare1 = dot(primary, tex1)");
+  EXPECT_EQ(lines.at(3), "spare1.a = dot(primary, tex1)");
   state.general[0].rgb.a = rgb_of(Register::primary);
   const Explanation e = explain(normalize(state, xbox), xbox);
   EXPECT_EQ(lines_of(e).at(1), "spare0.a = primary.blue × tex0.a");

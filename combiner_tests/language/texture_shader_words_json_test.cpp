@@ -234,7 +234,7 @@ TEST(StageEquations, SayWhatStagesDo) {
   stages.stage[3] = {.operation = TextureOperation::dot_product_const_eye_reflect_cube_map};
   const std::vector<std::string> lines = explain_stages(stages);
   ASSERT_EQ(lines.size(), 5U);
-  EXPECT_EQ(lines[1], "dot1 = (s1, t1, r1) · expand(tex0)");
+  EXPECT_EQ(lines[1], "dot1 = dot((s1, t1, r1), expand(tex0))");
   EXPECT_EQ(lines[4], "tex3 = texture 3 at reflect((dot1, dot2, dot3), (0, 0, -1))");
   // Every operation says something, and only what is there.
   for (const TextureOperationInfo& info : texture_operations()) {

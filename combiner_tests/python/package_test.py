@@ -82,6 +82,8 @@ class Stubs(unittest.TestCase):
                     files.append(pathlib.Path(folder) / f"{page.stem}_{number}.py")
                     files[-1].write_text(block)
             self.assertGreater(len(files), 3)
+            files.append(pathlib.Path(folder) / "all_that_runs.py")
+            files[-1].write_text(ALL_THAT_RUNS)
             environment = {**os.environ, "MYPYPATH": str(package.parent), "PYTHONPATH": str(package.parent)}
             stubs = [package / "__init__.pyi", *[package / f"{name}.pyi" for name in ("_calls", "_pictures", "_questions")]]
             for together in (stubs, files):
@@ -107,11 +109,42 @@ class Stubs(unittest.TestCase):
             self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
 
 
+# Calls that run; Stubs asks mypy whether the stubs take them, AllThatRuns runs them.
+ALL_THAT_RUNS = """
+import pathlib
+
+import ninebit
+import numpy as np
+
+invert = "!!RC1.0\\nout.rgb = unsigned_invert(tex0);\\nout.a = tex0.a;"
+program = ninebit.Program(invert)
+ninebit.Program(program)
+ninebit.Program(invert.encode())
+picture = np.zeros((4, 8, 3), np.uint8)
+ninebit.draw(invert, tex0=picture, const0=np.ones(4), camera=np.array([0, 0, 3]), size=[8, 4])
+ninebit.draw(program, tex0=[picture[:, :4]] * 6, coord0="normal", size=np.array([8, 4]), alpha_test=["greater", 127])
+ninebit.draw(invert.encode(), tex0=picture, fov=np.float64(50), size="8x4")
+ninebit.trace(invert, set="tex0=1,2,3,4")
+ninebit.trace(invert, set={"tex0": np.array([1, 2, 3, 4])})
+ninebit.trace(invert, set=["tex0=1,2,3,4"])
+ninebit.convert(invert, "gl", profile="geforce2")
+ninebit.prove("equivalent", invert, program.state)
+ninebit.study("index-steps", profile=["geforce2", "nv2a"], steps=range(1, 3), formats="channel")
+ninebit.study("index-steps", profile="geforce2", steps=1, formats=["channel"])
+ninebit.study("datapath", profile="geforce2", program=invert, over=["tex0.r"], set={"tex0.a": 1})
+"""
+
 # Types that only the stub has; pybind11's metaclass; overloads whose positional argument mypy 1.0 takes for a keyword.
 ALLOWED_BY_STUBTEST = [r"ninebit\.(ReadForm|Form|Chip|Codes|IntArray|Diagnostic|_Picture)",
-                       r"ninebit\._(calls|pictures|questions)\.(Path|AnyProgram|Picture|Point|Color|List|Progress|Technique|LightType"
-                       r"|Faces)",
+                       r"ninebit\._(calls|pictures|questions)\.(Path|AnyProgram|Picture|AnyPicture|Pair|Point|Color|Values|List|Progress"
+                       r"|Technique|LightType|Faces)",
                        r"ninebit(\._programs)?\.(Program|State)", r"ninebit\.Program\.evaluate(_real)?"]
+
+
+class AllThatRuns(unittest.TestCase):
+    def test_it_runs(self):
+        with contextlib.chdir(top) if hasattr(contextlib, "chdir") else contextlib.nullcontext():
+            exec(ALL_THAT_RUNS, {})  # pylint: disable=exec-used
 
 
 class Documentation(unittest.TestCase):

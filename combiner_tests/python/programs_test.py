@@ -53,12 +53,39 @@ class States(unittest.TestCase):
                 ninebit.State(pipe)
         with self.assertRaisesRegex(ninebit.Error, "unknown form 'basic'.*gl, rc10"):
             ninebit.State.parse("", "basic")
-        with self.assertRaisesRegex(ninebit.Error, "text is the name of a file, .*index_compare.gl; expected the program itself"):
-            ninebit.Program(str(top / "docs/programs/index_compare.gl"))
-        with self.assertRaisesRegex(TypeError, "text is PosixPath; expected str, the program itself"):
+        with self.assertRaisesRegex(ninebit.Error, "text is '.*', which is not a file; expected the path of a file, or the text"):
             ninebit.State.parse(top)
+        with self.assertRaisesRegex(ninebit.Error, "text is 'none.gl', which is not a file"):
+            ninebit.Program("none.gl")
+        for wrong in (3, None, ["!!RC1.0"], np.zeros(3)):
+            for take in (ninebit.State.parse, ninebit.Program, ninebit.explain, ninebit.draw):
+                with self.assertRaisesRegex(TypeError, "is (int|NoneType|list|ndarray); expected a State, a Program, the path of a file, or the text"):
+                    take(wrong)
         with self.assertRaisesRegex(ninebit.Error, "unknown form 'rc1'.*did you mean 'rc10'"):
             ninebit.State().print("rc1")
+
+    def test_a_program_is_a_text_a_path_or_a_state_everywhere(self):
+        path = top / "docs/programs/index_compare.gl"
+        text = path.read_text()
+        state = ninebit.State.parse(text)
+        one_line = "!!RC1.0 out.rgb = tex0; out.a = tex0.a;"
+        with tempfile.TemporaryDirectory() as folder:
+            odd = pathlib.Path(folder) / "step=2;.gl"  # its name looks like a program
+            odd.write_text(text)
+            wrong = pathlib.Path(folder) / "wrong.rc1"
+            wrong.write_text("!!RC1.0\nout.rgb = spare2;")
+            for given in (text, text.encode(), path, str(path), odd, str(odd), state, ninebit.Program(state)):
+                self.assertEqual(ninebit.Program(given).state, state)
+                self.assertEqual(ninebit.convert(given, "json"), state.print("json"))
+                self.assertEqual(str(ninebit.explain(given)), ninebit.Program(state).explain())
+                self.assertTrue(ninebit.prove("equivalent", given, state))
+                if not isinstance(given, (ninebit.State, ninebit.Program)):
+                    self.assertEqual(ninebit.State.parse(given), state)
+            self.assertEqual(ninebit.State.parse(one_line).print("json"), ninebit.convert(one_line, "json"))
+            with self.assertRaisesRegex(ninebit.Error, "wrong.rc1: .*2:11: .*spare2"):
+                ninebit.State.parse(wrong)
+        with self.assertRaisesRegex(ninebit.Error, "^program:2:11: .*spare2"):
+            ninebit.draw("!!RC1.0\nout.rgb = spare2;")
 
     def test_a_shader_is_given_what_its_conditions_need(self):
         shader = "ps.1.1\n#if MODE == 0\nmov r0, v0\n#else\nmov r0, v1\n#endif"

@@ -14,6 +14,7 @@
 #include "ninebit/study/report_files.h"
 #include "src/study/report/page_data.h"
 #include "src/study/report/report_colors.h"
+#include "src/study/report/report_svg.h"
 #include "src/system/hashing/openssl.h"
 
 namespace {
@@ -261,8 +262,9 @@ TEST(Report, FilesAreTheSameEachTime) {
   const auto second = write_report(folder.path() / "2", made.question, "1.2.3", made.report, made.rows);
   ASSERT_TRUE(first.ok()) << first.error().text();
   ASSERT_TRUE(second.ok());
-  const std::vector<std::string> names{"report.html",        "rows.json",   "rows.csv",        "worst.csv",
-                                       "product-errors.png", "by-step.png", "wrong-pixels.png"};
+  const std::vector<std::string> names{
+      "report.html",        "rows.json",          "rows.csv",    "worst.csv",   "false-matches.svg", "errors-by-stage.svg",
+      "product-errors.png", "product-errors.svg", "by-step.png", "by-step.svg", "wrong-pixels.png"};
   ASSERT_EQ(first->size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ((*first)[i], folder.path() / "1" / names[i]);
@@ -271,7 +273,83 @@ TEST(Report, FilesAreTheSameEachTime) {
     EXPECT_EQ(bytes, read_bytes((*second)[i])) << names[i];
   }
   EXPECT_EQ(read_bytes(folder.path() / "1/rows.csv"), report_csv(made.report, made.rows)[0].second);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "1"), {}), 7);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "1"), {}), 11);
+}
+
+// The text of the elements <text>, in their order.
+std::vector<std::string> texts_in(const std::string& svg) {
+  std::vector<std::string> texts;
+  for (std::size_t at = svg.find("<text "); at != std::string::npos; at = svg.find("<text ", at + 1)) {
+    const std::size_t begin = svg.find('>', at) + 1;
+    texts.push_back(svg.substr(begin, svg.find("</text>", begin) - begin));
+  }
+  return texts;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(ReportSvg, APlotHasItsAxesItsLegendAndItsCaption) {
+  const Plot plot{.file = "a",
+                  .title = "Lost & <found>\x01",
+                  .x_label = "step",
+                  .y_label = "pairs",
+                  .log_y = true,
+                  .series = {{"one", {{1, 1}, {2, 100}, {3, 0}, {4, 5000}}}, {"two", {{1, 10}, {4, 1e6}}}},
+                  .caption = "Zeros are left out."};
+  const std::string svg = svg_of(plot);
+  EXPECT_EQ(texts_in(svg), (Texts{"1", "10", "100", "1000", "10⁴", "10⁵", "10⁶", "pairs", "1", "2", "3", "4", "step",
+                                  "one", "two", "Lost &amp; &lt;found&gt;\uFFFD", "Zeros are left out."}));
+  EXPECT_EQ(times(svg, "<circle "), 4U);  // three points, and the legend's
+  // The gap breaks the line: it begins twice. The axis x ends at the points, y at powers of ten.
+  EXPECT_NE(svg.find("d=\"M110.0 456.0L365.3 322.7M876.0 209.4\""), std::string::npos) << svg;
+}
+
+TEST(ReportSvg, BarsStandOnZeroAndAreNamed) {
+  const Plot plot{.file = "a",
+                  .title = "Errors",
+                  .x_label = "",
+                  .y_label = "codes",
+                  .x_names = {"product", "sum"},
+                  .bars = true,
+                  .series = {{"rgb", {{1, 1.5}, {2, -0.5}}}}};
+  const std::string svg = svg_of(plot);
+  EXPECT_EQ(texts_in(svg), (Texts{"-0.5", "0", "0.5", "1", "1.5", "codes", "product", "sum", "", "Errors"}));
+  EXPECT_NE(svg.find("y=\"56.0\" width=\"275.8\" height=\"300.0\""), std::string::npos) << svg;   // up
+  EXPECT_NE(svg.find("y=\"356.0\" width=\"275.8\" height=\"100.0\""), std::string::npos) << svg;  // down
+}
+
+TEST(ReportSvg, AMapHasItsAxesAndItsColorsScale) {
+  const ExampleReport made = example();
+  const auto errors = svg_of(made.report.heat_maps[0]);
+  ASSERT_TRUE(errors.ok());
+  EXPECT_EQ(texts_in(*errors),
+            (Texts{"-200", "-100", "0", "100", "200", "B", "-200", "-100", "0", "100", "200", "A", "-0.5", "0", "0.5",
+                   "-1", "1", "Error of a product", "In codes: what comes out less the exact product."}));
+  EXPECT_EQ(times(*errors, "<image "), 2U);
+  const auto counts = svg_of(made.report.heat_maps[1]);
+  ASSERT_TRUE(counts.ok());
+  EXPECT_EQ(times(*counts, ">none</text>"), 1U);  // one value is none
+  HeatMap uneven = made.report.heat_maps[1];
+  uneven.x_values = {0, 1, 16, 64, 256, 1024, 4096, 16384};
+  EXPECT_NE(svg_of(uneven)->find(">256</text>"), std::string::npos);
+  uneven.width = 3;
+  EXPECT_FALSE(svg_of(uneven).ok());
+}
+
+TEST(ReportSvg, WhatHasNoPointIsAnEmptyPlot) {
+  Plot plot{.file = "a", .title = "a", .x_label = "x", .y_label = "y", .series = {}};
+  for (const bool log : {false, true}) {
+    for (const bool bars : {false, true}) {
+      plot.log_x = plot.log_y = log;
+      plot.bars = bars;
+      plot.series = {};
+      EXPECT_EQ(svg_of(plot).find("nan"), std::string::npos);
+      plot.series = {{"one", {{3, 7}}}};
+      const std::string one = svg_of(plot);
+      EXPECT_EQ(one.find("nan"), std::string::npos) << one;
+      EXPECT_EQ(one.find("inf"), std::string::npos) << one;
+    }
+  }
 }
 
 TEST(Report, AllFilesOrNone) {
@@ -287,7 +365,7 @@ TEST(Report, AllFilesOrNone) {
   EXPECT_EQ(failed.error().fault, Fault::cannot_write);
   EXPECT_NE(failed.error().text().find("late.png"), std::string::npos) << failed.error().text();
   EXPECT_EQ(read_bytes(folder.path() / "report.html"), old);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 8);  // and nothing is left over
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 12);  // and nothing is left over
   // Two of the same name would be one file.
   made.report.pictures[0].file = made.report.heat_maps[0].file;
   const auto doubled = write_report(folder.path(), made.question, "new", made.report, made.rows);

@@ -18,6 +18,11 @@ ManyWords small_compare(const std::string& scene, const std::string& folder, con
   return words;
 }
 
+ManyWords plus(ManyWords words, const ManyWords& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 ManyWords names_of_rows(const Json& object) {
   ManyWords names;
   for (const Json& row : object["rows"]) names.push_back(row["name"]);
@@ -35,6 +40,39 @@ TEST(Compare, AllTechniquesThatTheLightAllows) {
       small_compare(kRoom, folder / "spot", {"--json", "--light-type", "spot", "--samples", "4", "--kernel", "3"})));
   EXPECT_EQ(names_of_rows(spot), (ManyWords{"shadow-map", "shadow-volume", "reflective"}));
   EXPECT_TRUE(spot["light"].get<std::string>().starts_with("spot light at ")) << spot["light"];
+}
+
+// A spot light that reaches all of the picture is a point light for the camera: the row is that of `render` with one.
+TEST(Compare, ASpotThatHoldsThePictureIsAPointLight) {
+  const TempFolder folder;
+  const ManyWords view{"--camera", "0.5,1,0.9", "--look-at", "0.2,0.2,0", "--fov", "30"};
+  const auto with_view = [&](const ManyWords& flags) { return plus(flags, view); };
+  const ManyWords spot{"--json", "--light-type", "spot", "--light", "0.3,2,0.2", "--light-target", "0.2,0.2,0"};
+  const Json narrow = json_of(ninebit(small_compare(kRoom, folder / "narrow", with_view(plus(spot, {"--spot-angle", "20"})))));
+  EXPECT_EQ(names_of_rows(narrow), (ManyWords{"shadow-map", "shadow-volume", "reflective"}));
+  EXPECT_EQ(narrow["left_out"][0]["reason"], "no support for a spot light that does not reach all of the picture");
+  const Json wide = json_of(ninebit(small_compare(kRoom, folder / "wide", with_view(plus(spot, {"--spot-angle", "150"})))));
+  EXPECT_EQ(names_of_rows(wide), (ManyWords{"index-cube", "depth-cube", "shadow-map", "shadow-volume", "reflective"}));
+  EXPECT_EQ(wide["light"], "spot light at 0.3, 2, 0.2; it reaches all of the picture: a point light for index-cube, depth-cube");
+  EXPECT_EQ(wide["rows"][0]["light"], "point");
+  EXPECT_EQ(wide["rows"][2]["light"], "spot");
+  const ManyWords alone{"render", kRoom, "-o", folder / "render", "--size", "64x48", "--map-size", "32", "--json", "--quiet",
+                        "--ground-truth", "--light", "0.3,2,0.2"};
+  const Json rendered = json_of(ninebit(with_view(alone)));
+  EXPECT_EQ(wide["rows"][0]["hash"]["color"], rendered["hash"]["color"]);
+  EXPECT_EQ(wide["rows"][0]["errors"]["by_cause"], rendered["errors"]["by_cause"]);
+  for (const Json& worst : wide["rows"][0]["errors"]["worst"]) {
+    const std::string command = worst["command"];
+    EXPECT_NE(command.find("--light=0.3,2,0.2 --light-type=point"), std::string::npos) << command;
+    EXPECT_EQ(command.find("spot"), std::string::npos) << command;
+  }
+  const ManyWords mixed{"--vary", "technique=index-cube,shadow-map"};
+  const Json both = json_of(ninebit(small_compare(kRoom, folder / "both", with_view(plus(plus(spot, {"--spot-angle", "150"}), mixed)))));
+  EXPECT_EQ(both["rows"][0]["hash"]["color"], rendered["hash"]["color"]);
+  EXPECT_EQ(both["rows"][1]["hash"]["color"], wide["rows"][2]["hash"]["color"]);
+  const Json refused = json_of(ninebit(small_compare(kRoom, folder / "no", with_view(plus(plus(spot, {"--spot-angle", "20"}), mixed)))));
+  EXPECT_EQ(refused["rows"][0]["refused"], "no support for a spot light that does not reach all of the picture");
+  EXPECT_TRUE(refused["rows"][1].contains("hash"));
 }
 
 // A row has the bits and the wrong pixels of the same rendering by `render`.
@@ -242,7 +280,7 @@ TEST(Compare, WrongUsage) {
       {{"--vary", "index-step=1", "--vary", "index-step=2"}, {"varied twice"}},
       {{"--vary", "index-step=1,2", "--index-step", "3"}, {"--index-step is also given"}},
       {{"--vary", "bias=1,2"}, {"--bias", "index-cube does not read it"}},
-      {{"--vary", "technique=index-cube,shadow-map"}, {"no kind of light"}},
+      {{"--vary", "technique=index-cube,shadow-map", "--light-type", "directional"}, {"directional"}},
       {{"--vary", "index-step=1,2,3,4,5,6,7,8", "--vary", "section-size=8,12,16,20,24,28,32,36,40"}, {"64 pictures"}},
       {{"--vary", "profile=geforce2,voodoo"}, {"voodoo", "geforce2"}},
   };

@@ -6,11 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "combiner_tests/support/random.h"
 #include "combiner_tests/support/slow_build.h"
+#include "combiner_tests/support/stored_pictures.h"
 #include "combiner_tests/tools/support.h"
+#include "ninebit/image/image_io.h"
 
 namespace tools_test {
 namespace {
+
+using ninebit::Image8;
 
 const std::string kEffects = NINEBIT_SOURCE_DIR "/scenes/effects/";
 const std::string kSepia = kEffects + "programs/sepia.rc1";
@@ -272,6 +277,57 @@ TEST(Draw, BadInputIsOneError) {
   write_bytes(folder / "bad.json", "{\"ninebit\": \"effect\", \"version\": 1,\n\"passes\": [{\"cull\": \"up\"}]}");
   expect_error(ninebit(draw(folder / "bad.json", picture)), 3, {"bad.json:2:", "expected none, back or front"});
   EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
+// A picture whose sides are not powers of two keeps its texels and gives the drawing its size.
+TEST(Draw, APictureOfAnySizeIsDrawnTexelByTexel) {
+  const TempFolder folder;
+  ninebit::test::Random random(46);
+  Image8 odd{37, 11, 4, {}}, even{32, 8, 4, {}};
+  for (int i = 0; i < 37 * 11 * 4; ++i) odd.pixels.push_back(random.byte());
+  for (int i = 0; i < 32 * 8 * 4; ++i) even.pixels.push_back(random.byte());
+  ASSERT_TRUE(ninebit::write_png(folder / "odd.png", odd));
+  ASSERT_TRUE(ninebit::write_png(folder / "even.png", even));
+  write_bytes(folder / "p.rc1", "!!RC1.0\nout.rgb = unsigned_invert(tex0);\nout.a = tex0.a;\n");
+  const std::string program = folder / "p.rc1", out = folder / "out.png", eval = folder / "eval.png";
+  const auto drawn = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> all{"--json"};
+    all.insert(all.end(), flags.begin(), flags.end());
+    return json_of(ninebit(draw(program, out, all)));
+  };
+  for (const char* name : {"odd.png", "even.png"}) {
+    const std::string file = folder / name;
+    ASSERT_EQ(ninebit({"eval", program, "--tex0", file, "-o", eval, "--quiet"}).code, 0);
+    const Json answer = drawn({"--tex0", file});
+    const Image8 expected = ninebit::test::read_png(eval), seen = ninebit::test::read_png(out);
+    EXPECT_EQ(answer["size"], Json::array({expected.width, expected.height}));
+    EXPECT_EQ(seen.pixels, expected.pixels) << name;
+    EXPECT_TRUE(answer["warnings"].empty()) << answer["warnings"];
+  }
+  const std::string file = folder / "odd.png";
+  // Twice as large: each texel is four pixels.
+  EXPECT_EQ(drawn({"--tex0", file, "--size", "74x22", "--filter0", "nearest"})["size"], Json::array({74, 22}));
+  const Image8 twice = ninebit::test::read_png(out);
+  for (int y = 0; y < 22; ++y) {
+    for (int x = 0; x < 74; ++x) {
+      const auto at = static_cast<std::size_t>(4 * (y * 74 + x)), from = static_cast<std::size_t>(4 * (y / 2 * 37 + x / 2));
+      ASSERT_EQ(twice.pixels[at], 255 - odd.pixels[from]) << x << ' ' << y;
+    }
+  }
+  // What rectangle textures do not have asks for powers of two.
+  for (const std::vector<std::string>& flags :
+       {std::vector<std::string>{"--filter0", "trilinear"}, {"--wrap0", "repeat"}, {"--mesh", "cube"}}) {
+    std::vector<std::string> all{"--tex0", file};
+    all.insert(all.end(), flags.begin(), flags.end());
+    const Json warnings = drawn(all)["warnings"];
+    ASSERT_EQ(warnings.size(), 1U) << flags[0];
+    EXPECT_NE(warnings[0].get<std::string>().find("odd.png: 37 x 11 is resampled"), std::string::npos) << warnings;
+  }
+  // A stage names a 2D texture.
+  write_bytes(folder / "p.rc1", "!!TS1.0\ntexture_2d();\n!!RC1.0\nout.rgb = unsigned_invert(tex0);\nout.a = tex0.a;\n");
+  const Json staged = drawn({"--tex0", file, "--profile", "nv2a"});
+  ASSERT_EQ(staged["warnings"].size(), 1U) << staged["warnings"];
+  EXPECT_NE(staged["warnings"][0].get<std::string>().find("is resampled"), std::string::npos);
 }
 
 TEST(Draw, WarnsOfWhatOneMayNotExpect) {

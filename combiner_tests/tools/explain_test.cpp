@@ -13,7 +13,7 @@ TEST(ExplainVerb, TheArticle) {
   EXPECT_EQ(outcome.err, "");
   std::size_t from = 0;
   for (const char* equation :
-       {"spare0 = 4·(primary − tex0)\n", "spare1 = 4·(spare0 · spare0)\n", "rgb = 0\n", "alpha = spare1.blue\n"}) {
+       {"spare0 = 4·(primary − tex0)\n", "spare1 = 4·dot(spare0, spare0)\n", "rgb = 0\n", "alpha = spare1.blue\n"}) {
     from = outcome.out.find(equation, from);
     ASSERT_NE(from, std::string::npos) << equation << outcome.out;
   }

@@ -20,7 +20,7 @@ struct Golden {
   std::vector<std::string> flags;
 };
 
-// Each technique once, for each scene of the README; reflective with fewer samples, as it draws the slowest.
+// Each technique once, for each of three scenes; reflective with fewer samples, as it draws the slowest.
 const std::vector<std::string> kEveryTechnique{
     "--size 320x240 --map-size 256",
     "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16",

@@ -110,7 +110,9 @@ TEST(IndexOrder, CheckOrderPassesWithoutFalseNeighbours) {
   EXPECT_FALSE(has_text(ninebit(room_render(folder, {})).err, "index order"));
   const Outcome quiet = ninebit(room_render(folder, {"--index-order", "neighbour", "--check-order", "--quiet"}));
   EXPECT_EQ(quiet.code, 0);
-  EXPECT_EQ(quiet.out + quiet.err, "");
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_EQ(quiet.err.find("wrote"), std::string::npos) << quiet.err;
+  EXPECT_NE(quiet.err.find(" shadowed, "), std::string::npos) << quiet.err;  // the result
 }
 
 TEST(IndexOrder, CheckOrderWithoutNeighbourIsAWarning) {

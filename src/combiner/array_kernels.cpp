@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-#endif
+#include "src/numerics/simd_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/combiner/array_kernels.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep

@@ -1,3 +1,28 @@
+// A batch program: a program's components as vector operations over planes of 16-bit codes.
+//
+// Why so, and not otherwise: the rules of arithmetic.inl divide by 255, and their sums need more than 16 bits. Run in
+// lanes of 32 bits with real divisions they are ten times slower than what is here. So a batch does not include the
+// rules. It takes four steps, each in a file of its own:
+//
+// 1. This file follows the program once, symbolically, through the same walks as the reference (portion_walk.h,
+//    final_walk.h). Every component becomes a value of a ValueGraph. Equal formulas are one value, so that a stage that
+//    computes red, green and blue alike from equal inputs is computed once, and what nobody reads is never computed.
+// 2. Each value has the range of its codes (value_graph.h). wide_sum.cpp chooses with it the cheapest kernel that is
+// exact:
+//    additions alone, a product of values without signs in 16 bits, signed products, or 32 bits and floats where the
+//    sum does not fit. Most programs need no more than 16 bits, which have twice as many lanes.
+// 3. batch_plan.cpp keeps the operations that the outputs need, lets multiplications read their sources through lines
+//    (x, 1 - x, 2x - 1), and moves like operations together, so that one kernel runs over several planes.
+// 4. batch_kernels.cpp has the kernels, once for each SIMD target. Each has a proof in its comment that its formula
+// gives
+//    the rules' bits, and tests try every input.
+//
+// Planes, and not fragments in registers of the processor: an operation's fixed cost is shared by 512 fragments, and 48
+// planes of them stay in the first-level cache. A whole-program function made at run time gained 1.14 to 1.27
+// (docs/internals/performance.md) for executable memory and a second form of every kernel.
+//
+// The lines of a mapping are found by calling the reference's map_input, never copied: a rule that changes in
+// arithmetic.inl changes both, or a test of all inputs fails.
 #include <algorithm>
 #include <array>
 #include <map>

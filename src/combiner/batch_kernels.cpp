@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
-// Kernels keep vectors as members of objects. Vectors of a size unknown to the compiler do not allow that.
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-#endif
+#include "src/numerics/simd_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/combiner/batch_kernels.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep

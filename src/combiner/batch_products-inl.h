@@ -154,7 +154,7 @@ HWY_INLINE Reads reads_of(const VectorOperation& operation) {
 
 // Processors without AVX2 are rare: there each kernel reads in the one way that serves every operation, as the others
 // would double the time that this file takes to compile.
-#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSE4
 constexpr bool kReadsInOneWay = true;
 #else
 constexpr bool kReadsInOneWay = false;

@@ -46,7 +46,7 @@ HWY_INLINE V16 with_sign(VU16 magnitude, V16 v) {
   return V16{_mm512_mask_sub_epi16(magnitude.raw, _mm512_movepi16_mask(v.raw), _mm512_setzero_si512(), magnitude.raw)};
 #elif HWY_TARGET == HWY_AVX2
   return V16{_mm256_sign_epi16(magnitude.raw, v.raw)};
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#elif HWY_TARGET == HWY_SSE4
   return V16{_mm_sign_epi16(magnitude.raw, v.raw)};
 #else
   const V16 sign = hn::ShiftRight<15>(v);
@@ -56,7 +56,7 @@ HWY_INLINE V16 with_sign(VU16 magnitude, V16 v) {
 
 // Returns a magnitude with the sign of a · b. The magnitude is 0 where a factor is 0.
 HWY_INLINE V16 with_signs(VU16 magnitude, V16 a, V16 b) {
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
   return with_sign(hn::BitCast(kU16, with_sign(magnitude, a)),
                    b);  // with_sign of Xor(a, b) would give 0 where a equals b
 #else
@@ -115,7 +115,7 @@ HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
 HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
   return V32{nearest ? _mm256_cvtps_epi32(v.raw) : _mm256_cvttps_epi32(v.raw)};
 }
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#elif HWY_TARGET == HWY_SSE4
 HWY_INLINE V32 to_integers(VF32 v, bool nearest) {
   return V32{nearest ? _mm_cvtps_epi32(v.raw) : _mm_cvttps_epi32(v.raw)};
 }

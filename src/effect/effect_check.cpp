@@ -172,7 +172,7 @@ class Checker {
     }
   }
 
-  // What only one polygon mode reads.
+  // Settings that only one polygon mode reads.
   template <class Complain>
   static void check_polygons(const PipelineState& state, const Complain& complain) {
     const auto only = [&](bool is_set, PolygonMode mode, const char* what) {

@@ -16,7 +16,7 @@ std::filesystem::path path_in(const Effect& effect, const std::string& file) {
   return path.is_absolute() || effect.folder.empty() ? path : std::filesystem::path(effect.folder) / path;
 }
 
-// What an origin makes of the file's texture.
+// Adapts the file's texture to its origin.
 Result<Texture> made_from(const Texture& file, const TextureRecipe& recipe) {
   const auto steepness = static_cast<double>(recipe.steepness);
   switch (recipe.origin) {
@@ -110,24 +110,25 @@ Diagnostic fault_in(const std::string& part, const Diagnostic& fault) {
   return named;
 }
 
-Result<Scene> effect_scene(const Effect& effect, const EffectReaders& readers) {
+Result<Scene> effect_mesh(const Effect& effect, const EffectReaders& readers) {
+  const std::string& mesh = effect.scene.mesh;
+  if (mesh.empty()) return generated_mesh("plane:1");
+  return is_generated_mesh(mesh) ? generated_mesh(mesh) : readers.scene(path_in(effect, mesh), effect.scene.up);
+}
+
+Result<Scene> effect_scene(const Effect& effect, Scene mesh) {
   const EffectScene& from = effect.scene;
   if (from.mesh.empty()) {
-    auto rectangle = generated_mesh("plane:1");
-    if (rectangle) light_rectangle(from, *rectangle);
-    if (rectangle && from.light_color) rectangle->lights[0].color = *from.light_color;
-    return rectangle;
+    light_rectangle(from, mesh);
+    if (from.light_color) mesh.lights[0].color = *from.light_color;
+    return mesh;
   }
-  const bool generated = is_generated_mesh(from.mesh);
-  const std::filesystem::path file = path_in(effect, from.mesh);
-  auto scene = generated ? generated_mesh(from.mesh) : readers.scene(file, from.up);
-  if (!scene) return scene;
   const float aspect = static_cast<float>(effect.width) / static_cast<float>(effect.height);
-  auto complete = complete_scene(std::move(*scene), from.setup, aspect);
+  auto complete = complete_scene(std::move(mesh), from.setup, aspect);
   if (complete && from.light_color) complete->lights[0].color = *from.light_color;
   if (complete || !complete.error().file.empty()) return complete;
   Diagnostic fault = complete.error();
-  if (!generated) fault.file = file.string();
+  if (!is_generated_mesh(from.mesh)) fault.file = path_in(effect, from.mesh).string();
   return fault;
 }
 

@@ -13,8 +13,11 @@ namespace ninebit {
 // The message with the part of the effect that it is about. A fault in a file keeps its place.
 [[nodiscard]] Diagnostic fault_in(const std::string& part, const Diagnostic& fault);
 
-// The effect's scene, complete: one camera and one light. Without a mesh, a rectangle.
-[[nodiscard]] Result<Scene> effect_scene(const Effect& effect, const EffectReaders& readers);
+// The mesh as its file has it, or generated; without a mesh, a rectangle.
+[[nodiscard]] Result<Scene> effect_mesh(const Effect& effect, const EffectReaders& readers);
+
+// The effect's scene, complete: that mesh with one camera and one light.
+[[nodiscard]] Result<Scene> effect_scene(const Effect& effect, Scene mesh);
 
 // The rectangle that passes draw, with the scene's camera and light.
 [[nodiscard]] Scene rectangle_scene(const Scene& scene);

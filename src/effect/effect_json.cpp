@@ -25,7 +25,8 @@ void read_scene_setup(EffectReader& read, const Value& value, EffectScene& scene
   SceneSetup& setup = scene.setup;
   setup.floor = FloorChoice::none;
   const auto real = [&](std::string_view key, double lowest, double highest, std::optional<float>& into) {
-    read.with(value, key, [&](const Value& v) { read.real(v, lowest, highest, into.emplace()); });
+    read.with(value, key,
+              [&](const Value& v) { read.real(v, lowest, highest, into.emplace(), effect_detail::Numbers::moving); });
   };
   read.with(value, "mesh", [&](const Value& v) {
     read.text(v, scene.mesh);
@@ -49,7 +50,8 @@ void read_scene_setup(EffectReader& read, const Value& value, EffectScene& scene
   real("spot_angle", 1.0, 170.0, setup.spot_degrees);
   read.with(value, "light_color", [&](const Value& v) {
     std::array<float, 3> n{};
-    if (read.reals(v, 3, 0.0, 1.0, n) != 0) scene.light_color = glm::vec3(n[0], n[1], n[2]);
+    if (read.reals(v, 3, 0.0, 1.0, n, effect_detail::Numbers::moving) != 0)
+      scene.light_color = glm::vec3(n[0], n[1], n[2]);
   });
   read.with(value, "floor", [&](const Value& v) {
     if (v.type == Type::string && v.text == "none") return;
@@ -195,17 +197,18 @@ std::size_t place_of_fault(const EffectFault& fault, const Value& root, const Pa
 
 }  // namespace
 
-Parsed<Effect> parse_effect(const SourceText& source) {
-  return effect_detail::parse_effect(source, {});
+Parsed<Effect> parse_effect(const SourceText& source, const EffectMoment& moment) {
+  return effect_detail::parse_effect(source, {}, moment);
 }
 
-Parsed<Effect> effect_detail::parse_effect(const SourceText& source, const NameCheck& check) {
+Parsed<Effect> effect_detail::parse_effect(const SourceText& source, const NameCheck& check,
+                                           const EffectMoment& moment) {
   TextFaults faults(source.file);
   if (too_long(source.text, faults)) return faults.take();
   const std::optional<Value> root = json::read_tree(source.text, faults);
   if (!root) return faults.take();
   json::Reader reader(source.text, faults);
-  EffectReader read(reader, check);
+  EffectReader read(reader, check, moment);
   PartPlaces places;
   if (root->type == Type::object) reader.heading(*root, "effect", true);
   // Another kind of file has no more to say.
@@ -216,6 +219,7 @@ Parsed<Effect> effect_detail::parse_effect(const SourceText& source, const NameC
     }
   }
   if (!faults.empty()) return faults.take();
+  effect.moves = read.moves();
   return effect;
 }
 

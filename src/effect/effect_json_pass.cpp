@@ -23,7 +23,7 @@ void read_matrix(EffectReader& read, const Value& value, glm::mat4& matrix) {
   }
   for (int row = 0; row < 4; ++row) {
     std::array<float, 4> n{};
-    if (read.reals(value.children[static_cast<std::size_t>(row)], 4, -kHuge, kHuge, n) == 0) return;
+    if (read.reals(value.children[static_cast<std::size_t>(row)], 4, -kHuge, kHuge, n, Numbers::moving) == 0) return;
     for (int column = 0; column < 4; ++column) matrix[column][row] = n[static_cast<std::size_t>(column)];
   }
 }
@@ -49,7 +49,7 @@ void read_units(EffectReader& read, const Value& value, std::array<EffectUnit, k
 void read_constant_pair(EffectReader& read, const Value& value, EffectConstants::Pair& constants) {
   const auto color = [&](const Value& v, std::optional<ColorF>& into) {
     ColorF n{};
-    if (read.reals(v, 4, 0.0, 1.0, n) != 0) into = n;
+    if (read.reals(v, 4, 0.0, 1.0, n, Numbers::moving) != 0) into = n;
   };
   read.with(value, "const0", [&](const Value& v) { color(v, constants[0]); });
   read.with(value, "const1", [&](const Value& v) { color(v, constants[1]); });

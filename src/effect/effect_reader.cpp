@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "src/effect/moving_number.h"
+
 namespace ninebit::effect_detail {
 
 using json::Type;
@@ -18,12 +20,22 @@ void EffectReader::check_file(const Value& value, const std::string& name) {
   if (const auto why = check_(name)) read_.fault(value.offset, *why);
 }
 
-void EffectReader::real(const Value& value, double lowest, double highest, float& into) {
-  if (value.type != Type::number) return read_.wrong_type(value, "a number");
+void EffectReader::real(const Value& value, double lowest, double highest, float& into, Numbers numbers) {
   double number = 0.0;
-  const char* const end = value.text.data() + value.text.size();
-  const auto [stop, error] = std::from_chars(value.text.data(), end, number);
-  const bool is_number = stop == end && (error == std::errc{} || error == std::errc::result_out_of_range);
+  bool is_number = false;
+  if (value.type == Type::string && numbers == Numbers::moving) {
+    const auto moving = moving_number(value.text, moment_);
+    if (!moving) return read_.fault(value.offset, json::in_quotes(value.text) + ' ' + moving.error().message);
+    number = *moving;
+    is_number = moves_ = true;
+  } else if (value.type == Type::number) {
+    const char* const end = value.text.data() + value.text.size();
+    const auto [stop, error] = std::from_chars(value.text.data(), end, number);
+    is_number = stop == end && (error == std::errc{} || error == std::errc::result_out_of_range);
+  } else {
+    return read_.wrong_type(value,
+                            numbers == Numbers::moving ? "a number, or a string with an expression" : "a number");
+  }
   if (!is_number || !std::isfinite(number) || number < lowest || number > highest) {
     const auto shown = [](double limit) {
       std::array<char, 32> digits{};
@@ -37,7 +49,7 @@ void EffectReader::real(const Value& value, double lowest, double highest, float
 }
 
 std::size_t EffectReader::reals(const Value& value, std::size_t fewest, double lowest, double highest,
-                                std::span<float> into) {
+                                std::span<float> into, Numbers numbers) {
   const std::size_t count = value.children.size();
   if (value.type != Type::array || count < fewest || count > into.size()) {
     const std::string expected = fewest == into.size()
@@ -46,13 +58,13 @@ std::size_t EffectReader::reals(const Value& value, std::size_t fewest, double l
     read_.fault(value.offset, (value.key.empty() ? "the value" : value.key) + " must be an array of " + expected);
     return 0;
   }
-  for (std::size_t i = 0; i < count; ++i) real(value.children[i], lowest, highest, into[i]);
+  for (std::size_t i = 0; i < count; ++i) real(value.children[i], lowest, highest, into[i], numbers);
   return count;
 }
 
 void EffectReader::point(const Value& value, std::optional<glm::vec3>& into) {
   std::array<float, 3> n{};
-  if (reals(value, 3, -1e12, 1e12, n) != 0) into = glm::vec3(n[0], n[1], n[2]);
+  if (reals(value, 3, -1e12, 1e12, n, Numbers::moving) != 0) into = glm::vec3(n[0], n[1], n[2]);
 }
 
 void EffectReader::bytes(const Value& value, std::span<std::uint8_t> into) {

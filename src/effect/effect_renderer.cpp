@@ -40,12 +40,15 @@ struct EffectRenderer::Prepared {
   Effect effect;
   HardwareProfile profile;
   EffectOptions options;
+  Scene mesh{};  // as it was read
   Scene scene{}, rectangle{};
   std::vector<glm::vec4> mesh_tangents{}, rectangle_tangents{};
   std::vector<glm::vec3> from_light{};  // the mesh's positions relative to the light; empty: no cube target
   EffectTargets targets{};
   std::vector<Texture> textures{};
   std::vector<PreparedPass> passes{};
+  // Passes of the effect before with its own, while another one is loaded into the same scene and targets.
+  std::vector<std::pair<EffectPass, PreparedPass>> reusable{};
   std::vector<std::string> warnings{};
   std::vector<double> times{};
   std::deque<Layer> layers{};
@@ -53,8 +56,11 @@ struct EffectRenderer::Prepared {
   CombinerRecord recorded{};
   PreparedDraw geometry{};  // of a pass; keeps its memory for the next one
 
-  Status load(const EffectReaders& readers);
+  Status load(const EffectReaders& readers, const Effect* before);
+  Status load_scene(const EffectReaders& readers, const Effect* before);
   Status prepare_pass(const EffectPass& pass, const EffectReaders& readers);
+  void set_textures(const EffectPass& pass, PreparedPass& prepared) const;
+  bool take_vertices(const EffectPass& pass, PreparedPass& prepared);
   Status set_view(const EffectPass& pass, PreparedPass& prepared);
   Status set_vertices(const EffectPass& pass, PreparedPass& prepared);
   Status add_warnings(const EffectPass& pass, const PreparedPass& prepared);
@@ -74,6 +80,28 @@ bool reads_coordinates(const PipelineState& state, std::size_t unit) {
          has_dot_product(operation);
 }
 
+bool is_same_mesh(const Effect& a, const Effect& b) {
+  return a.scene.mesh == b.scene.mesh && a.scene.up == b.scene.up && a.folder == b.folder;
+}
+
+// The picture's sides decide the default view.
+bool is_same_scene(const Effect& a, const Effect& b) {
+  return a.scene == b.scene && a.folder == b.folder && a.width == b.width && a.height == b.height;
+}
+
+bool has_same_targets(const Effect& a, const Effect& b) {
+  return a.width == b.width && a.height == b.height && a.color_format == b.color_format &&
+         a.depth_stencil == b.depth_stencil && a.targets == b.targets;
+}
+
+// Whether two passes of one scene have the same vertices, if their units read the same coordinates.
+bool has_same_vertices(const EffectPass& a, const EffectPass& b) {
+  const auto same_unit = [](const EffectUnit& x, const EffectUnit& y) { return x.coordinates == y.coordinates; };
+  return a.geometry == b.geometry && a.view == b.view && a.target == b.target && a.primary == b.primary &&
+         a.secondary == b.secondary && a.fog == b.fog &&
+         std::equal(a.units.begin(), a.units.end(), b.units.begin(), same_unit);
+}
+
 Status named(const EffectPass& pass, Status status) {
   if (status) return status;
   return fault_in("pass " + effect_detail::in_quotes(pass.name), status.error());
@@ -81,14 +109,18 @@ Status named(const EffectPass& pass, Status status) {
 
 }  // namespace
 
-Status EffectRenderer::Prepared::load(const EffectReaders& readers) {
+// `before`: the effect that was loaded, if there was one.
+Status EffectRenderer::Prepared::load(const EffectReaders& readers, const Effect* before) {
   if (const auto faults = check_effect(effect); !faults.empty()) return Diagnostic{.message = faults[0].message};
-  auto made = effect_scene(effect, readers);
-  if (!made) return made.error();
-  scene = std::move(*made);
-  rectangle = rectangle_scene(scene);
-  rectangle_tangents = tangents_of(rectangle);
-  if (Status allocated = targets.allocate(effect); !allocated) return allocated;
+  if (before == nullptr || !is_same_scene(*before, effect)) {
+    reusable.clear();
+    if (Status done = load_scene(readers, before); !done) return done;
+  }
+  if (before == nullptr || !has_same_targets(*before, effect)) {
+    reusable.clear();
+    targets = {};
+    if (Status allocated = targets.allocate(effect); !allocated) return allocated;
+  }
   for (const EffectTexture& texture : effect.textures) {
     const bool from_target =
         texture.origin == TextureOrigin::target_color || texture.origin == TextureOrigin::target_depth;
@@ -100,6 +132,26 @@ Status EffectRenderer::Prepared::load(const EffectReaders& readers) {
   for (const EffectPass& pass : effect.passes) {
     if (Status done = prepare_pass(pass, readers); !done) return done;
   }
+  reusable.clear();
+  return {};
+}
+
+Status EffectRenderer::Prepared::load_scene(const EffectReaders& readers, const Effect* before) {
+  const bool is_same = before != nullptr && is_same_mesh(*before, effect);
+  if (!is_same) {
+    auto read = effect_mesh(effect, readers);
+    if (!read) return read.error();
+    mesh = std::move(*read);
+  }
+  auto made = effect_scene(effect, mesh);
+  if (!made) return made.error();
+  // A floor is part of the scene.
+  const auto has_floor = [](const Effect& e) { return e.scene.setup.floor != FloorChoice::none; };
+  if (!is_same || has_floor(*before) || has_floor(effect)) mesh_tangents.clear();
+  from_light.clear();
+  scene = std::move(*made);
+  rectangle = rectangle_scene(scene);
+  rectangle_tangents = tangents_of(rectangle);
   return {};
 }
 
@@ -123,8 +175,11 @@ Status EffectRenderer::Prepared::prepare_pass(const EffectPass& pass, const Effe
     prepared.state.program = std::move(program->combiners);
     if (!pass.state.texture_shader.enabled) prepared.state.texture_shader = program->texture_shader;
   }
-  if (Status set = set_view(pass, prepared); !set) return named(pass, set);
-  if (Status set = set_vertices(pass, prepared); !set) return named(pass, set);
+  set_textures(pass, prepared);
+  if (!take_vertices(pass, prepared)) {
+    if (Status set = set_view(pass, prepared); !set) return named(pass, set);
+    if (Status set = set_vertices(pass, prepared); !set) return named(pass, set);
+  }
   if (Status warned = add_warnings(pass, prepared); !warned) return named(pass, warned);
   passes.push_back(std::move(prepared));
   return {};
@@ -161,11 +216,38 @@ Status EffectRenderer::Prepared::set_view(const EffectPass& pass, PreparedPass& 
   return {};
 }
 
+// Which textures the units read, and which of them have coordinates.
+void EffectRenderer::Prepared::set_textures(const EffectPass& pass, PreparedPass& prepared) const {
+  for (std::size_t i = 0; i < kEffectUnits; ++i) {
+    const std::string& name = pass.units[i].texture;
+    prepared.has_coordinates[i] = !name.empty() || reads_coordinates(prepared.state, i);
+    if (name.empty()) continue;
+    const auto found = std::find_if(effect.textures.begin(), effect.textures.end(),
+                                    [&](const EffectTexture& t) { return t.name == name; });
+    prepared.textures[i] = static_cast<int>(found - effect.textures.begin());
+  }
+}
+
+// Moves the vertices of the same pass of the effect before; false: they are other ones.
+bool EffectRenderer::Prepared::take_vertices(const EffectPass& pass, PreparedPass& prepared) {
+  const std::size_t number = passes.size();
+  if (number >= reusable.size() || !has_same_vertices(reusable[number].first, pass)) return false;
+  PreparedPass& from = reusable[number].second;
+  if (from.has_coordinates != prepared.has_coordinates) return false;
+  prepared.projections = std::move(from.projections);
+  prepared.scene = from.scene;
+  prepared.positions = from.positions;
+  prepared.coordinates = std::move(from.coordinates);
+  prepared.primary = std::move(from.primary);
+  prepared.secondary = std::move(from.secondary);
+  prepared.fog = std::move(from.fog);
+  return true;
+}
+
 Status EffectRenderer::Prepared::set_vertices(const EffectPass& pass, PreparedPass& prepared) {
-  const bool mesh = pass.geometry == EffectGeometry::mesh;
+  const bool is_mesh = pass.geometry == EffectGeometry::mesh;
   std::vector<VertexSource> sources{pass.primary.source, pass.secondary.source};
   for (std::size_t i = 0; i < kEffectUnits; ++i) {
-    prepared.has_coordinates[i] = !pass.units[i].texture.empty() || reads_coordinates(prepared.state, i);
     if (prepared.has_coordinates[i]) sources.push_back(pass.units[i].coordinates.source);
   }
   for (const VertexSource source : sources) {
@@ -176,17 +258,13 @@ Status EffectRenderer::Prepared::set_vertices(const EffectPass& pass, PreparedPa
     if (source == VertexSource::projected && scene.lights[0].kind == LightKind::point) {
       return Diagnostic{.message = "reads the view of a point light; expected a spot or directional light"};
     }
-    if (mesh && needs_tangents(source) && mesh_tangents.empty()) mesh_tangents = tangents_of(scene);
+    if (is_mesh && needs_tangents(source) && mesh_tangents.empty()) mesh_tangents = tangents_of(scene);
   }
-  VertexInputs inputs{.scene = prepared.scene, .tangents = mesh ? &mesh_tangents : &rectangle_tangents};
+  VertexInputs inputs{.scene = prepared.scene, .tangents = is_mesh ? &mesh_tangents : &rectangle_tangents};
   inputs.clip_from_world = prepared.projections[0];
   if (scene.lights[0].kind != LightKind::point) inputs.light_clip_from_world = light_projection(scene, scene.lights[0]);
   for (std::size_t i = 0; i < kEffectUnits; ++i) {
     if (prepared.has_coordinates[i]) prepared.coordinates[i] = unit_coordinates(pass.units[i].coordinates, inputs);
-    if (pass.units[i].texture.empty()) continue;
-    const auto found = std::find_if(effect.textures.begin(), effect.textures.end(),
-                                    [&](const EffectTexture& t) { return t.name == pass.units[i].texture; });
-    prepared.textures[i] = static_cast<int>(found - effect.textures.begin());
   }
   prepared.secondary = vertex_colors(pass.secondary, inputs, profile);
   prepared.fog = fog_factors(pass.fog, inputs);
@@ -233,8 +311,23 @@ Status EffectRenderer::Prepared::add_warnings(const EffectPass& pass, const Prep
 Result<EffectRenderer> EffectRenderer::make(const Effect& effect, const HardwareProfile& profile,
                                             const EffectReaders& readers, const EffectOptions& options) {
   auto prepared = std::make_unique<Prepared>(Prepared{.effect = effect, .profile = profile, .options = options});
-  if (Status loaded = prepared->load(readers); !loaded) return loaded.error();
+  if (Status loaded = prepared->load(readers, nullptr); !loaded) return loaded.error();
   return EffectRenderer(std::move(prepared));
+}
+
+Status EffectRenderer::change(const Effect& effect, const EffectReaders& readers) {
+  Prepared& p = *prepared_;
+  const Effect before = std::exchange(p.effect, effect);
+  for (std::size_t i = 0; i < p.passes.size(); ++i) p.reusable.emplace_back(before.passes[i], std::move(p.passes[i]));
+  p.passes.clear();
+  p.textures.clear();
+  p.warnings.clear();
+  p.recorded = {};
+  return p.load(readers, &before);
+}
+
+void EffectRenderer::set_options(const EffectOptions& options) {
+  prepared_->options = options;
 }
 
 EffectRenderer::EffectRenderer(std::unique_ptr<Prepared> prepared) : prepared_(std::move(prepared)) {}

@@ -73,15 +73,15 @@ inline constexpr Words<Wrap, 5> kWraps{{{"repeat", Wrap::repeat},
                                         {"mirrored-repeat", Wrap::mirrored_repeat},
                                         {"clamp-to-border", Wrap::clamp_to_border}}};
 
-// Of s and t.
+// Whether s and t wrap like a cylinder.
 inline constexpr Words<std::array<bool, 2>, 3> kCylinderWraps{
     {{"s", {true, false}}, {"t", {false, true}}, {"st", {true, true}}}};
 
-// Before the colon of a colour key.
+// The words before the colon of a colour key.
 inline constexpr Words<ColorKeyOperation, 3> kColorKeyOperations{
     {{"alpha", ColorKeyOperation::alpha}, {"rgba", ColorKeyOperation::rgba}, {"kill", ColorKeyOperation::kill}}};
 
-// What a texture's text in JSON, and a flag of `ninebit draw` with the unit's number, sets in its sampler.
+// A setting of a sampler: a texture's text in JSON, and a flag of `ninebit draw` with the unit's number.
 struct SamplerWord {
   std::string_view key;  // in JSON
   Status (*parse)(std::string_view text, Sampler& sampler);

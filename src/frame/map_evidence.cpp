@@ -10,7 +10,7 @@
 
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/texture.h"
-#include "src/raster/texture/cube_face.h"
+#include "src/raster/texture/cube_coordinate.h"
 #include "src/raster/texture/texture_wrap.h"
 
 namespace ninebit {

@@ -36,7 +36,7 @@ std::size_t pixels_of_pass(const Effect& effect, const EffectPass& pass) {
 }  // namespace
 
 Reply Engine::combiners(Request& request) {
-  request.allow({"effect", "files", "profile", "size", "name", "pass"});
+  request.allow({"effect", "files", "profile", "size", "name", "time", "frame", "pass"});
   RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const auto& passes = asked.what.effect.passes;
@@ -49,9 +49,10 @@ Reply Engine::combiners(Request& request) {
     return refusal("the pass draws " + std::to_string(pixels) + " pixels; at most " +
                    std::to_string(kMostRecordedPixels) + " are recorded");
   }
-  const Drawn drawn = draw_effect(asked.what, shelf_, {.recorded_pass = static_cast<std::size_t>(pass)});
-  if (!drawn.renderer) return *drawn.refused;
-  const CombinerRecord& record = drawn.renderer->recorded();
+  KeptDrawing own;
+  const Drawn drawn = draw_effect(asked.what, shelf_, {.recorded_pass = static_cast<std::size_t>(pass)}, own);
+  if (drawn.refused) return *drawn.refused;
+  const CombinerRecord& record = own.renderer->recorded();
   const auto glsl = emit_glsl(*record.program, GlslVersion::es_300);
   if (!glsl) return refusal(glsl.error());
   Json names = Json::array();

@@ -4,7 +4,7 @@
 
 #include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/trace.h"
-#include "src/combiner/given_registers.h"
+#include "src/combiner/request_registers.h"
 #include "src/effect/traced_pixel.h"
 #include "src/playground/texts.h"
 
@@ -12,7 +12,7 @@ namespace ninebit::playground {
 namespace {
 
 // The registers of a trace, and which of them were given.
-struct GivenRegisters {
+struct RequestRegisters {
   RegisterFile file{};
   std::array<bool, kRegisterCount> given{};
 };
@@ -23,8 +23,8 @@ std::optional<Register> register_called(std::string_view name, const HardwarePro
   return reg;
 }
 
-GivenRegisters given_registers(Request& request, const HardwareProfile& profile) {
-  GivenRegisters out{.file = default_registers(profile)};
+RequestRegisters request_registers(Request& request, const HardwareProfile& profile) {
+  RequestRegisters out{.file = default_registers(profile)};
   const json::Value* const registers = request.find("registers");
   if (registers != nullptr && registers->type != json::Type::object) {
     request.reader().wrong_type(*registers, "an object");
@@ -58,7 +58,7 @@ GivenRegisters given_registers(Request& request, const HardwareProfile& profile)
 }
 
 // Constants that were given replace the program's own.
-void set_given_constants(const GivenRegisters& registers, Program& program) {
+void set_given_constants(const RequestRegisters& registers, Program& program) {
   for (const Register constant : {Register::constant0, Register::constant1}) {
     if (!registers.given[static_cast<std::size_t>(constant)]) continue;
     for (std::size_t c = 0; c < 4; ++c)
@@ -94,7 +94,7 @@ Reply trace_text(Request& request) {
   const ChosenProfile chosen = request.profile("profile");
   if (request.failed()) return request.refused();
   const HardwareProfile& profile = chosen.profile();
-  const GivenRegisters registers = given_registers(request, profile);
+  const RequestRegisters registers = request_registers(request, profile);
   if (request.failed()) return request.refused();
   const auto parsed = valid_program(text, "text", profile);
   if (!parsed) return refusals(parsed.faults(), text);
@@ -116,7 +116,7 @@ Reply evaluate_pictures(Request& request, std::span<const std::uint8_t> buffer, 
   const json::Value* const named = request.value("pictures");
   if (request.failed()) return request.refused();
   const HardwareProfile& profile = chosen.profile();
-  const GivenRegisters registers = given_registers(request, profile);
+  const RequestRegisters registers = request_registers(request, profile);
   std::vector<Register> pictures;
   if (named->type != json::Type::array || named->children.empty()) {
     request.reader().wrong_type(*named, "an array of registers");

@@ -5,7 +5,6 @@
 
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/numerics/profile_fields.h"
-#include "src/effect/traced_pixel.h"
 #include "src/playground/drawing.h"
 #include "src/playground/plane_hash.h"
 #include "src/playground/shadow_answer.h"
@@ -52,7 +51,7 @@ RequestedEffect requested_effect(Request& request) {
     out.refused = request.refused();
     return out;
   }
-  auto parsed = parse_effect({text, "effect"});
+  auto parsed = parse_effect({text, "effect"}, request.moment());
   if (!parsed) {
     out.refused = refusals(parsed.faults(), text);
     return out;
@@ -78,27 +77,72 @@ std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what) {
   return std::nullopt;
 }
 
-Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options,
-                  std::vector<KeptTexture>* kept) {
+Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options, KeptDrawing& kept) {
   Drawn drawn;
   if (std::string complaint = complaint_about_amount(what.effect, shelf); !complaint.empty()) {
     drawn.refused = refusal(std::move(complaint), "effect");
     return drawn;
   }
   ShelfReaders shelf_readers(what.files, shelf);
-  if (kept != nullptr) shelf_readers.reuse(std::exchange(*kept, {}));
-  auto renderer = EffectRenderer::make(what.effect, what.profile.profile(), shelf_readers.readers(), options);
-  Status done = renderer ? renderer->draw() : Status(renderer.error());
+  shelf_readers.reuse(std::exchange(kept.textures, {}));
+  if (!kept.profile.is_same(what.profile)) kept.renderer.reset();
+  kept.profile = what.profile;
+  Status prepared;
+  if (kept.renderer) {
+    prepared = kept.renderer->change(what.effect, shelf_readers.readers());
+    kept.renderer->set_options(options);
+  } else {
+    auto made = EffectRenderer::make(what.effect, kept.profile.profile(), shelf_readers.readers(), options);
+    if (made) kept.renderer.emplace(std::move(*made));
+    if (!made) prepared = made.error();
+  }
+  const Status done = prepared ? kept.renderer->draw() : prepared;
+  kept.textures = std::move(shelf_readers).textures();
   if (!done) {
-    const bool in_program = !renderer && !shelf_readers.program_faults().empty();
+    kept.renderer.reset();
+    const bool in_program = !prepared && !shelf_readers.program_faults().empty();
     drawn.refused = in_program ? Reply(shelf_readers.program_faults()) : refusal(done.error());
     return drawn;
   }
-  drawn.warnings = shelf_readers.warnings();
-  if (kept != nullptr) *kept = std::move(shelf_readers).textures();
-  drawn.warnings.insert(drawn.warnings.end(), renderer->warnings().begin(), renderer->warnings().end());
-  drawn.renderer.emplace(std::move(*renderer));
+  for (const std::string& note : kept.renderer->scene().notes) {
+    drawn.warnings.push_back(what.effect.scene.mesh + ": ignored: " + note);
+  }
+  for (const auto* more : {&shelf_readers.warnings(), &kept.renderer->warnings()}) {
+    drawn.warnings.insert(drawn.warnings.end(), more->begin(), more->end());
+  }
   return drawn;
+}
+
+const Program* Probed::program() const {
+  return pixel && pixel->fragment ? &*pixel->passes[*pixel->pass].program : nullptr;
+}
+
+const RegisterFile* Probed::registers() const {
+  return pixel && pixel->fragment ? &pixel->passes[*pixel->pass].fragments[*pixel->fragment].registers : nullptr;
+}
+
+Probed probe_pixel(const LastDrawing& what, const Shelf& shelf, glm::ivec2 from_top, std::string_view pass,
+                   KeptDrawing& kept) {
+  Probed out;
+  const glm::ivec2 from_below(from_top.x, what.effect.height - 1 - from_top.y);
+  out.refused = draw_effect(what, shelf, {.layers = false, .pixel = from_below}, kept).refused;
+  if (out.refused) return out;
+  TracedPixel pixel = pixel_of_effect(what.effect, *kept.renderer, from_top.x, from_top.y, what.name);
+  if (!pass.empty()) {
+    const auto found =
+        std::find_if(pixel.passes.begin(), pixel.passes.end(), [&](const ProbedPass& one) { return one.name == pass; });
+    if (found == pixel.passes.end()) {
+      out.refused = refusal("no pass " + json::in_quotes(pass) + " drew into the picture");
+      return out;
+    }
+    const bool decided = choose_pass(pixel, static_cast<std::size_t>(found - pixel.passes.begin()));
+    if (!decided || !found->program) {
+      pixel.pass.reset();
+      pixel.fragment.reset();
+    }
+  }
+  out.pixel = std::move(pixel);
+  return out;
 }
 
 void append_picture(const Surface& surface, std::vector<std::uint8_t>& bytes) {
@@ -126,20 +170,21 @@ Json hashes_of(const Surface& surface) {
 }
 
 Reply Engine::draw(Request& request) {
-  request.allow({"effect", "files", "profile", "size", "name", "hash"});
+  request.allow({"effect", "files", "profile", "size", "name", "time", "frame", "hash"});
   RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const bool hashed = request.flag_or("hash", true);
   if (request.failed()) return request.refused();
   if (auto refused = choose_drawn_profile(request, asked.what)) return *refused;
-  Drawn drawn = draw_effect(asked.what, shelf_, {}, &textures_);
-  if (!drawn.renderer) return *drawn.refused;
-  const Surface& picture = drawn.renderer->picture();
+  const Drawn drawn = draw_effect(asked.what, shelf_, {}, kept_);
+  if (drawn.refused) return *drawn.refused;
+  const Surface& picture = kept_.renderer->picture();
   append_picture(picture, bytes_);
   Json out{{"width", picture.width()}, {"height", picture.height()}};
   out["profile"] = asked.what.profile.profile().name;
   out["passes"] = pass_names(asked.what.effect);
-  out["view"] = view_of(drawn.renderer->scene());
+  out["view"] = view_of(kept_.renderer->scene());
+  out["moves"] = asked.what.effect.moves;
   out["warnings"] = drawn.warnings;
   if (hashed) out["hash"] = hashes_of(picture);
   out["bytes"] = bytes_.size();
@@ -154,29 +199,17 @@ Reply Engine::pixel(Request& request) {
   const int x = request.number("x", 0, effect.width - 1), y = request.number("y", 0, effect.height - 1);
   const std::string wanted = request.word_or("pass", "");
   if (request.failed()) return request.refused();
-  const Drawn drawn = draw_effect(*last_, shelf_, {.layers = false, .pixel = glm::ivec2(x, effect.height - 1 - y)});
-  if (!drawn.renderer) return *drawn.refused;
-  TracedPixel pixel = pixel_of_effect(effect, *drawn.renderer, x, y, last_->name);
+  const Probed probed = probe_pixel(*last_, shelf_, {x, y}, wanted, kept_);
+  if (!probed.pixel) return *probed.refused;
   const HardwareProfile& profile = last_->profile.profile();
-  const TraceHeading heading{.profile = std::string(profile.name), .program = {}, .pixel = &pixel};
-  if (!wanted.empty()) {
-    const auto found = std::find_if(pixel.passes.begin(), pixel.passes.end(),
-                                    [&](const ProbedPass& pass) { return pass.name == wanted; });
-    if (found == pixel.passes.end()) return refusal("no pass " + json::in_quotes(wanted) + " drew into the picture");
-    const bool decided = choose_pass(pixel, static_cast<std::size_t>(found - pixel.passes.begin()));
-    if (!decided || !found->program) {
-      pixel.pass.reset();
-      pixel.fragment.reset();
-    }
-  }
-  if (!pixel.fragment) return trace_answer(heading, nullptr, nullptr);
-  const ProbedPass& pass = pixel.passes[*pixel.pass];
-  const Trace traced = trace(*pass.program, profile, pass.fragments[*pixel.fragment].registers);
-  return trace_answer(heading, &*pass.program, &traced);
+  const TraceHeading heading{.profile = std::string(profile.name), .program = {}, .pixel = &*probed.pixel};
+  if (probed.program() == nullptr) return trace_answer(heading, nullptr, nullptr);
+  const Trace traced = trace(*probed.program(), profile, *probed.registers());
+  return trace_answer(heading, probed.program(), &traced);
 }
 
 Reply Engine::compare(Request& request) {
-  request.allow({"effect", "files", "profiles", "size", "name"});
+  request.allow({"effect", "files", "profiles", "size", "name", "time", "frame"});
   RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const json::Value* const profiles = request.value("profiles");
@@ -195,12 +228,16 @@ Reply Engine::compare(Request& request) {
       chosen = request.profile_in(wanted);
     }
     if (request.failed()) break;
-    const Drawn drawn = draw_effect(asked.what, shelf_, {});
-    if (!drawn.renderer) return *drawn.refused;
-    append_picture(drawn.renderer->picture(), bytes_);
+    // The textures are those of the last drawing; its renderer stays.
+    KeptDrawing own{.textures = std::exchange(kept_.textures, {})};
+    const Drawn drawn = draw_effect(asked.what, shelf_, {}, own);
+    kept_.textures = std::move(own.textures);
+    if (drawn.refused) return *drawn.refused;
+    const Surface& picture = own.renderer->picture();
+    append_picture(picture, bytes_);
     names.push_back(exact ? std::string_view(wanted.text) : chosen.profile().name);
-    out["width"] = drawn.renderer->picture().width();
-    out["height"] = drawn.renderer->picture().height();
+    out["width"] = picture.width();
+    out["height"] = picture.height();
   }
   if (request.failed()) return request.refused();
   out["profiles"] = std::move(names);

@@ -5,10 +5,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ninebit/effect/effect_renderer.h"
+#include "src/effect/traced_pixel.h"
 #include "src/playground/engine.h"
 
 namespace ninebit::playground {
@@ -41,9 +43,9 @@ class ShelfReaders {
   ShelfReaders(const FileTexts& texts, const Shelf& shelf) : texts_(texts), shelf_(shelf) {}
 
   // Takes textures from those that were made before of the same shelf. The profile does not change a texture here.
-  void reuse(std::vector<KeptTexture> textures) { reused_ = std::move(textures); }
+  void reuse(std::vector<CachedTexture> textures) { reused_ = std::move(textures); }
   // The textures that were read or taken, for the next drawing.
-  [[nodiscard]] std::vector<KeptTexture> textures() && { return std::move(kept_); }
+  [[nodiscard]] std::vector<CachedTexture> textures() && { return std::move(kept_); }
 
   [[nodiscard]] EffectReaders readers();
   // Faults of the program that was read last, with places in its text; none: the reading did not fail there.
@@ -61,7 +63,7 @@ class ShelfReaders {
   const Shelf& shelf_;
   std::vector<TextFault> program_faults_{};
   std::vector<std::string> warnings_{};
-  std::vector<KeptTexture> reused_{}, kept_{};
+  std::vector<CachedTexture> reused_{}, kept_{};
 };
 
 // An effect's request, without its profiles. Faults of the effect's own text are in `refused`.
@@ -74,15 +76,27 @@ struct RequestedEffect {
 // Takes the request's profile, else the effect's, else geforce2. Returns why it cannot.
 [[nodiscard]] std::optional<Reply> choose_drawn_profile(Request& request, LastDrawing& what);
 
-// An effect that was drawn, or why it was not.
+// How an effect was drawn.
 struct Drawn {
-  std::optional<EffectRenderer> renderer{};
   std::vector<std::string> warnings{};
-  std::optional<Reply> refused{};  // if there is no renderer
+  std::optional<Reply> refused{};  // if it was not
 };
-// `kept`: textures of an earlier drawing of the same shelf; then those of this one.
+// Draws into `kept`, which has what an earlier drawing of the same shelf left, or nothing: with the same bits. If it
+// refuses, there is no renderer.
 [[nodiscard]] Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptions& options,
-                                std::vector<KeptTexture>* kept = nullptr);
+                                KeptDrawing& kept);
+
+// A pixel of a drawing with the fragment that a trace is about: the one that decided pass `pass`; empty: the last pass
+// with a program.
+struct Probed {
+  std::optional<TracedPixel> pixel{};
+  std::optional<Reply> refused{};  // if there is no pixel
+  // Program and registers of that fragment; nullptr: there is none.
+  [[nodiscard]] const Program* program() const;
+  [[nodiscard]] const RegisterFile* registers() const;
+};
+[[nodiscard]] Probed probe_pixel(const LastDrawing& what, const Shelf& shelf, glm::ivec2 from_top,
+                                 std::string_view pass, KeptDrawing& kept);
 
 // The picture's RGBA, rows from the top, appended to `bytes`.
 void append_picture(const Surface& surface, std::vector<std::uint8_t>& bytes);

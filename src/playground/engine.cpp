@@ -10,9 +10,9 @@ namespace ninebit::playground {
 namespace {
 
 constexpr std::string_view kVerbs =
-    "about, vocabulary, read, convert, trace, evaluate, profile, edit_profile, put, draw, pixel, compare, combiners, "
-    "shadow, "
-    "judge or judge_rows";
+    "about, vocabulary, read, convert, trace, evaluate, profile, edit_profile, put, draw, pixel, sweep, losses, "
+    "compare, "
+    "combiners, shadow, judge or judge_rows";
 
 }  // namespace
 
@@ -55,6 +55,8 @@ Reply Engine::reply_to(Request& request, std::string_view verb) {
   if (verb == "pixel") return pixel(request);
   if (verb == "compare") return compare(request);
   if (verb == "combiners") return combiners(request);
+  if (verb == "sweep") return sweep(request);
+  if (verb == "losses") return losses(request);
   if (verb == "shadow") return shadow_answer(request, shelf_, bytes_);
   if (verb == "judge") return judge(request);
   if (verb == "judge_rows") return judge_rows(request);
@@ -90,7 +92,7 @@ Reply Engine::put(Request& request) {
     return refusal("the buffer has " + std::to_string(buffer_.size()) + " bytes; these pixels have " +
                    std::to_string(expected));
   }
-  textures_.clear();
+  kept_ = {};
   shelf_.pixels.erase(name);
   shelf_.files.erase(name);
   std::size_t kept = buffer_.size();

@@ -38,10 +38,17 @@ struct Shelf {
 };
 
 // Textures of the last drawing, for the next one, with the warnings that came with them.
-struct KeptTexture {
+struct CachedTexture {
   TextureRecipe recipe{};
   Texture texture{};
   std::vector<std::string> warnings{};
+};
+
+// What the last "draw" leaves for the next one, and for what is asked about it.
+struct KeptDrawing {
+  std::vector<CachedTexture> textures{};
+  std::optional<EffectRenderer> renderer{};  // of `profile`
+  ChosenProfile profile{};
 };
 
 // The last drawing, for "pixel".
@@ -79,6 +86,8 @@ class Engine {
   Reply pixel(Request& request);
   Reply compare(Request& request);
   Reply combiners(Request& request);
+  Reply sweep(Request& request);
+  Reply losses(Request& request);
   Reply judge(Request& request);
   Reply judge_rows(Request& request);
 
@@ -86,7 +95,7 @@ class Engine {
   std::vector<std::uint8_t> buffer_{};
   std::vector<std::uint8_t> bytes_{};
   std::optional<LastDrawing> last_{};
-  std::vector<KeptTexture> textures_{};  // of the last "draw"; none after a "put"
+  KeptDrawing kept_{};  // nothing after a "put"
   std::unique_ptr<Judging> judging_;
 };
 

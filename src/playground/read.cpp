@@ -37,15 +37,6 @@ Json marked_all(const std::vector<TextFault>& faults, std::string_view text) {
   return rows;
 }
 
-bool reads_register(const Program& program, Register reg) {
-  for (int i = 0; i < program.num_general_combiners; ++i) {
-    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
-    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
-  }
-  const FinalCombiner& f = program.final_combiner;
-  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
-}
-
 Json constants_of(const CombinerState& state) {
   Json constants{{"const0", state.constant0}, {"const1", state.constant1}};
   if (!state.per_stage_constants) return constants;
@@ -59,6 +50,15 @@ Json constants_of(const CombinerState& state) {
 }
 
 }  // namespace
+
+bool reads_register(const Program& program, Register reg) {
+  for (int i = 0; i < program.num_general_combiners; ++i) {
+    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
+    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
+  }
+  const FinalCombiner& f = program.final_combiner;
+  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
+}
 
 Parsed<TextProgram> valid_program(std::string_view text, std::string_view name, const HardwareProfile& profile) {
   auto parsed = parse_program({text, name}, form_of(text), profile);

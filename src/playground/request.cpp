@@ -8,6 +8,9 @@
 namespace ninebit::playground {
 namespace {
 
+constexpr double kMostSeconds = 1e6;
+constexpr int kMostFrames = 1'000'000'000;
+
 // The end of a bracketed value that starts at `at` of a text that is JSON.
 std::size_t end_of_brackets(std::string_view text, std::size_t at) {
   int open = 0;
@@ -129,6 +132,19 @@ ChosenProfile Request::profile(std::string_view key) {
   return found == nullptr ? ChosenProfile{} : profile_in(*found);
 }
 
+EffectMoment Request::moment() {
+  EffectMoment moment;
+  if (has("frame")) moment.frame = number("frame", 0, kMostFrames);
+  const json::Value* const time = find("time");
+  if (time == nullptr) return moment;
+  if (const auto seconds = real_of(*time, -kMostSeconds, kMostSeconds)) {
+    moment.time = *seconds;
+  } else {
+    reader_.fault(time->offset, "time must be a number of seconds from -1e6 to 1e6");
+  }
+  return moment;
+}
+
 ChosenProfile Request::profile_in(const json::Value& value) {
   ChosenProfile chosen;
   if (value.type == json::Type::string && !value.text.starts_with('{')) {
@@ -145,6 +161,7 @@ ChosenProfile Request::profile_in(const json::Value& value) {
   auto parsed = parse_json_profile({text, "profile"});
   if (parsed) {
     chosen.own = std::move(*parsed);
+    chosen.text = text;
     return chosen;
   }
   // They are of another text than the request's own.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/effect/effect_json.h"
 #include "ninebit/language/profile_json.h"
 #include "src/language/json/json_reader.h"
 #include "src/playground/reply.h"
@@ -17,7 +18,11 @@ namespace ninebit::playground {
 struct ChosenProfile {
   const HardwareProfile* shipped = &profiles::geforce2;  // if it is not one's own
   std::optional<OwnedProfile> own{};                     // if it is
+  std::string text{};                                    // of one's own
   [[nodiscard]] const HardwareProfile& profile() const { return own ? own->profile : *shipped; }
+  [[nodiscard]] bool is_same(const ChosenProfile& other) const {
+    return own.has_value() == other.own.has_value() && (own ? text == other.text : shipped == other.shipped);
+  }
 };
 
 // A request, an object with the key "do". Where a value is missing, of another type or out of range, its reader adds a
@@ -50,6 +55,8 @@ class Request {
   [[nodiscard]] std::string inner(const json::Value& value);
   // Reads "size", an array of a picture's width and height; without it both stay.
   void picture_size(int& width, int& height);
+  // "time" in seconds and "frame"; 0 without them.
+  [[nodiscard]] EffectMoment moment();
   // The profile under a key: the name of a shipped one, or a profile file's object or text. Without the key geforce2.
   [[nodiscard]] ChosenProfile profile(std::string_view key);
   [[nodiscard]] ChosenProfile profile_in(const json::Value& value);

@@ -100,12 +100,8 @@ EffectReaders ShelfReaders::readers() {
   readers.kept = [this](const TextureRecipe& recipe, const std::function<Result<Texture>()>& make) {
     return kept_texture(recipe, make);
   };
-  readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis> up) -> Result<Scene> {
-    auto scene = shelf_scene(file.string(), shelf_, up);
-    if (scene) {
-      for (const std::string& note : scene->notes) warnings_.push_back(file.string() + ": ignored: " + note);
-    }
-    return scene;
+  readers.scene = [this](const std::filesystem::path& file, std::optional<UpAxis> up) {
+    return shelf_scene(file.string(), shelf_, up);
   };
   return readers;
 }
@@ -121,7 +117,7 @@ Result<TextProgram> ShelfReaders::read_program(const std::string& name, const Ha
 }
 
 Result<Texture> ShelfReaders::kept_texture(const TextureRecipe& recipe, const std::function<Result<Texture>()>& make) {
-  const auto is_it = [&](const KeptTexture& kept) { return kept.recipe == recipe; };
+  const auto is_it = [&](const CachedTexture& kept) { return kept.recipe == recipe; };
   if (const auto found = std::find_if(reused_.begin(), reused_.end(), is_it); found != reused_.end()) {
     kept_.push_back(std::move(*found));
     reused_.erase(found);

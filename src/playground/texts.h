@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ninebit/combiner/program.h"
 #include "ninebit/language/program_text.h"
 #include "src/playground/request.h"
 
@@ -36,6 +37,9 @@ namespace ninebit::playground {
 // A program that the profile accepts, or every fault of its text. `name` is for messages.
 [[nodiscard]] Parsed<TextProgram> valid_program(std::string_view text, std::string_view name,
                                                 const HardwareProfile& profile);
+
+// Whether a portion or the final combiner reads the register.
+[[nodiscard]] bool reads_register(const Program& program, Register reg);
 
 // scenes/index_room.gltf, embedded at build time.
 

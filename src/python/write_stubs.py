@@ -20,7 +20,7 @@ light_type: LightType | None = None,
 light_target: Point | str | None = None,
 spot_angle: float | None = None,
 technique: Technique | None = None,
-size: tuple[int, int] | str | None = None,
+size: Pair | None = None,
 light_facing: bool = False,"""
 
 
@@ -29,7 +29,7 @@ def type_of(kind, numbers, words):
         whole = [word for word in words if word.isdigit()]
         return f"Literal[{', '.join([*whole, *(repr(word) for word in words)])}]".replace("'", '"')
     if kind == "files":
-        return "Path | Sequence[Path]"
+        return "AnyPicture"
     one = {"whole": "int", "real": "float"}[kind]
     return one if numbers == 1 else f"tuple[{', '.join([one] * numbers)}] | str"
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "src/numerics/simd_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/texture_shader/stage_lanes.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep

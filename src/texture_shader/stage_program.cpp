@@ -17,7 +17,7 @@ std::string_view name_of(StageTarget target) {
   return names[static_cast<std::size_t>(target)];
 }
 
-// What OpenGL distinguishes in the texel of an earlier stage.
+// The kinds of texels of an earlier stage that OpenGL distinguishes.
 enum class TexelKind : std::uint8_t { unsigned_rgba, signed_rgba, hilo, signed_hilo, dsdt, dsdt_mag, depth };
 
 TexelKind kind_of(const StageTexture& texture) {

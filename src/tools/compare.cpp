@@ -1,6 +1,8 @@
 // `ninebit compare`: techniques, or settings of one, side by side on one page.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -22,6 +24,17 @@ std::string light_in_words(const Light& light) {
                      light.kind == LightKind::directional ? "along" : "at", at.x, at.y, at.z);
 }
 
+// "; it reaches all of the picture: a point light for index-cube, depth-cube", of techniques without support for a spot.
+std::string as_point_in_words(const ComparedPoints& compared) {
+  std::vector<std::string> names;
+  for (const ComparedPoint& point : compared.points) {
+    const std::string& name = point.scene.technique;
+    if (point.as_point && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  if (names.empty()) return {};
+  return fmt::format("; it reaches all of the picture: a point light for {}", fmt::join(names, ", "));
+}
+
 // Parts of the scene that any of the points ignores.
 std::vector<std::string> ignored_by_points(const ComparedPoints& compared, const Scene& scene,
                                            std::vector<std::string> ignored) {
@@ -39,21 +52,31 @@ std::vector<std::string> ignored_by_points(const ComparedPoints& compared, const
 Status load_compared(const CompareFlags& flags, Comparison& out, std::optional<Scene>& scene, bool& usage) {
   SceneFlags first = out.compared.points.empty() ? flags.scene : out.compared.points[0].scene;
   if (out.compared.points.empty()) first.light_kinds = light_kinds_of(flags);
-  auto drawn = load_drawn_scene(first, settings_of(first, flags.common), true);
+  first.light_type = flags.scene.light_type;  // those of a spot light are not read by techniques that draw a point light
+  first.light_target = flags.scene.light_target;
+  first.spot_angle = flags.scene.spot_angle;
+  auto drawn = load_drawn_scene(first, settings_of(first, flags.common));
   if (!drawn) return drawn.error();
   const Light& light = drawn->scene.lights[0];
+  const auto& given = out.compared.points;
+  const bool asks = flags.vary.empty() || std::any_of(given.begin(), given.end(), [](const auto& p) { return p.as_point; });
+  if (light.kind == LightKind::spot && asks) {
+    const auto holds = spot_holds_picture(flags, drawn->scene);
+    if (!holds) return holds.error();
+    out.spot_holds_picture = *holds;
+  }
   if (flags.vary.empty()) {
-    auto points = technique_points(flags, light.kind);
+    auto points = technique_points(flags, light.kind, out.spot_holds_picture);
     if (!points) {
       usage = true;
       return points.error();
     }
     out.compared = std::move(*points);
   }
-  out.light = light_in_words(light);
+  out.light = light_in_words(light) + as_point_in_words(out.compared);
   out.triangles = drawn->scene.triangles.size();
   out.ignored = ignored_by_points(out.compared, drawn->scene, std::move(drawn->ignored));
-  warn_of_ignored(flags.scene.file, out.ignored, flags.common.quiet);
+  warn_of_ignored(flags.scene.file, out.ignored);
   scene.emplace(std::move(drawn->scene));
   return {};
 }
@@ -64,6 +87,17 @@ const Diagnostic kInterruptedComparison{.message = "interrupted", .fault = Fault
 Status draw_compared(const CompareFlags& flags, const Scene& scene, ProgressLine& line, Comparison& out) {
   const auto rays = GroundTruthScene::make(scene);
   if (!rays) return rays.error();
+  const auto is_as_point = [](const ComparedPoint& point) { return point.as_point; };
+  const bool any_as_point = std::any_of(out.compared.points.begin(), out.compared.points.end(), is_as_point);
+  std::optional<Scene> point_scene;
+  std::optional<GroundTruthScene> point_rays;
+  if (any_as_point && out.spot_holds_picture) {
+    point_scene = scene;
+    point_scene->lights[0].kind = LightKind::point;
+    auto made = GroundTruthScene::make(*point_scene);
+    if (!made) return made.error();
+    point_rays.emplace(std::move(*made));
+  }
   const auto count = static_cast<double>(out.compared.points.size());
   bool any = false;
   for (const ComparedPoint& point : out.compared.points) {
@@ -71,7 +105,12 @@ Status draw_compared(const CompareFlags& flags, const Scene& scene, ProgressLine
     const Progress progress = [&](std::string_view, double share) {
       return line.step(point.name, 0.05 + 0.9 * (done + share) / count);
     };
-    auto row = compared_row(flags, point, scene, *rays, progress);
+    if (point.as_point && !point_scene) {
+      out.rows.push_back({.refused = "no support for a spot light that does not reach all of the picture"});
+      continue;
+    }
+    auto row = point.as_point ? compared_row(flags, point, *point_scene, *point_rays, progress)
+                              : compared_row(flags, point, scene, *rays, progress);
     if (!row) return row.error();
     any = any || row->refused.empty();
     out.rows.push_back(std::move(*row));
@@ -185,7 +224,7 @@ int compare(const CompareFlags& flags, ComparedPoints points) {
     for (const auto& file : written) say_written(file);
   }
   if (!flags.common.json) {
-    if (!flags.common.quiet) say(summary_of(comparison));
+    say(summary_of(comparison));
     return kDone;
   }
   Json object = compare_json(flags, comparison);

@@ -17,6 +17,7 @@
 #include "src/tools/common/program_file.h"
 #include "src/tools/draw/draw_files.h"
 #include "src/tools/draw/draw_flags.h"
+#include "src/tools/draw/draw_sizes.h"
 #include "src/tools/input/host.h"
 
 namespace ninebit::tools {
@@ -94,12 +95,13 @@ bool is_arithmetic(const ProfileChoice& difference) {
 }
 
 // Draws the effect and, with --difference, once more under the other profile.
-Status draw_all(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, Drawn& done) {
+Status draw_all(const DrawFlags& flags, bool is_effect, const HardwareProfile& profile, Effect& effect, Drawn& done) {
   ProgressLine line(flags.common.quiet);
   const auto progress = [&](std::string_view pass, double share) { return line.step(pass, 0.9 * share); };
   line.step("loading", 0.0);
   const auto start = Clock::now();
   const EffectReaders readers = effect_readers(flags.allow_outside, flags.defines, done.warnings);
+  if (!is_effect) keep_sizes(flags, profile, readers, effect);
   auto renderer = EffectRenderer::make(effect, profile, readers, {.layers = flags.layers});
   if (!renderer) return renderer.error();
   done.load_ms = milliseconds_since(start);
@@ -180,12 +182,11 @@ Json draw_json(const DrawFlags& flags, const Effect& effect, const HardwareProfi
 
 int print_answer(const DrawFlags& flags, const Effect& effect, const HardwareProfile& profile, bool is_effect,
                  const Drawn& done) {
+  for (const std::string& warning : done.warnings) say_warning(warning);
   if (!flags.common.quiet) {
-    for (const std::string& warning : done.warnings) say_warning(warning);
     for (const auto& file : done.files) say_written(file);
   }
   if (flags.common.json) return answer(draw_json(flags, effect, profile, is_effect, done));
-  if (flags.common.quiet) return kDone;
   say(fmt::format("{} pass{}, {:.0f} ms\n", effect.passes.size(), effect.passes.size() == 1 ? "" : "es",
                   done.total_ms));
   if (done.difference) {
@@ -205,13 +206,18 @@ int draw(const DrawFlags& flags) {
     return wrong_usage("draw", fmt::format("--output {}: expected a file whose name ends in .png", flags.output));
   }
   if (Status checked = check_files(flags); !checked) return wrong_usage("draw", checked.error().message);
-  DrawnFile file = read_effect_file(flags.file, flags.allow_outside);
+  DrawnFile file = read_effect_file(flags.file, {.allow_outside = flags.allow_outside, .moment = flags.moment});
   if (file.exit_code != kDone) return file.exit_code;
   const bool is_effect = file.effect.has_value();
   if (is_effect) {
     if (Status changed = override_effect(flags, *file.effect); !changed)
       return wrong_usage("draw", changed.error().message);
   } else {
+    for (const CLI::Option* const option : flags.moment_options) {
+      if (option->count() != 0)
+        return wrong_usage("draw",
+                           fmt::format("{} has no effect with a program; expected an effect file", option->get_name()));
+    }
     auto effect = effect_of(flags);
     if (!effect) return wrong_usage("draw", effect.error().message);
     file.effect.emplace(std::move(*effect));
@@ -221,7 +227,7 @@ int draw(const DrawFlags& flags) {
   if (!profile) return report(profile.error());
   const HardwareProfile& chosen = *profile != nullptr ? **profile : profile_of(flags.common);
   Drawn done;
-  if (Status drawn = draw_all(flags, *file.effect, chosen, done); !drawn) {
+  if (Status drawn = draw_all(flags, is_effect, chosen, *file.effect, done); !drawn) {
     Diagnostic fault = drawn.error();
     if (fault.file.empty() && is_effect) fault.file = flags.file;
     return report(fault);

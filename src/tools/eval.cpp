@@ -218,7 +218,7 @@ Result<std::size_t> evaluate_table(const EvalFlags& flags, const TextProgram& pr
   return evaluate_registers(flags, program, table, progress);
 }
 
-// What is wrong with the flags of pictures; empty: nothing.
+// The first error in the flags of pictures; empty: none.
 std::string complain_about_pictures(const EvalFlags& flags, const RegisterSettings& set) {
   if (flags.output.empty()) return "-o FILE.png is required with pictures";
   if (std::filesystem::path(flags.output).extension() != ".png") {

@@ -24,6 +24,7 @@ DiagramPage page_of(const ExplainFlags& flags, const TextProgram& program, const
                     const std::string& text) {
   DiagramPage page{.kind = "ninebit explain", .title = printable(flags.program.file)};
   page.facts = {{"Profile", printable(flags.common.profile)}, {"Version", "ninebit " NINEBIT_VERSION}};
+  if (!given_command().empty()) page.facts.emplace_back("Command", printable(given_command()));
   page.program = print_json_program(program.state, {}, program.texture_shader);
   page.explanation = json_text(explanation);
   page.text = printable_lines(text);

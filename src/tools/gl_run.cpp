@@ -50,7 +50,7 @@ bool has_32_bits(const std::string& program) {
   return false;
 }
 
-// What is wrong with a list of further extensions; empty: nothing.
+// The first error in a list of further extensions; empty: none.
 std::string fault_of_extensions(const std::string& list) {
   std::string unknown;
   if (parse_extras(list, unknown)) return "";

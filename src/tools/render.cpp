@@ -123,8 +123,9 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
   const auto start = Clock::now();
   ProgressLine line(flags.common.quiet);
   line.step("loading", 0.0);
-  auto scene = load_drawn_scene(flags.scene, done.settings, flags.common.quiet);
+  auto scene = load_drawn_scene(flags.scene, done.settings);
   if (!scene) return scene.error();
+  warn_of_ignored(flags.scene.file, scene->ignored);
   done.scene.emplace(std::move(scene->scene));
   done.ignored = std::move(scene->ignored);
   // Opened before rendering, so that an unwritable folder is reported without a long wait.
@@ -149,9 +150,8 @@ Status run(const RenderFlags& flags, FinishedRender& done) {
 }
 
 void print_warnings(const RenderFlags& flags, const FinishedRender& done) {
-  const bool quiet = flags.common.quiet;
-  warn_of_unused_order(done.settings, done.rendering->index_order, quiet);
-  if (quiet || !flags.check_order || done.settings.index.order == IndexOrder::neighbour) return;
+  warn_of_unused_order(done.settings, done.rendering->index_order);
+  if (!flags.check_order || done.settings.index.order == IndexOrder::neighbour) return;
   say_warning("--check-order has no effect without --index-order neighbour");
 }
 
@@ -162,7 +162,7 @@ int print_answer(const RenderFlags& flags, const FinishedRender& done) {
     for (const auto& file : done.removed) say(fmt::format("removed {}, of an earlier run\n", file.string()));
   }
   if (flags.common.json) return answer(render_json(flags, done));
-  if (!flags.common.quiet) say(summary_text(flags, done));
+  say(summary_text(flags, done));
   return done.rendering->picked ? answer(pick_text(flags, done)) : kDone;
 }
 

@@ -15,6 +15,7 @@
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/common/technique_flags.h"
+#include "src/tools/draw/draw_flags.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/input/register_settings.h"
@@ -32,6 +33,7 @@ struct TraceFlags {
   std::vector<std::string> set;
   SceneFlags scene;
   std::string effect;
+  EffectMoment moment;
   std::string pixel;
   std::string pass;
   bool ground_truth = false;
@@ -127,7 +129,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
       return wrong_usage("trace", chosen.error().message);
     }
   }
-  warn_of_unused_order(settings, pixel->index_order, flags.common.quiet);
+  warn_of_unused_order(settings, pixel->index_order);
   const Drawn drawn{pixel, &profile_of(flags.common), rendered->truth ? &*rendered->truth : nullptr};
   if (!pixel->fragment) return print(flags, drawn, nullptr, {});
   const ProbedPass& pass = pixel->passes[*pixel->pass];
@@ -137,7 +139,8 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
 int trace_effect(const TraceFlags& flags) {
   const HardwareProfile* const given = flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr;
   const auto traced =
-      draw_pixel(flags.effect, flags.pixel, flags.scene.allow_outside, flags.common, given, flags.program.defines);
+      draw_pixel(flags.effect, flags.pixel, {.allow_outside = flags.scene.allow_outside, .moment = flags.moment},
+                 flags.common, given, flags.program.defines);
   if (!traced) return report(traced.error());
   const TracedPixel& pixel = traced->pixel;
   const Drawn drawn{&pixel, traced->profile};
@@ -208,6 +211,7 @@ void add_trace(CLI::App& app, int& exit_code) {
       ->type_name("FILE")
       ->excludes(set)
       ->excludes(scene);
+  for (CLI::Option* const option : add_moment_flags(*verb, flags->moment)) option->needs("--effect");
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
   verb->add_option("--pass", flags->pass, "Pass to trace, by its name (default: the one that decided the shadow)")
       ->type_name("NAME")

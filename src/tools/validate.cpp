@@ -159,7 +159,7 @@ int run(const ValidateFlags& flags) {
       const std::string place = f.line > 0 ? fmt::format("{}:{}:{}", name, f.line, f.column) : name;
       text += fmt::format("{}: {}: {}\n", place, name_of(f.what.gl_error), printable(f.what.message));
     }
-    if (findings.empty() && !flags.common.quiet) {
+    if (findings.empty()) {
       text = fmt::format("{}: valid for {}\n", name, printable(profile.name));
     }
     code = answer(text);

@@ -60,6 +60,7 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App app{"Bit-exact emulation of NVIDIA register combiners, and the shadow techniques built on them", "ninebit"};
   int exit_code = kDone;
+  set_given_command(argc, argv);
   add_named_verb(app, exit_code, argc > 1 ? argv[1] : "");  // all verbs take longer than most of them run
   try {
     app.parse(argc, argv);

@@ -15,7 +15,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What an element is: a code of 16 bits, or a byte with a code from 0 to 255.
+// The type of an element: a code of 16 bits, or a byte with a code from 0 to 255.
 enum class ElementType : std::uint8_t { code, byte };
 
 // A register's component in all fragments.

@@ -1,5 +1,6 @@
 // The walk through the final combiner, defined once for every kind of value: E·F and the colour sum, then
-// A·B + (1 - A)·C + D and G. The arithmetic of each step belongs to a value domain.
+// A·B + (1 - A)·C + D and G. The arithmetic of each step belongs to a value domain; that of codes is
+// in arithmetic.inl.
 //
 // A domain is a class with these members:
 //

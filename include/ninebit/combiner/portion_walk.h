@@ -1,5 +1,6 @@
 // The walk through a portion of a general combiner, defined once for every kind of value: fetch, map, product or dot
-// product, sum or mux, output, write. The arithmetic of each step belongs to a value domain.
+// product, sum or mux, output, write. The arithmetic of each step belongs to a value domain; that of codes is
+// in arithmetic.inl.
 //
 // A domain is a class with these members:
 //

@@ -61,6 +61,7 @@ struct CoordinateSource {
   VertexSource source = VertexSource::uv;      // uv to point_sprite, or constant
   glm::vec4 constant{0.0F, 0.0F, 0.0F, 1.0F};  // of VertexSource::constant: s, t, r, q
   glm::mat4 matrix{1.0F};                      // glm's columns
+  friend bool operator==(const CoordinateSource&, const CoordinateSource&) = default;
 };
 
 // A vertex colour. Vectors are normalized and range-compressed: a component v becomes (v + 1) / 2, alpha is 1.
@@ -69,6 +70,7 @@ struct ColorSource {
   glm::vec4 constant{1.0F};                      // red, green, blue, alpha in [0, 1]
   IndexFormat index_format = IndexFormat::rgb;   // of `index`
   int index_step = 2;                            // of `index`: 1 to kMaxIndexStep
+  friend bool operator==(const ColorSource&, const ColorSource&) = default;
 };
 
 // The fog factor of a vertex from the distance z to the camera's plane, as GL_FOG_MODE computes it.
@@ -90,6 +92,7 @@ struct EffectFog {
   float bias = 0.0F;                           // of registers
   float slope = 0.0F;                          // of registers, per world unit
   std::array<std::uint8_t, 3> color{};         // the fog register's red, green, blue
+  friend bool operator==(const EffectFog&, const EffectFog&) = default;
 };
 
 // Where a texture comes from.
@@ -133,6 +136,7 @@ struct EffectTarget {
   ColorFormat color_format = ColorFormat::a8r8g8b8;              // of its colour planes
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of its depth and stencil planes
   SampleMode samples = SampleMode::center_1;  // of each pixel; as a texture, every sample is a texel (rule 48)
+  friend bool operator==(const EffectTarget&, const EffectTarget&) = default;
 };
 
 // The texture that a pass reads through one unit, and how.
@@ -194,6 +198,7 @@ struct EffectScene {
   std::optional<UpAxis> up{};              // of the scene file, instead of what it says
   SceneSetup setup{};                      // camera, light and floor
   std::optional<glm::vec3> light_color{};  // replaces the light's colour, each channel in [0, 1]
+  friend bool operator==(const EffectScene&, const EffectScene&) = default;
 };
 
 // An effect.
@@ -201,6 +206,7 @@ struct Effect {
   std::string title{};                               // a line for people; may be empty
   std::string note{};                                // what it shows; may be empty
   std::string profile{};                             // the name of a built-in profile; empty: the caller's
+  bool moves = false;                                // whether a number of its file depends on the time or frame
   std::string folder{};                              // where relative file names begin; empty: the current folder
   int width = 512;                                   // of the picture, pixels, 1 to kMaxSurfaceSize
   int height = 512;                                  // likewise

@@ -10,13 +10,21 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// Parses an effect and checks it with check_effect. Every fault has its place in the text. The effect's folder stays
-// empty; the names of files are not checked.
-[[nodiscard]] Parsed<Effect> parse_effect(const SourceText& source);
+// When a picture is drawn. Constants, coordinate matrices, and the camera and light of an effect file may depend on it.
+struct EffectMoment {
+  double time = 0.0;  // seconds
+  int frame = 0;      // its number, from 0
+  friend bool operator==(const EffectMoment&, const EffectMoment&) = default;
+};
+
+// Parses an effect at a moment and checks it with check_effect. Every fault has its place in the text. The effect's
+// folder stays empty; the names of files are not checked.
+[[nodiscard]] Parsed<Effect> parse_effect(const SourceText& source, const EffectMoment& moment = {});
 
 // How an effect file is read.
 struct EffectReadOptions {
   bool allow_outside = false;  // files that the effect names may be anywhere; otherwise only below its own folder
+  EffectMoment moment{};       // when it is drawn
 };
 
 // Reads an effect file of at most kMaxSourceBytes. The effect's folder is that of the file. A file that cannot be read

@@ -81,7 +81,7 @@ struct CombinerRecord {
 };
 
 // An effect with all that it draws: its files are read, programs compiled, vertices computed. Any number of frames can
-// be drawn. Results are the same bits for any number of threads.
+// be drawn, and the effect changed between them. Results are the same bits for any number of threads.
 class EffectRenderer {
  public:
   // Reads and prepares everything; the files are read in the order of the effect. `profile` is used for the rasterizer
@@ -94,6 +94,13 @@ class EffectRenderer {
   // A moved-from renderer can only be destroyed.
   EffectRenderer(EffectRenderer&& other) noexcept;
   EffectRenderer& operator=(EffectRenderer&& other) noexcept;
+
+  // Takes another effect, such as the same one at another moment, and keeps what both have in common: the mesh of the
+  // same file, surfaces, vertices. Programs are read again, textures too unless the readers keep them, the file of the
+  // same mesh is not. The profile stays. Reports what make() reports; the renderer can then only be destroyed.
+  Status change(const Effect& effect, const EffectReaders& readers);
+  // The values to keep from the next draw() on.
+  void set_options(const EffectOptions& options);
 
   // Clears all targets and draws all passes. Reports Fault::cancelled, and what rasterize() reports.
   Status draw(const Progress& progress = {});

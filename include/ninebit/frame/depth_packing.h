@@ -20,7 +20,7 @@ enum class DepthEncoding : std::uint8_t { d24, d16, rgba8_fract, rgba8_mod, rgba
 // How a component becomes a byte, and a byte a component.
 enum class ChannelStorage : std::uint8_t { round, truncate, floor_256, half };
 
-// What a storage does, for people; stored_component() and read_component() compute it.
+// A storage in words; stored_component() and read_component() compute it.
 struct StorageRule {
   ChannelStorage storage;    // the storage
   std::string_view name;     // "round"

@@ -13,7 +13,7 @@
 namespace NINEBIT_PUBLIC ninebit {
 
 // "TARGET = EXPRESSION". A register's bare name stands for its red, green and blue, ".a" and ".blue" for one component;
-// a × b multiplies component by component, a · b is the dot product, ½ is the profile's code for one half.
+// a × b multiplies component by component, dot(a, b) is the dot product, ½ is the profile's code for one half.
 struct Equation {
   std::optional<int> stage{};              // 0-based general combiner; empty: final combiner
   PortionName portion = PortionName::rgb;  // RGB or alpha portion of a general combiner

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
-#include "ninebit/language/source_code.h"
 #include "ninebit/language/source_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"

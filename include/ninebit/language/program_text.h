@@ -57,7 +57,7 @@ struct TextProgram {
 [[nodiscard]] Parsed<TextProgram> text_program_of(const RegisterLog& log, std::size_t setup, std::string_view file,
                                                   const HardwareProfile& profile);
 
-// What is wrong with both halves: the diagnostics of the texture-shader stages, which have no place but that in their
+// The faults of both halves: the diagnostics of the texture-shader stages, which have no place but that in their
 // message, and then those of the combiners.
 [[nodiscard]] std::vector<StateDiagnostic> validate(const TextProgram& program, const HardwareProfile& profile);
 

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,10 +26,6 @@ struct SourceFunction {
   std::vector<TextFault> faults{};   // what is wrong: GL errors, misspelled names, wrong arguments, faulty programs
   std::vector<std::string> needs{};  // names of values that are not known, for Definition::name
 };
-
-// The text of a file that a source or a pixel shader includes by its name in quotation marks; empty: it is not there. A
-// source goes on then, and what the file declares is not known; of a shader that is a fault.
-using SourceInclude = std::function<std::optional<std::string>(std::string_view)>;
 
 // The part of a source to read.
 struct SourceSelection {

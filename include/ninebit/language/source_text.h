@@ -1,6 +1,8 @@
 // Shared by all parsers: a text with its name, places in a text, and results with every fault.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,6 +35,10 @@ struct SourceText {
   // The place of a byte in the file.
   [[nodiscard]] TextPlace place(std::size_t offset) const;
 };
+
+// The text of a file that a source or a pixel shader includes by its name in quotation marks; empty: it is not there. A
+// source goes on then, and what the file declares is not known; of a shader that is a fault.
+using SourceInclude = std::function<std::optional<std::string>(std::string_view)>;
 
 // A value that a text does not give.
 struct Definition {

@@ -57,7 +57,7 @@ enum class NarrowingPoint : std::uint8_t {
 enum class SecondaryAlpha : std::uint8_t { one, as_given };
 // The slope of a polygon in its polygon offset (OpenGL 1.3, 3.5.5 allows both).
 enum class OffsetSlope : std::uint8_t { larger, root };  // max(|dz/dx|, |dz/dy|), or the root of the sum of squares
-// What becomes of the fraction of a polygon offset, in steps of a 24-bit depth.
+// How the fraction of a polygon offset is treated, in steps of a 24-bit depth.
 enum class OffsetFraction : std::uint8_t {
   kept,    // the sum of depth and offset is narrowed
   rounded  // the offset is rounded to nearest, halves up, before it is added
@@ -69,7 +69,7 @@ enum class ColorWeights : std::uint8_t {
   exact,      // shares, in floats
   eight_bits  // whole 256ths: the first and the third vertex's cut, the second has the rest
 };
-// What blending takes for the low bits that a surface of fewer bits does not store.
+// The values that blending reads for the low bits that a surface of fewer bits does not store.
 enum class SurfaceBlend : std::uint8_t {
   zeros,  // zeros, of the fragment's colour as well
   bytes   // those of the byte that stands for the stored number; the fragment's colour stays whole
@@ -94,7 +94,7 @@ enum class StageByte : std::uint8_t {
   twelve_bits,  // cut to 12 bits n, then 255 (n + 1) >> 12
   nearest       // times 255, to nearest, halves up
 };
-// What the signed bytes of a dot product are divided by: of the mappings of Direct3D, of OpenGL, and the plain one.
+// The divisors of a dot product's signed bytes: for the mappings of Direct3D, of OpenGL, and the plain one.
 enum class DotDivisors : std::uint8_t {
   odd,  // 127, 255, 127
   even  // 128, 256, 128
@@ -218,7 +218,7 @@ inline constexpr HardwareProfile geforce2{
     .line_shape = {LineShape::rectangles, Evidence::inferred, "rule 30, measured on NV2A"},
     .point_shape = {PointShape::squares, Evidence::inferred, "rule 31, measured on NV2A"},
     .vertex_color_mantissa_bits = {13, Evidence::inferred, "rule 17: modelled by envytools for NV10, measured on NV2A"},
-    .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20, measured on NV2A"},
+    .polygon_offset_slope = {OffsetSlope::larger, Evidence::inferred, "rule 20: equal slopes in depth dumps of an NV2A"},
     .polygon_offset_fraction = {OffsetFraction::kept, Evidence::inferred,
                                 "rule 20, measured on NV2A: the depth and the offset are added, then cut"},
     .color_interpolation = {ColorInterpolation::perspective, Evidence::inferred,

@@ -24,7 +24,7 @@ enum class ColorFormat : std::uint8_t {
   b8     // 8 bits: blue; cannot be blended
 };
 
-// What a format stores.
+// The bits that a format stores.
 struct ColorFormatFacts {
   ColorFormat format;            // whose facts these are
   std::string_view name;         // "r5g6b5"

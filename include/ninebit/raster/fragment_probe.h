@@ -12,7 +12,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What rejected a fragment first, in GL's order; `written`: it passed all tests.
+// The first test that rejected a fragment, in GL's order; `written`: it passed all tests.
 enum class FragmentFate : std::uint8_t {
   alpha_failed,
   stencil_failed,

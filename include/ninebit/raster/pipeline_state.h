@@ -183,7 +183,7 @@ struct PipelineState {
   PointSprite point_sprite;     // of points, also of those of polygon modes
   bool polygon_smooth = false;  // GL_POLYGON_SMOOTH: of polygons in the mode fill (rule 47)
   bool line_smooth = false;     // GL_LINE_SMOOTH: of lines, also of those of polygon modes
-  // Of polygons in the mode fill, by pixels of the target; empty: GL_POLYGON_STIPPLE is disabled.
+  // The stipple of polygons in the mode fill, by pixels of the target; empty: GL_POLYGON_STIPPLE is disabled.
   std::optional<StipplePattern> polygon_stipple;
 
   // If enabled, the stages give the texture registers, may cull fragments and may replace their depth.

@@ -132,9 +132,9 @@ struct TextureUnit {
 [[nodiscard]] Result<std::vector<std::string>> texture_shader_warnings(const PipelineState& state,
                                                                        std::span<const TextureUnit> units);
 
-// What GL accepts in such a draw and one may not expect, one sentence each: units that are off because their texture is
-// incomplete, and why; units that the program reads and that have no texture, unless stages are enabled; then the
-// texture_shader_warnings(). Reports what these report.
+// Settings that GL accepts and whose effect is easily overlooked, one sentence each: units that are off because their
+// texture is incomplete, and why; units that the program reads and that have no texture, unless stages are enabled;
+// then the texture_shader_warnings(). Reports what these report.
 [[nodiscard]] Result<std::vector<std::string>> check_draw(const PipelineState& state,
                                                           std::span<const TextureUnit> units);
 

@@ -56,7 +56,7 @@ enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, mirrored_repeat, 
 // itself.
 enum class DepthComparison : std::uint8_t { none, never, less, equal, lequal, greater, notequal, gequal, always };
 
-// What becomes of a texel whose word is the colour key's, by Direct3D's words of the Xbox (rule 54).
+// The effect on a texel whose word is the colour key's, by Direct3D's words of the Xbox (rule 54).
 enum class ColorKeyOperation : std::uint8_t {
   disable,
   alpha,  // its alpha is 0
@@ -87,7 +87,7 @@ struct Sampler {
   // The NV2A's. The images hold a border around their texels (rule 52): an image of 2n texels, 16 at least, is a
   // texture of n, whose texel i is stored at i + 4. Where clamp_to_border leaves the texture, it reads that border.
   bool border_texels = false;
-  // Of s and t: where the mode is repeat, triangles and lines take the shorter way around the texture (rule 53).
+  // For s and t: if the mode is repeat, triangles and lines take the shorter way around the texture (rule 53).
   std::array<bool, 2> cylinder_wrap{};
   ColorKey color_key{};  // of nearest texels of rgba8 and rgb8
 };

@@ -45,7 +45,7 @@ struct Plane {
 // floating-point number (rule 51). w, wf: a W buffer (rule 50), whose codes are whole or floating-point values of w.
 enum class DepthStencilFormat : std::uint8_t { d24s8, d16, d15s1, f24s8, f16, w24s8, w16, wf24s8, wf16 };
 
-// What the planes of a format hold.
+// The contents of a format's planes.
 struct DepthStencilLayout {
   std::string_view name;  // the format's: "d24s8"
   int depth_bits;         // of a depth code
@@ -146,7 +146,7 @@ struct RenderTarget {
   int height = 0;                              // pixels, 1 to kMaxSurfaceSize
   SampleMode samples = SampleMode::center_1;   // of each pixel
   std::array<Plane<std::uint8_t>, 4> color{};  // red, green, blue, alpha
-  // Of colour: every colour that is written becomes one that the format has; see stored_color().
+  // The format of colours: every colour that is written becomes one that the format has; see stored_color().
   ColorFormat color_format = ColorFormat::a8r8g8b8;
   DepthStencilFormat format =
       DepthStencilFormat::d24s8;       // of depth and stencil; decides the arithmetic even without these planes

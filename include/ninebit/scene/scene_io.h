@@ -62,6 +62,7 @@ struct LightKinds {
   [[nodiscard]] constexpr bool has(LightKind kind) const {  // whether it is in the set
     return kind == LightKind::point ? point : kind == LightKind::spot ? spot : directional;
   }
+  friend bool operator==(const LightKinds&, const LightKinds&) = default;
 };
 
 // The user's overrides; everything else comes from the file or from a default framing.
@@ -75,6 +76,7 @@ struct SceneSetup {
   std::optional<float> spot_degrees{};         // the opening angle of a spot light, from 1 to 170
   FloorChoice floor = FloorChoice::automatic;  // whether there is a floor
   float floor_height = 0.0F;                   // world y, for FloorChoice::at_height
+  friend bool operator==(const SceneSetup&, const SceneSetup&) = default;
 };
 
 // A scene that can be rendered: exactly one camera and one light, and the floor added as an object named "floor" if the

@@ -39,7 +39,7 @@ struct StagePicture {
   [[nodiscard]] const Bytes4& at(const std::array<float, 3>& place) const;
 };
 
-// What stages give for a fragment. If it is culled, the rest is zero.
+// The result of the stages for a fragment. If it is culled, the rest is zero.
 struct StageOutput {
   std::array<Rgba9, kTextureStages> texture{};  // what the combiners read, by unit
   bool is_culled = false;                       // by CULL_FRAGMENT

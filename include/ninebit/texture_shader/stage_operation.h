@@ -11,7 +11,7 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// What a stage does; GL_SHADER_OPERATION_NV of NV_texture_shader and NV_texture_shader2, and the NV2A's BRDF.
+// The operation of a stage; GL_SHADER_OPERATION_NV of NV_texture_shader and NV_texture_shader2, and the NV2A's BRDF.
 enum class TextureOperation : std::uint8_t {
   none,
   texture_1d,

@@ -25,7 +25,7 @@ struct StageTexture {
 // By unit; empty: no texture, or one that is incomplete for its filter.
 using StageTextures = std::array<std::optional<StageTexture>, kTextureStages>;
 
-// What the stage rules read of a profile.
+// The fields of a profile that the stage rules read.
 struct StageChoices {
   StageByte byte = StageByte::twelve_bits;             // HardwareProfile::stage_byte
   DotDivisors divisors = DotDivisors::odd;             // HardwareProfile::dot_divisors

@@ -50,7 +50,7 @@ Parsed<Effect> read_effect(const std::filesystem::path& file, const EffectReadOp
     check = [folder = file.parent_path()](const std::string& name) { return posix::why_outside(folder, name); };
   }
   const std::string name = file.string();
-  Parsed<Effect> parsed = effect_detail::parse_effect({text, name}, check);
+  Parsed<Effect> parsed = effect_detail::parse_effect({text, name}, check, options.moment);
   if (parsed) parsed->folder = file.parent_path().string();
   return parsed;
 }

@@ -6,6 +6,7 @@
 
 #include "src/gl_layer/capture/dump.h"
 #include "src/gl_layer/draw/draw_state.h"
+#include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
 
 namespace ninebit::gl_layer {
@@ -75,12 +76,14 @@ void drop_list(Context& context, GLuint number) {
   delete_driver_lists(*context.group, *dropped);
 }
 
-// Plays a list of the driver; `draws`: with a draw call in it, as far as the layer knows.
-void play_driver_list(GLuint number, bool draws, BeginEffect effect) {
+// Plays a list of the driver; `draws`: with a draw call in it, as far as the layer knows; `arrays`: the vertex program's
+// attributes that its vertices have from attribute arrays.
+void play_driver_list(GLuint number, bool draws, BeginEffect effect, unsigned arrays = 0) {
   Context* const context = current();
   if (context == nullptr) return found_driver.CallList(number);
   draws = draws && !context->in_begin;
   if (draws) {
+    prepare_vertices(*context, arrays);
     prepare_draw(*context);
     count_draw(*context);
   }
@@ -154,8 +157,9 @@ std::size_t bytes_of(GLenum type) {
 
 // Makes the driver's list that has been closed a step.
 void add_step(OpenList& open) {
-  open.list.steps.emplace_back([number = open.driver_number, draws = open.draws, effect = open.effect] {
-    play_driver_list(number, draws, effect);
+  open.list.steps.emplace_back([number = open.driver_number, draws = open.draws, effect = open.effect,
+                                 arrays = open.arrays] {
+    play_driver_list(number, draws, effect, arrays);
   });
   if (open.begin_error) {
     open.list.steps.emplace_back([] {
@@ -165,6 +169,7 @@ void add_step(OpenList& open) {
   if (open.driver_number != open.number) open.list.driver_lists.push_back(open.driver_number);
   open.driver_number = 0;
   open.effect = BeginEffect::unchanged;
+  open.arrays = 0;
   open.stale = open.draws = open.begin_error = false;
 }
 
@@ -175,7 +180,8 @@ void finish_list(Context& context) {
   drop_list(context, open->number);  // until here a call of this number played the former list
   if (open->mode == GL_COMPILE_AND_EXECUTE) context.forget();
   ++context.group->images_changed;
-  if (open->list.steps.empty() && !open->half_begin && !open->begin_error) return;
+  const bool has_own = open->half_begin || open->begin_error || open->arrays != 0;
+  if (open->list.steps.empty() && !has_own) return;
   add_step(*open);
   const std::lock_guard lock(context.group->mutex);
   context.group->lists[open->number] = std::make_shared<const StepList>(std::move(open->list));
@@ -231,6 +237,19 @@ void prepare_list_for_draw(Context& context) {
   }
 }
 
+void prepare_list_for_vertices(Context& context, unsigned arrays) {
+  OpenList& open = *context.open_list;
+  const bool executes = open.mode == GL_COMPILE_AND_EXECUTE;
+  const bool prepares = executes && context.vertex.drawn_arrays != arrays;
+  if (open.arrays == arrays && !prepares) return;
+  if (open.draws || prepares) {
+    close_driver_list(context);
+    if (prepares) prepare_vertices(context, arrays);
+    open_driver_list(context);
+  }
+  open.arrays = arrays;
+}
+
 void mark_stale() {
   Context* const context = current();
   if (context == nullptr) return;
@@ -262,7 +281,10 @@ GLAPI void GLAPIENTRY glNewList(GLuint list, GLenum mode) {
   if (context == nullptr || context->in_begin) return find_driver().NewList(list, mode);
   const bool legal = list != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
   // In a list that executes, the driver's program must be right from its first draw on.
-  if (legal && context->open_list == nullptr && mode == GL_COMPILE_AND_EXECUTE) prepare_draw(*context);
+  if (legal && context->open_list == nullptr && mode == GL_COMPILE_AND_EXECUTE) {
+    prepare_vertices(*context, 0);
+    prepare_draw(*context);
+  }
   found_driver.NewList(list, mode);
   if (!legal || context->open_list != nullptr) return;  // the driver has raised the error
   context->open_list = std::make_unique<OpenList>(OpenList{.number = list, .mode = mode, .driver_number = list});
@@ -281,10 +303,12 @@ GLAPI void GLAPIENTRY glCallList(GLuint list) {
   if (context == nullptr) return find_driver().CallList(list);
   if (context->open_list != nullptr) {
     if (goes_into_steps(*context)) return record(*context, [list] { glCallList(list); });
+    if (!context->list_in_begin()) prepare_list_for_vertices(*context, 0);
     context->open_list->draws = true;
     return found_driver.CallList(list);
   }
   if (!context->touched && !context->group->had_steps) {
+    if (!context->in_begin) prepare_vertices(*context, 0);
     ++context->group->images_changed;
     return found_driver.CallList(list);
   }
@@ -308,7 +332,10 @@ GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
   }
   // One list may change what the shader of the next depends on.
   if (!context->group->had_steps && (context->in_begin || !computes_colors(*context))) {
-    if (!context->in_begin) prepare_draw(*context);
+    if (!context->in_begin) {
+      prepare_vertices(*context, 0);
+      prepare_draw(*context);
+    }
     found_driver.CallLists(n, type, lists);
     ++context->group->images_changed;
     return context->forget();

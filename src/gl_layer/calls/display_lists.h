@@ -2,6 +2,8 @@
 // steps: lists of the driver, and commands between them. Lists without such commands are the driver's alone.
 #pragma once
 
+#include <utility>
+
 #include "src/gl_layer/context/context.h"
 
 namespace ninebit::gl_layer {
@@ -17,8 +19,22 @@ void record(Context& context, const std::function<void()>& command);
 // The same for a command of the layer between glBegin and glEnd, which is an error.
 void record_begin_error(Context& context);
 
+// Runs something that is not of a display list, but calls functions of the driver that would go into its open list.
+template <class Command>
+void run_beside_list(Context& context, const Command& command) {
+  if (context.open_list == nullptr || context.list_in_begin()) return command();
+  close_driver_list(context);
+  auto list = std::move(context.open_list);
+  command();
+  context.open_list = std::move(list);
+  open_driver_list(context);
+}
+
 // Before a draw call that goes into a list: what a shader depends on may be different from here on.
 void prepare_list_for_draw(Context& context);
+
+// Before a draw call that goes into a list: the vertex program takes these attributes from arrays.
+void prepare_list_for_vertices(Context& context, unsigned arrays);
 
 // After a command that changes what a shader depends on: the next draw call looks again.
 void mark_stale();

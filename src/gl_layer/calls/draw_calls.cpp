@@ -3,21 +3,25 @@
 #include "src/gl_layer/capture/dump.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/draw/draw_state.h"
+#include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 
 namespace {
 
-// Returns whether the draw is captured, which after_draw ends.
-bool before_draw(const char* call) {
+// Returns whether the draw is captured, which after_draw ends. `reads_arrays`: it takes vertices from arrays.
+bool before_draw(const char* call, bool reads_arrays = false) {
   Context* const context = current();
   if (context == nullptr || context->in_begin) return false;
+  const unsigned arrays = drawn_arrays(*context, reads_arrays);
   if (context->open_list != nullptr) {
+    if (!context->open_list->in_begin) prepare_list_for_vertices(*context, arrays);
     if (context->recording() && !context->open_list->in_begin) prepare_list_for_draw(*context);
     context->open_list->draws = true;
     return false;
   }
+  prepare_vertices(*context, arrays);
   if (!context->watches_draws()) return false;
   prepare_draw(*context);
   count_draw(*context);
@@ -52,47 +56,49 @@ GLAPI void GLAPIENTRY glEnd() {
   captured_until_end = false;
 }
 
-#define NINEBIT_DRAW_CALL(name, parameters, arguments) \
-  GLAPI void GLAPIENTRY gl##name parameters {          \
-    const bool captured = before_draw("gl" #name);     \
-    const auto draw = find_driver().name;              \
-    if (draw != nullptr) draw arguments;               \
-    if (captured) end_capture(*current());             \
+#define NINEBIT_DRAWING(name, parameters, arguments, reads_arrays) \
+  GLAPI void GLAPIENTRY gl##name parameters {                      \
+    const bool captured = before_draw("gl" #name, reads_arrays);   \
+    const auto draw = find_driver().name;                          \
+    if (draw != nullptr) draw arguments;                           \
+    if (captured) end_capture(*current());                         \
   }
+#define NINEBIT_DRAW_CALL(name, parameters, arguments) NINEBIT_DRAWING(name, parameters, arguments, false)
+#define NINEBIT_ARRAY_CALL(name, parameters, arguments) NINEBIT_DRAWING(name, parameters, arguments, true)
 
-NINEBIT_DRAW_CALL(DrawArrays, (GLenum mode, GLint first, GLsizei count), (mode, first, count))
-NINEBIT_DRAW_CALL(DrawElements, (GLenum mode, GLsizei count, GLenum type, const GLvoid* indices),
+NINEBIT_ARRAY_CALL(DrawArrays, (GLenum mode, GLint first, GLsizei count), (mode, first, count))
+NINEBIT_ARRAY_CALL(DrawElements, (GLenum mode, GLsizei count, GLenum type, const GLvoid* indices),
                   (mode, count, type, indices))
-NINEBIT_DRAW_CALL(DrawRangeElements,
+NINEBIT_ARRAY_CALL(DrawRangeElements,
                   (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const GLvoid* indices),
                   (mode, start, end, count, type, indices))
-NINEBIT_DRAW_CALL(MultiDrawArrays, (GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount),
+NINEBIT_ARRAY_CALL(MultiDrawArrays, (GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount),
                   (mode, first, count, drawcount))
-NINEBIT_DRAW_CALL(MultiDrawElements,
+NINEBIT_ARRAY_CALL(MultiDrawElements,
                   (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount),
                   (mode, count, type, indices, drawcount))
-NINEBIT_DRAW_CALL(DrawArraysInstanced, (GLenum mode, GLint first, GLsizei count, GLsizei instances),
+NINEBIT_ARRAY_CALL(DrawArraysInstanced, (GLenum mode, GLint first, GLsizei count, GLsizei instances),
                   (mode, first, count, instances))
-NINEBIT_DRAW_CALL(DrawElementsInstanced,
+NINEBIT_ARRAY_CALL(DrawElementsInstanced,
                   (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances),
                   (mode, count, type, indices, instances))
-NINEBIT_DRAW_CALL(DrawElementsBaseVertex, (GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base),
+NINEBIT_ARRAY_CALL(DrawElementsBaseVertex, (GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base),
                   (mode, count, type, indices, base))
-NINEBIT_DRAW_CALL(DrawRangeElementsBaseVertex,
+NINEBIT_ARRAY_CALL(DrawRangeElementsBaseVertex,
                   (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint base),
                   (mode, start, end, count, type, indices, base))
-NINEBIT_DRAW_CALL(DrawElementsInstancedBaseVertex,
+NINEBIT_ARRAY_CALL(DrawElementsInstancedBaseVertex,
                   (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances, GLint base),
                   (mode, count, type, indices, instances, base))
-NINEBIT_DRAW_CALL(MultiDrawElementsBaseVertex,
+NINEBIT_ARRAY_CALL(MultiDrawElementsBaseVertex,
                   (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount,
                    const GLint* base),
                   (mode, count, type, indices, drawcount, base))
-NINEBIT_DRAW_CALL(DrawArraysIndirect, (GLenum mode, const void* indirect), (mode, indirect))
-NINEBIT_DRAW_CALL(DrawElementsIndirect, (GLenum mode, GLenum type, const void* indirect), (mode, type, indirect))
-NINEBIT_DRAW_CALL(MultiDrawArraysIndirect, (GLenum mode, const void* indirect, GLsizei drawcount, GLsizei stride),
+NINEBIT_ARRAY_CALL(DrawArraysIndirect, (GLenum mode, const void* indirect), (mode, indirect))
+NINEBIT_ARRAY_CALL(DrawElementsIndirect, (GLenum mode, GLenum type, const void* indirect), (mode, type, indirect))
+NINEBIT_ARRAY_CALL(MultiDrawArraysIndirect, (GLenum mode, const void* indirect, GLsizei drawcount, GLsizei stride),
                   (mode, indirect, drawcount, stride))
-NINEBIT_DRAW_CALL(MultiDrawElementsIndirect,
+NINEBIT_ARRAY_CALL(MultiDrawElementsIndirect,
                   (GLenum mode, GLenum type, const void* indirect, GLsizei drawcount, GLsizei stride),
                   (mode, type, indirect, drawcount, stride))
 NINEBIT_DRAW_CALL(Rectd, (GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2), (x1, y1, x2, y2))

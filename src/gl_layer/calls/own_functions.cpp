@@ -42,11 +42,13 @@ struct Entry {
 // clang-format off
 #define NINEBIT_OWN_FUNCTIONS(X, A) \
   X(eglCreateContext) X(eglDestroyContext) X(eglGetProcAddress) X(eglMakeCurrent) X(eglReleaseThread) \
-  X(eglSwapBuffers) A(glAttachObjectARB, glAttachShader) X(glAttachShader) X(glBegin) X(glBindAttribLocation) \
-  A(glBindAttribLocationARB, glBindAttribLocation) X(glBindTexture) A(glBindTextureEXT, glBindTexture) X(glBitmap) \
-  X(glCallList) X(glCallLists) A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) \
-  A(glCombinerOutput, glCombinerOutputNV) X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) \
-  X(glCombinerParameterfNV) A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
+  X(eglSwapBuffers) X(glAreProgramsResidentNV) X(glArrayElement) A(glArrayElementEXT, glArrayElement) \
+  A(glAttachObjectARB, glAttachShader) X(glAttachShader) X(glBegin) X(glBindAttribLocation) \
+  A(glBindAttribLocationARB, glBindAttribLocation) X(glBindProgramARB) X(glBindProgramNV) X(glBindTexture) \
+  A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) A(glCombinerInput, glCombinerInputNV) \
+  X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) X(glCombinerOutputNV) \
+  A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
+  A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
   A(glCombinerParameteri, glCombinerParameteriNV) X(glCombinerParameteriNV) \
   A(glCombinerParameteriv, glCombinerParameterivNV) X(glCombinerParameterivNV) \
   A(glCombinerStageParameterfv, glCombinerStageParameterfvNV) X(glCombinerStageParameterfvNV) \
@@ -54,50 +56,63 @@ struct Entry {
   A(glCompressedTexImage2DARB, glCompressedTexImage2D) X(glCompressedTexImage3D) \
   A(glCompressedTexImage3DARB, glCompressedTexImage3D) X(glCopyPixels) X(glCopyTexImage1D) \
   A(glCopyTexImage1DEXT, glCopyTexImage1D) X(glCopyTexImage2D) A(glCopyTexImage2DEXT, glCopyTexImage2D) \
-  X(glDeleteFencesNV) X(glDeleteLists) X(glDeleteObjectARB) X(glDeleteProgram) X(glDeleteTextures) \
-  A(glDeleteTexturesEXT, glDeleteTextures) A(glDetachObjectARB, glDetachShader) X(glDetachShader) X(glDisable) \
-  X(glDisableClientState) X(glDrawArrays) A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysIndirect) \
-  X(glDrawArraysInstanced) A(glDrawArraysInstancedARB, glDrawArraysInstanced) \
-  A(glDrawArraysInstancedEXT, glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsBaseVertex) \
-  X(glDrawElementsIndirect) X(glDrawElementsInstanced) A(glDrawElementsInstancedARB, glDrawElementsInstanced) \
-  X(glDrawElementsInstancedBaseVertex) A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) \
-  X(glDrawRangeElements) X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) \
-  X(glEnableClientState) X(glEnd) X(glEndList) X(glEvalMesh1) X(glEvalMesh2) \
+  X(glDeleteFencesNV) X(glDeleteLists) X(glDeleteObjectARB) X(glDeleteProgram) X(glDeleteProgramsARB) \
+  X(glDeleteProgramsNV) X(glDeleteTextures) A(glDeleteTexturesEXT, glDeleteTextures) \
+  A(glDetachObjectARB, glDetachShader) X(glDetachShader) X(glDisable) X(glDisableClientState) X(glDrawArrays) \
+  A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysIndirect) X(glDrawArraysInstanced) \
+  A(glDrawArraysInstancedARB, glDrawArraysInstanced) A(glDrawArraysInstancedEXT, glDrawArraysInstanced) \
+  X(glDrawElements) X(glDrawElementsBaseVertex) X(glDrawElementsIndirect) X(glDrawElementsInstanced) \
+  A(glDrawElementsInstancedARB, glDrawElementsInstanced) X(glDrawElementsInstancedBaseVertex) \
+  A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) X(glDrawRangeElements) \
+  X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) X(glEnableClientState) \
+  X(glEnd) X(glEndList) X(glEvalMesh1) X(glEvalMesh2) X(glExecuteProgramNV) \
   A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFinishFenceNV) \
-  X(glFlushVertexArrayRangeNV) X(glFogf) X(glFogfv) X(glFogi) X(glFogiv) X(glGenFencesNV) X(glGenerateMipmap) \
-  A(glGenerateMipmapEXT, glGenerateMipmap) X(glGetActiveAttrib) A(glGetActiveAttribARB, glGetActiveAttrib) \
-  X(glGetActiveUniform) A(glGetActiveUniformARB, glGetActiveUniform) \
+  X(glFlushVertexArrayRangeNV) X(glFogf) X(glFogfv) X(glFogi) X(glFogiv) X(glGenFencesNV) X(glGenProgramsNV) \
+  X(glGenerateMipmap) A(glGenerateMipmapEXT, glGenerateMipmap) X(glGetActiveAttrib) \
+  A(glGetActiveAttribARB, glGetActiveAttrib) X(glGetActiveUniform) A(glGetActiveUniformARB, glGetActiveUniform) \
   A(glGetAttachedObjectsARB, glGetAttachedShaders) X(glGetAttachedShaders) X(glGetAttribLocation) \
   A(glGetAttribLocationARB, glGetAttribLocation) X(glGetBooleanv) \
   A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) X(glGetCombinerInputParameterfvNV) \
   A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) X(glGetCombinerInputParameterivNV) \
   A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) X(glGetCombinerOutputParameterfvNV) \
   A(glGetCombinerOutputParameteriv, glGetCombinerOutputParameterivNV) X(glGetCombinerOutputParameterivNV) \
-  A(glGetCombinerStageParameterfv, glGetCombinerStageParameterfvNV) X(glGetCombinerStageParameterfvNV) \
-  X(glGetDoublev) X(glGetError) X(glGetFenceivNV) \
-  A(glGetFinalCombinerInputParameterfv, glGetFinalCombinerInputParameterfvNV) \
-  X(glGetFinalCombinerInputParameterfvNV) \
-  A(glGetFinalCombinerInputParameteriv, glGetFinalCombinerInputParameterivNV) \
+  A(glGetCombinerStageParameterfv, glGetCombinerStageParameterfvNV) X(glGetCombinerStageParameterfvNV) X(glGetDoublev) \
+  X(glGetError) X(glGetFenceivNV) A(glGetFinalCombinerInputParameterfv, glGetFinalCombinerInputParameterfvNV) \
+  X(glGetFinalCombinerInputParameterfvNV) A(glGetFinalCombinerInputParameteriv, glGetFinalCombinerInputParameterivNV) \
   X(glGetFinalCombinerInputParameterivNV) X(glGetFloatv) X(glGetHandleARB) X(glGetInfoLogARB) X(glGetIntegerv) \
-  X(glGetObjectParameterivARB) X(glGetPointerv) X(glGetProgramInfoLog) X(glGetProgramiv) X(glGetString) \
-  X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) X(glGetTexParameterfv) X(glGetTexParameteriv) \
-  X(glGetUniformLocation) A(glGetUniformLocationARB, glGetUniformLocation) X(glGetUniformfv) \
-  A(glGetUniformfvARB, glGetUniformfv) X(glGetUniformiv) A(glGetUniformivARB, glGetUniformiv) X(glIsEnabled) \
-  X(glIsFenceNV) X(glIsList) X(glIsProgram) X(glLightModelf) X(glLightModelfv) X(glLightModeli) X(glLightModeliv) \
-  X(glLinkProgram) A(glLinkProgramARB, glLinkProgram) X(glMultiDrawArrays) \
-  A(glMultiDrawArraysEXT, glMultiDrawArrays) X(glMultiDrawArraysIndirect) X(glMultiDrawElements) \
-  X(glMultiDrawElementsBaseVertex) A(glMultiDrawElementsEXT, glMultiDrawElements) X(glMultiDrawElementsIndirect) \
-  X(glNewList) X(glPixelTransferf) X(glPixelTransferi) X(glPopAttrib) X(glPopClientAttrib) X(glPushAttrib) \
-  X(glPushClientAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) X(glRectiv) X(glRects) X(glRectsv) \
-  X(glSetFenceNV) X(glTestFenceNV) X(glTexEnvf) X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) \
-  X(glTexImage2D) X(glTexImage3D) A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) \
-  X(glTexParameteri) X(glTexParameteriv) X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) X(glTexSubImage1D) \
-  A(glTexSubImage1DEXT, glTexSubImage1D) X(glTexSubImage2D) A(glTexSubImage2DEXT, glTexSubImage2D) \
-  X(glTexSubImage3D) A(glTexSubImage3DEXT, glTexSubImage3D) X(glUseProgram) X(glUseProgramObjectARB) \
-  X(glValidateProgram) A(glValidateProgramARB, glValidateProgram) X(glVertexArrayRangeNV) X(glXAllocateMemoryNV) \
-  X(glXCreateContext) X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXFreeMemoryNV) \
-  X(glXGetProcAddress) X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) \
-  A(glXMakeCurrentReadSGI, glXMakeContextCurrent) X(glXSwapBuffers)
+  X(glGetObjectParameterivARB) X(glGetPointerv) X(glGetProgramInfoLog) X(glGetProgramParameterdvNV) \
+  X(glGetProgramParameterfvNV) X(glGetProgramStringNV) X(glGetProgramiv) X(glGetProgramivARB) X(glGetProgramivNV) \
+  X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) X(glGetTexParameterfv) X(glGetTexParameteriv) \
+  X(glGetTrackMatrixivNV) X(glGetUniformLocation) A(glGetUniformLocationARB, glGetUniformLocation) X(glGetUniformfv) \
+  A(glGetUniformfvARB, glGetUniformfv) X(glGetUniformiv) A(glGetUniformivARB, glGetUniformiv) \
+  X(glGetVertexAttribPointervNV) X(glGetVertexAttribdvNV) X(glGetVertexAttribfvNV) X(glGetVertexAttribivNV) \
+  X(glIsEnabled) X(glIsFenceNV) X(glIsList) X(glIsProgram) X(glIsProgramARB) X(glIsProgramNV) X(glLightModelf) \
+  X(glLightModelfv) X(glLightModeli) X(glLightModeliv) X(glLinkProgram) A(glLinkProgramARB, glLinkProgram) \
+  X(glLoadProgramNV) X(glMatrixMode) X(glMultiDrawArrays) A(glMultiDrawArraysEXT, glMultiDrawArrays) \
+  X(glMultiDrawArraysIndirect) X(glMultiDrawElements) X(glMultiDrawElementsBaseVertex) \
+  A(glMultiDrawElementsEXT, glMultiDrawElements) X(glMultiDrawElementsIndirect) X(glNewList) X(glPixelTransferf) \
+  X(glPixelTransferi) X(glPopAttrib) X(glPopClientAttrib) X(glProgramParameter4dNV) X(glProgramParameter4dvNV) \
+  X(glProgramParameter4fNV) X(glProgramParameter4fvNV) X(glProgramParameters4dvNV) X(glProgramParameters4fvNV) \
+  X(glProgramStringARB) X(glPushAttrib) X(glPushClientAttrib) X(glRectd) X(glRectdv) X(glRectf) X(glRectfv) X(glRecti) \
+  X(glRectiv) X(glRects) X(glRectsv) X(glRequestResidentProgramsNV) X(glSetFenceNV) X(glTestFenceNV) X(glTexEnvf) \
+  X(glTexEnvfv) X(glTexEnvi) X(glTexEnviv) X(glTexImage1D) X(glTexImage2D) X(glTexImage3D) \
+  A(glTexImage3DEXT, glTexImage3D) X(glTexParameterf) X(glTexParameterfv) X(glTexParameteri) X(glTexParameteriv) \
+  X(glTexStorage1D) X(glTexStorage2D) X(glTexStorage3D) X(glTexSubImage1D) A(glTexSubImage1DEXT, glTexSubImage1D) \
+  X(glTexSubImage2D) A(glTexSubImage2DEXT, glTexSubImage2D) X(glTexSubImage3D) A(glTexSubImage3DEXT, glTexSubImage3D) \
+  X(glTrackMatrixNV) X(glUseProgram) X(glUseProgramObjectARB) X(glValidateProgram) \
+  A(glValidateProgramARB, glValidateProgram) X(glVertexArrayRangeNV) X(glVertexAttrib1dNV) X(glVertexAttrib1dvNV) \
+  X(glVertexAttrib1fNV) X(glVertexAttrib1fvNV) X(glVertexAttrib1sNV) X(glVertexAttrib1svNV) X(glVertexAttrib2dNV) \
+  X(glVertexAttrib2dvNV) X(glVertexAttrib2fNV) X(glVertexAttrib2fvNV) X(glVertexAttrib2sNV) X(glVertexAttrib2svNV) \
+  X(glVertexAttrib3dNV) X(glVertexAttrib3dvNV) X(glVertexAttrib3fNV) X(glVertexAttrib3fvNV) X(glVertexAttrib3sNV) \
+  X(glVertexAttrib3svNV) X(glVertexAttrib4dNV) X(glVertexAttrib4dvNV) X(glVertexAttrib4fNV) X(glVertexAttrib4fvNV) \
+  X(glVertexAttrib4sNV) X(glVertexAttrib4svNV) X(glVertexAttrib4ubNV) X(glVertexAttrib4ubvNV) \
+  X(glVertexAttribPointerNV) X(glVertexAttribs1dvNV) X(glVertexAttribs1fvNV) X(glVertexAttribs1svNV) \
+  X(glVertexAttribs2dvNV) X(glVertexAttribs2fvNV) X(glVertexAttribs2svNV) X(glVertexAttribs3dvNV) \
+  X(glVertexAttribs3fvNV) X(glVertexAttribs3svNV) X(glVertexAttribs4dvNV) X(glVertexAttribs4fvNV) \
+  X(glVertexAttribs4svNV) X(glVertexAttribs4ubvNV) X(glXAllocateMemoryNV) X(glXCreateContext) \
+  X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXFreeMemoryNV) X(glXGetProcAddress) \
+  X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) A(glXMakeCurrentReadSGI, glXMakeContextCurrent) \
+  X(glXSwapBuffers)
 // clang-format on
 
 constinit std::atomic<bool> combiners_wanted{false};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/gl_layer/context/context.h"
+#include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/driver_features.h"
 
@@ -50,6 +51,27 @@ bool is_pixel_transfer(GLenum pname) {
   return pname >= GL_HI_SCALE_NV && pname <= GL_VIBRANCE_BIAS_NV;
 }
 
+bool is_attribute_array(GLenum pname) {
+  return pname >= GL_VERTEX_ATTRIB_ARRAY0_NV && pname <= GL_VERTEX_ATTRIB_ARRAY15_NV;
+}
+
+// The value of GL_NV_vertex_program's state.
+GLint vertex_program_value(const VertexProgramState& state, GLenum pname) {
+  switch (pname) {
+    case GL_VERTEX_PROGRAM_BINDING_NV:
+      return static_cast<GLint>(state.is_bound ? state.name : 0);
+    case GL_PROGRAM_ERROR_POSITION_NV:
+      return state.error_position;
+    case GL_MATRIX_MODE: {
+      const GLint mode = driver_integer(GL_MATRIX_MODE);
+      const bool is_program_matrix = mode >= GL_MATRIX0_ARB && mode < GL_MATRIX0_ARB + 8;
+      return is_program_matrix ? mode - GL_MATRIX0_ARB + GL_MATRIX0_NV : mode;
+    }
+    default:
+      return static_cast<GLint>(state.arrays >> (pname - GL_VERTEX_ATTRIB_ARRAY0_NV) & 1);
+  }
+}
+
 // The number of values that a query of the layer's state returns; 0: the state is the driver's.
 int number_of_values(const Context& context, GLenum pname) {
   switch (pname) {
@@ -75,7 +97,13 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_VERTEX_ARRAY_RANGE_VALID_NV:
     case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
       return context.features.extras.have(Extra::vertex_array_range) ? 1 : 0;
+    case GL_VERTEX_PROGRAM_BINDING_NV:
+    case GL_MATRIX_MODE:
+      return has_vertex_programs(&context) ? 1 : 0;
+    case GL_PROGRAM_ERROR_POSITION_NV:
+      return context.vertex.has_error_position ? 1 : 0;
     default:
+      if (is_attribute_array(pname)) return has_vertex_programs(&context) ? 1 : 0;
       return is_pixel_transfer(pname) && context.combiners.profile().texture_shaders ? 1 : 0;
   }
 }
@@ -109,6 +137,9 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
     *integers = static_cast<GLint>(context.open_list->number);
   } else if (pname == GL_CURRENT_PROGRAM) {
     *integers = static_cast<GLint>(context.app_program);
+  } else if (pname == GL_VERTEX_PROGRAM_BINDING_NV || pname == GL_PROGRAM_ERROR_POSITION_NV ||
+             pname == GL_MATRIX_MODE || is_attribute_array(pname)) {
+    *integers = vertex_program_value(context.vertex, pname);
   } else if (pname == GL_NUM_EXTENSIONS) {
     *integers = number_of_driver_extensions() + static_cast<GLint>(added_extensions(context).size());
   } else {

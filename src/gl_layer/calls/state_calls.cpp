@@ -1,6 +1,7 @@
 // glEnable and its like, errors, and the attribute stack.
 #include "src/gl_layer/calls/display_lists.h"
 #include "src/gl_layer/context/context.h"
+#include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
@@ -114,6 +115,10 @@ GLAPI GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
   if (context != nullptr && cap == GL_VERTEX_ARRAY_RANGE_NV &&
       context->features.extras.have(Extra::vertex_array_range)) {
     return context->outside_begin() && context->vertex_range.enabled ? GL_TRUE : GL_FALSE;
+  }
+  if (has_vertex_programs(context) && cap >= GL_VERTEX_ATTRIB_ARRAY0_NV && cap <= GL_VERTEX_ATTRIB_ARRAY15_NV) {
+    const unsigned bit = context->vertex.arrays >> (cap - GL_VERTEX_ATTRIB_ARRAY0_NV) & 1;
+    return context->outside_begin() && bit != 0 ? GL_TRUE : GL_FALSE;
   }
   if (context == nullptr || !is_the_layers(*context, cap)) return find_driver().IsEnabled(cap);
   if (!context->outside_begin()) return GL_FALSE;

@@ -19,6 +19,7 @@
 #include "src/gl_layer/driver/symbols.h"
 #include "src/gl_layer/shader/own_programs.h"
 #include "src/gl_layer/shader/shader_inputs.h"
+#include "src/gl_layer/vertex_program/vertex_program_state.h"
 
 namespace ninebit::gl_layer {
 
@@ -39,6 +40,7 @@ struct ShareGroup {
   std::atomic<bool> had_steps = false;  // whether there ever was one
   std::set<unsigned> step_lists{};  // the driver's lists between their commands, whose numbers the program never got
   OwnPrograms own_programs{};
+  SharedVertexPrograms vertex_programs{};
   std::atomic<std::uint64_t> images_changed = 0;  // how often images of textures may have been made or deleted
 };
 
@@ -56,6 +58,7 @@ struct OpenList {
   bool begin_error = false;     // the driver's list has a command of the layer between glBegin and glEnd
   bool ended_in_begin = false;  // glEndList, between glBegin and glEnd that execute: drivers differ
   bool draws = false;           // the driver's list may draw
+  unsigned arrays = 0;          // the attributes that its draw calls take from attribute arrays
   BeginEffect effect = BeginEffect::unchanged;  // of the driver's list
   StepList list{};                              // the steps before the driver's open list
 };
@@ -74,7 +77,7 @@ struct SavedState {
   StagePixelTransfer pixel_transfer{};             // for the pixel mode group
 };
 
-// What the last draw's texture shaders were compiled for, and which textures have all levels that they need.
+// The set-up that the last draw's texture shaders were compiled for, and the textures that have all levels they need.
 struct StageCache {
   StageTextures textures{};
   std::uint64_t images_changed = 0;  // when `levels` was asked for
@@ -129,6 +132,7 @@ class Context {
   std::map<unsigned, bool> fences{};  // GL_NV_fence, by name: whether it was set
   VertexRange vertex_range{};
   std::vector<std::optional<VertexRange>> saved_ranges{};  // for each glPushClientAttrib
+  VertexProgramState vertex{};                             // GL_NV_vertex_program
   Program shown{};  // the combiners' program, normalized, as of the last draw with a shader of the layer
 
   // Changes since the last draw.
@@ -161,7 +165,9 @@ class Context {
   // Whether draw calls have to be looked at.
   [[nodiscard]] bool watches_draws() const { return touched; }
   // Whether commands that the layer has to see when they are executed go into a display list as its steps.
-  [[nodiscard]] bool recording() const { return open_list != nullptr && (touched || combiners_looked_up()); }
+  [[nodiscard]] bool recording() const { 
+    return open_list != nullptr && (touched || vertex.used || combiners_looked_up());
+  }
   // Whether the next command of the open list is between glBegin and glEnd.
   [[nodiscard]] bool list_in_begin() const { return in_begin || open_list->in_begin; }
 

@@ -37,7 +37,15 @@ namespace ninebit::gl_layer {
   X(GetUniformfv) X(GetUniformiv) X(IsProgram) \
   X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
   X(TexStorage3D) X(TexSubImage3D) X(Uniform1i) X(Uniform2fv) X(Uniform3fv) \
-  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB) X(ValidateProgram)
+  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB) X(ValidateProgram) \
+  NINEBIT_VERTEX_PROGRAM_FUNCTIONS(X)
+// What NV_vertex_program is made of.
+#define NINEBIT_VERTEX_PROGRAM_FUNCTIONS(X) \
+  X(ArrayElement) X(BindProgramARB) X(Color4f) X(DeleteProgramsARB) X(DisableVertexAttribArrayARB) \
+  X(EnableVertexAttribArrayARB) X(FogCoordf) X(GetProgramEnvParameterfvARB) X(GetProgramivARB) \
+  X(GetVertexAttribPointervARB) X(GetVertexAttribfvARB) X(GetVertexAttribivARB) X(IsProgramARB) X(MatrixMode) \
+  X(MultiTexCoord4f) X(Normal3f) X(ProgramEnvParameter4fvARB) X(ProgramStringARB) X(SecondaryColor3f) X(Vertex4f) \
+  X(VertexAttrib4fARB) X(VertexAttribPointerARB)
 // clang-format on
 
 struct Driver {

@@ -80,6 +80,22 @@ bool is_enough(const char* version_text) {
   return true;
 }
 
+// What NV_vertex_program's translation needs of ARB_vertex_program.
+bool holds_vertex_programs() {
+#define NINEBIT_CHECK(name) \
+  if (found_driver.name == nullptr) return false;
+  NINEBIT_VERTEX_PROGRAM_FUNCTIONS(NINEBIT_CHECK)
+#undef NINEBIT_CHECK
+  const auto at_least = [](GLenum limit, GLint least) {
+    GLint value = 0;
+    found_driver.GetProgramivARB(GL_VERTEX_PROGRAM_ARB, limit, &value);
+    return value >= least;
+  };
+  return at_least(GL_MAX_PROGRAM_ENV_PARAMETERS_ARB, 96) && at_least(GL_MAX_PROGRAM_PARAMETERS_ARB, 100) &&
+         at_least(GL_MAX_PROGRAM_TEMPORARIES_ARB, 14) && at_least(GL_MAX_PROGRAM_ATTRIBS_ARB, 16) &&
+         at_least(GL_MAX_PROGRAM_INSTRUCTIONS_ARB, 256);
+}
+
 }  // namespace
 
 bool has_word(const char* list, const char* word) {
@@ -106,7 +122,13 @@ DriverFeatures find_features() {
                                     has_word(extensions, "GL_ARB_texture_rg") &&
                                     has_word(extensions, "GL_ARB_texture_float");
   for (const ExtraExtension& one : kExtraExtensions) {
-    if (wanted_extras().have(one.extra) && !has_word(extensions, one.name.data())) features.extras.add(one.extra);
+    const bool is_vertex_program = one.extra == Extra::vertex_program || one.extra == Extra::vertex_program1_1;
+    if (!wanted_extras().have(one.extra) || has_word(extensions, one.name.data())) continue;
+    if (!is_vertex_program || (features.vertex_program && holds_vertex_programs())) {
+      features.extras.add(one.extra);
+    } else {
+      log_once(std::string(one.name) + " needs GL_ARB_vertex_program with 96 parameters: it is not added");
+    }
   }
   features.texture_storage = has_word(extensions, "GL_ARB_texture_storage");
   return features;

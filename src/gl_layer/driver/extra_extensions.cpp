@@ -19,6 +19,9 @@ Extras wanted_extras() {
 bool belongs_to_unwanted(std::string_view function) {
   const bool is_fence = function.ends_with("FenceNV") || function.ends_with("FencesNV") || function == "glGetFenceivNV";
   if (is_fence) return !wanted_extras().have(Extra::fence);
+  const bool is_vertex_program = function.find("Program") != function.npos ||
+                                 function.find("VertexAttrib") != function.npos || function == "glTrackMatrixNV";
+  if (is_vertex_program) return !wanted_extras().have(Extra::vertex_program);
   const bool is_range = function.ends_with("ArrayRangeNV") || function.ends_with("MemoryNV");
   return is_range && !wanted_extras().have(Extra::vertex_array_range);
 }

@@ -13,7 +13,7 @@ namespace ninebit::gl_layer {
 // A parameter of the base level of the texture that the active unit has bound.
 [[nodiscard]] GLint base_level_value(GLenum target, GLenum pname);
 
-// What completeness depends on, without the images of further levels.
+// The parts of a texture that decide its completeness, but for the images of further levels.
 struct BaseImage {
   GLint base = 0, last = 0, filter = 0;
   bool immutable = false;

@@ -160,7 +160,7 @@ std::vector<std::string> legend_of(const Datapath& d, const std::vector<Fact>& f
                        : "½ is one half exactly"},
       {Mark::odd, "odd(x): the lowest bit of x's code, or of 0 if x is negative"},
       {Mark::product, "a × b multiplies component by component"},
-      {Mark::dot, "a · b is the dot product of red, green and blue, in every component"},
+      {Mark::dot, "dot(a, b) is the dot product of red, green and blue, in every component"},
       {Mark::swizzle, "x.aaa, x.blue.blue.blue: one component in place of red, green and blue"},
       {Mark::max, "max(0, x): x can be negative here, and the mapping clamps that to 0"},
   };

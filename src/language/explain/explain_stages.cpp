@@ -43,7 +43,7 @@ std::string mapped(const TextureStage& stage) {
 }
 
 std::string dot_text(std::size_t place, const TextureStage& stage) {
-  return "dot" + std::to_string(place) + " = " + coordinates(place, 3) + " · " + mapped(stage);
+  return "dot" + std::to_string(place) + " = dot(" + coordinates(place, 3) + ", " + mapped(stage) + ')';
 }
 
 // "dot1, dot2" of the stages that end here.

@@ -192,15 +192,15 @@ Expression dot_product(const Datapath& d, const Expression& a, const Expression&
   Expression e = joined(a, b);
   const Range each_range = product_range(a, b);
   e.range = {3 * each_range.low, 3 * each_range.high};
-  std::string second = factor(b);
+  std::string second = b.text;
   e.negative = a.negative != b.negative;
   if (b.constant) {
     const std::string each = code_text(d, std::abs(*b.constant), e.marks);
     e.negative = a.negative != (*b.constant < 0);
     second = parenthesized(each + ", " + each + ", " + each);
   }
-  e.text = factor(a) + " · " + second;
-  e.binding = Binding::product;
+  e.text = "dot(" + a.text + ", " + second + ")";
+  e.binding = Binding::atom;
   e.marks.insert(Mark::dot);
   return e;
 }

@@ -1,4 +1,4 @@
-// What GL calls look like ahead of the next token, and the lines of dumps of them.
+// Look-ahead in texts of GL calls, and the lines of dumps of them.
 #pragma once
 
 #include <cstddef>

@@ -131,7 +131,7 @@ constexpr std::array kStageCalls{
     GlSignature{GlCommand::tex_env_iv, "TexEnviv", "eeI"}, GlSignature{GlCommand::tex_env_fv, "TexEnvfv", "eeF"},
     GlSignature{GlCommand::active_texture, "ActiveTexture", "e"}};
 
-// Of texture shaders, without GL_; those of operations are in their table.
+// Names of texture shaders, without GL_; those of operations are in their table.
 constexpr std::array kStageNames{
     Name{"TEXTURE_SHADER_NV", gl::GL_TEXTURE_SHADER_NV}, Name{"SHADER_OPERATION_NV", gl::GL_SHADER_OPERATION_NV},
     Name{"CULL_MODES_NV", gl::GL_CULL_MODES_NV}, Name{"OFFSET_TEXTURE_MATRIX_NV", gl::GL_OFFSET_TEXTURE_MATRIX_NV},

@@ -13,6 +13,7 @@ std::optional<Extras> parse_extras(std::string_view list, std::string& unknown) 
       extras.add(one.extra);
       known = true;
     }
+    if (extras.have(Extra::vertex_program1_1)) extras.add(Extra::vertex_program);
     if (known) continue;
     unknown = word;
     return std::nullopt;

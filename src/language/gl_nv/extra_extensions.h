@@ -8,7 +8,14 @@
 
 namespace ninebit {
 
-enum class Extra : unsigned { fence = 1, vertex_array_range = 2, depth_texture = 4, shadow = 8 };
+enum class Extra : unsigned {
+  fence = 1,
+  vertex_array_range = 2,
+  depth_texture = 4,
+  shadow = 8,
+  vertex_program = 16,
+  vertex_program1_1 = 32,  // which has the functions of the one before
+};
 
 struct ExtraExtension {
   Extra extra;
@@ -16,7 +23,9 @@ struct ExtraExtension {
 };
 inline constexpr std::array kExtraExtensions{
     ExtraExtension{Extra::fence, "GL_NV_fence"}, ExtraExtension{Extra::vertex_array_range, "GL_NV_vertex_array_range"},
-    ExtraExtension{Extra::depth_texture, "GL_SGIX_depth_texture"}, ExtraExtension{Extra::shadow, "GL_SGIX_shadow"}};
+    ExtraExtension{Extra::depth_texture, "GL_SGIX_depth_texture"}, ExtraExtension{Extra::shadow, "GL_SGIX_shadow"},
+    ExtraExtension{Extra::vertex_program, "GL_NV_vertex_program"},
+    ExtraExtension{Extra::vertex_program1_1, "GL_NV_vertex_program1_1"}};
 
 // Some of them.
 struct Extras {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ninebit/language/source_code.h"
+#include "ninebit/language/source_text.h"
 #include "src/language/c_like/c_macros.h"
 #include "src/language/source/source_faults.h"
 
@@ -45,7 +45,7 @@ struct ShaderTokens {
   bool includes = false;              // whether other files were to be included, which may define names
   bool is_whole = true;               // whether each condition has a value
   std::set<std::string> used{};       // definitions that were looked at
-  // What the tokens' texts are parts of.
+  // The memory that the tokens' texts are views of.
   std::shared_ptr<const std::string> written{};
   std::shared_ptr<const code::Macros> macros{};
 };

@@ -204,7 +204,7 @@ class ShaderTextures {
     }
   }
 
-  // What the text leaves to the application.
+  // Notes the settings that the text leaves to the application.
   void note() {
     for (std::size_t i = 0; i < at_.size(); ++i) {
       const ShaderInstruction* const one = at_[i];

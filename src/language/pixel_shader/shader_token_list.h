@@ -32,7 +32,7 @@ struct TokenList {
 // Reads at most `most` tokens. Reports what is wrong with bytes.
 [[nodiscard]] TokenList tokens_in(std::string_view text, std::size_t most, SourceFaults& faults);
 
-// What stands behind the tokens. The list and the faults must outlive it.
+// The text behind the tokens. The list and the faults must outlive it.
 class TokensRest {
  public:
   TokensRest(std::string_view text, const TokenList& list, SourceFaults& faults);

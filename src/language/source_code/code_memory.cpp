@@ -218,7 +218,7 @@ void Machine::forget_object(int object) {
   }
 }
 
-// Of an object, if there is one, functions of other files have the address from now on.
+// Functions of other files have the object's address from now on. Below 0: no object.
 void Machine::escape(int object) {
   if (object < 0) return;
   forget_object(object);

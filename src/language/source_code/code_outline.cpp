@@ -57,8 +57,8 @@ void Parser::skip_statement() {
   }
 }
 
-Parser::Head Parser::head() {
-  Head out{.begin = at_};
+Parser::DeclarationHead Parser::head() {
+  DeclarationHead out{.begin = at_};
   const std::size_t begin = at_;
   bool initializers = false;  // of a constructor
   while (!at_end()) {
@@ -104,7 +104,7 @@ Parser::Head Parser::head() {
 }
 
 void Parser::part() {
-  const Head head = this->head();
+  const DeclarationHead head = this->head();
   const bool braces = head.stop < end_ && token(head.stop).is("{");
   if (is_one_of(token(head.begin), {"if", "for", "while", "do", "switch", "else", "try", "return"})) return code(head);
   // Old parameters stand between the parentheses and the brace, each with a semicolon.
@@ -113,7 +113,7 @@ void Parser::part() {
   while (follows && old < end_ && !token(old).is("{") && !token(old).is("(") && !token(old).is("=")) ++old;
   const bool is_old = follows && old < end_ && token(old).is("{");
   if (head.parenthesis != 0 && head.assignment == 0 && (braces || is_old)) {
-    Head whole = head;
+    DeclarationHead whole = head;
     if (is_old) whole.stop = old;
     if (function(whole, nullptr)) return;
   }
@@ -141,14 +141,14 @@ void Parser::part() {
   skip_statement();
 }
 
-void Parser::code(const Head& head) {
+void Parser::code(const DeclarationHead& head) {
   at_ = head.begin;
   Statement one = statement();
   if (one.kind != StatementKind::nothing) outline_.code.push_back(std::move(one));
 }
 
 // A function with its body, or its declaration; false: it is something else.
-bool Parser::function(const Head& head, Struct* of) {
+bool Parser::function(const DeclarationHead& head, Struct* of) {
   Function out;
   const std::size_t open = head.parenthesis;
   std::size_t name = open - 1;

@@ -52,7 +52,7 @@ class Parser {
     std::vector<Declared> enumerators{};
   };
   // Reads the text before a brace or a semicolon at the outermost level of the file or of a class.
-  struct Head {
+  struct DeclarationHead {
     std::size_t begin = 0, stop = 0;
     std::size_t parenthesis = 0, assignment = 0;  // the first ones outside of brackets; 0: none
     bool is_class = false, is_template = false;
@@ -77,7 +77,7 @@ class Parser {
   }
   // Ends all that is read until the failure is looked at; what comes back in between means nothing.
   Expression fail();
-  // What is read; empty: it failed, and the cursor is where it was.
+  // The result of `read`; empty: it failed, and the cursor is where it was.
   template <class Read>
   auto tried(const Read& read) -> std::optional<decltype(read())> {
     if (failed_) return std::nullopt;
@@ -122,10 +122,10 @@ class Parser {
   [[nodiscard]] std::optional<Number> fold(const Expression& e) const;
 
   // The file: code_outline.cpp
-  Head head();
+  DeclarationHead head();
   void part();
-  void code(const Head& head);
-  bool function(const Head& head, Struct* of);
+  void code(const DeclarationHead& head);
+  bool function(const DeclarationHead& head, Struct* of);
   const Type* result_type(std::size_t begin, std::size_t name);
   void old_parameters(Function& out);
   bool skip_words();

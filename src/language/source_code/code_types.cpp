@@ -274,7 +274,7 @@ void Parser::members(Struct& out, bool& is_read) {
       skip_brackets();
       continue;
     }
-    const Head head = this->head();
+    const DeclarationHead head = this->head();
     const bool points = head.parenthesis + 1 < end_ && token(head.parenthesis + 1).is("*");
     if (head.parenthesis != 0 && !head.is_class && !points && function(head, &out)) continue;
     at_ = begin;

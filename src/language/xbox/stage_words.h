@@ -39,7 +39,7 @@ struct StageWords {
 // eye vector, which is that of stage 3, and CONTROL0. They are 0 where no operation reads them.
 [[nodiscard]] std::vector<RegisterWord> encode_stage_numbers(const TextureShaderState& state);
 
-// What the words do not have and has an effect: "the bump matrix of texture stage 1, …"; empty: nothing.
+// The settings that have an effect and no word: "the bump matrix of texture stage 1, …"; empty: none.
 [[nodiscard]] std::string not_in_stage_words(const TextureShaderState& state);
 
 }  // namespace xbox

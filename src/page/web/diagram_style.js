@@ -91,5 +91,11 @@ export const kDiagramStyle = `
 .nb-tracing .nb-cell.nb-chosen span { color: inherit; }
 .nb-tracing .nb-wires path.nb-lit { stroke: var(--nb-accent); stroke-width: 2.5; opacity: 1; }
 @media (prefers-reduced-motion: reduce) { .nb-diagram * { transition: none !important; } }
-@media print { .nb-bar, .nb-said { display: none; } }
+@media print {
+  .nb-bar, .nb-said { display: none; }
+  .nb-diagram, .nb-scroll { overflow: visible; max-height: none; border: 0; }
+  .nb-diagram * { -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+  .nb-sheet { zoom: var(--nb-print-zoom); }
+  .nb-box, .nb-section, .nb-equation { break-inside: avoid; }
+}
 `;

@@ -2,7 +2,8 @@
 //
 //   //   const diagram = traceDiagram(element, trace);  // trace: the object that `ninebit trace --json` prints
 //
-// It fills the element. The result has step(n) (0: everything is shown), count (the number of steps), and remove().
+// It fills the element. The result has step(n) (0: everything is shown), count (the number of steps), remove(), and
+// light(ids), which lights boxes by their ids, such as "stage0/rgb-ab", with the wires into them.
 // Texts from the trace only ever become text nodes.
 import { addStyleOnce, boxElement, legend, make, sectionElements, toolbar, wireElements } from './diagram_elements.js';
 import { layOut } from './diagram_layout.js';
@@ -12,6 +13,7 @@ import { traceModel } from './trace_model.js';
 
 const kValuedWidth = 204;
 const kPlainWidth = 158;
+const kPaperWidth = 700;  // of A4 between margins of 12 mm
 
 function ancestorsOf(cell) {
   const found = new Set([cell]);
@@ -46,10 +48,9 @@ function say(said, cell, model) {
   said.replaceChildren(title, line);
 }
 
-// Lights a cell and all that it was computed from.
-function light(root, model, layout, cell) {
-  const lit = cell ? ancestorsOf(cell) : new Set();
-  root.classList.toggle('nb-tracing', Boolean(cell));
+// Lights cells; `cell` is the one that was chosen.
+function light(root, model, layout, lit, cell) {
+  root.classList.toggle('nb-tracing', lit.size > 0);
   const boxes = new Set([...lit].map((c) => c.box));
   for (const one of model.cells.values()) {
     one.element.classList.toggle('nb-lit', lit.has(one));
@@ -62,8 +63,9 @@ function light(root, model, layout, cell) {
 }
 
 class Diagram {
-  constructor(container, model, boxWidth, hint) {
+  constructor(container, model, boxWidth, hint, chosen) {
     this.model = model;
+    this.heard = chosen ?? (() => {});
     this.hint = hint;
     this.layout = layOut(model, boxWidth);
     this.steps = stepsOf(model);
@@ -81,6 +83,7 @@ class Diagram {
     const sheet = make('div', 'nb-sheet');
     sheet.style.width = `${this.layout.width}px`;
     sheet.style.height = `${this.layout.height}px`;
+    sheet.style.setProperty('--nb-print-zoom', Math.min(1, kPaperWidth / this.layout.width));
     sheet.append(wireElements(this.layout));
     for (const section of model.sections) {
       sheet.append(...sectionElements(section, model, boxWidth), ...section.boxes.map((box) => boxElement(box, model)));
@@ -133,9 +136,21 @@ class Diagram {
 
   choose(cell) {
     if (cell) this.chosen = cell;
-    light(this.root, this.model, this.layout, cell);
+    light(this.root, this.model, this.layout, cell ? ancestorsOf(cell) : new Set(), cell);
+    this.heard(cell?.box.id);
     if (cell) say(this.said, cell, this.model);
     else this.sayStep();
+  }
+
+  // Lights boxes by their ids, unless a value is pinned.
+  lightBoxes(ids) {
+    if (this.pinned) return;
+    const wanted = new Set(ids);
+    light(this.root, this.model, this.layout, new Set([...this.model.cells.values()].filter((cell) => wanted.has(cell.box.id))), undefined);
+    for (const section of this.model.sections) {
+      const box = section.boxes.find(({ id }) => wanted.has(id));
+      if (box) return box.element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    }
   }
 
   clear() {
@@ -187,25 +202,27 @@ class Diagram {
 }
 
 // Draws `model` in the container; see traceDiagram.
-export function drawModel(container, model, boxWidth, hint) {
+export function drawModel(container, model, boxWidth, hint, chosen) {
   addStyleOnce();
-  const diagram = new Diagram(container, model, boxWidth, hint);
+  const diagram = new Diagram(container, model, boxWidth, hint, chosen);
   return {
     count: diagram.steps.length,
     step: (n) => diagram.step(n),
     remove: () => diagram.root.remove(),
+    light: (ids) => diagram.lightBoxes(ids),
   };
 }
 
 function drawWith(container, model, width, hint, options) {
   if (options.explanation) addEquations(model.sections, options.explanation);
-  const drawn = drawModel(container, model, width, hint);
+  const drawn = drawModel(container, model, width, hint, options.chosen);
   if (options.maxHeight) container.firstChild.style.setProperty('--nb-max-height', options.maxHeight);
   return drawn;
 }
 
-// options: {maxHeight, explanation}: a CSS length, so that the diagram also scrolls vertically inside its own box; and
-// the object that `ninebit explain --json` prints, whose equations then stand in the diagram.
+// options: {maxHeight, explanation, chosen}: a CSS length, so that the diagram also scrolls vertically inside its own
+// box; the object that `ninebit explain --json` prints, whose equations then stand in the diagram; and a function that
+// hears the id of the box that is pointed at, or undefined.
 export function traceDiagram(container, trace, options = {}) {
   const hint = 'Point at a value to see what it was computed from. Step with the arrow keys or the buttons.';
   return drawWith(container, traceModel(trace), kValuedWidth, hint, options);

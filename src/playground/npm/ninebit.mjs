@@ -94,5 +94,5 @@ export class Ninebit {
   }
 }
 
-/** Loads the engine that `createNinebit` makes. */
-export const loader = (createNinebit) => async () => new Ninebit(await createNinebit({ print() {}, printErr() {} }));
+/** Loads the engine that `createNinebit` makes of the bytes that `wasm` gives. */
+export const loader = (createNinebit, wasm) => async () => new Ninebit(await createNinebit({ wasmBinary: await wasm(), print() {}, printErr() {} }));

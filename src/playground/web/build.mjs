@@ -1,19 +1,20 @@
 /**
- * Bundles the playground into one file: node build.mjs ENGINE.js OUTPUT.html NPM_FOLDER
+ * Bundles the playground into one file: node build.mjs ENGINE OUTPUT.html NPM_FOLDER
  *
- * NPM_FOLDER has the packages of package.json; ENGINE.js is Emscripten's ninebit_playground.js.
+ * NPM_FOLDER has the packages of package.json; ENGINE.js and ENGINE.wasm are Emscripten's.
  */
-import { readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { readdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { gzipSync } from 'node:zlib';
+import { textOfBytes } from './text_bytes.js';
 
-const [engineFile, output, npm] = process.argv.slice(2);
+const [engine, output, npm] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const effectsFolder = resolve(here, '../../../scenes/effects');
 const { build } = createRequire(resolve(npm, 'package.json'))('esbuild');
-const most = 5 * 1024 * 1024;
+const most = 2_100_000;
 
 /** A module and what it imports as one script. */
 async function bundled(name) {
@@ -41,21 +42,30 @@ function gallery() {
   return content;
 }
 
+/** A file packed with LZMA by Python, which Emscripten needs anyway: Node has none. */
+function packed(file) {
+  const script = 'import lzma, sys; sys.stdout.buffer.write(lzma.compress(open(sys.argv[1], "rb").read(), format=lzma.FORMAT_ALONE, preset=9 | lzma.PRESET_EXTREME))';
+  return execFileSync('/usr/bin/python3', ['-c', script, file], { maxBuffer: 1 << 28 });
+}
+
 /** JSON that cannot end its script element. */
 const inScript = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
 
 const parts = {
   STYLE: readFileSync(join(here, 'style.css'), 'utf8'),
   CONTENT: inScript(gallery()),
-  ENGINE: gzipSync(readFileSync(engineFile), { level: 9 }).toString('base64'),
+  ENGINE: readFileSync(`${engine}.js`, 'utf8'),
+  WASM: textOfBytes(packed(`${engine}.wasm`)),
+  SIZE: String(statSync(`${engine}.wasm`).size),
   WORKER: await bundled('engine_worker.js'),
   SCRIPT: await bundled('main.js'),
 };
-for (const name of ['WORKER', 'SCRIPT']) {
+for (const name of ['ENGINE', 'WORKER', 'SCRIPT']) {
   if (/<\/script/i.test(parts[name])) throw new Error(`${name} would end its own element`);
 }
-const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\/\*(STYLE|CONTENT|ENGINE|WORKER|SCRIPT)\*\//g, (_, name) => parts[name]);
-if (page.length > most) throw new Error(`the page has ${page.length} bytes; expected ${most} at most`);
+const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\/\*(STYLE|CONTENT|ENGINE|WASM|SIZE|WORKER|SCRIPT)\*\//g, (_, name) => parts[name]);
+const bytes = Buffer.byteLength(page);
+if (bytes > most) throw new Error(`the page has ${bytes} bytes; expected ${most} at most`);
 writeFileSync(`${output}.part`, page);
 renameSync(`${output}.part`, output);
-process.stdout.write(`${output}: ${(Buffer.byteLength(page) / 1e6).toFixed(2)} MB\n`);
+process.stdout.write(`${output}: ${(bytes / 1e6).toFixed(2)} MB\n`);

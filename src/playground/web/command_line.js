@@ -7,22 +7,22 @@ import { fileIn } from './shelf.js';
 /** A word for a shell. @param {string} word */
 const quoted = (word) => (/^[\w./,:=-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/** A file as a here-document whose end the text does not contain. */
+/** A file as a here-document whose end the text does not contain. @param {string} name @param {string} text */
 function hereDocument(name, text) {
   let end = 'END';
   while (text.split('\n').includes(end)) end += '_';
   return `cat > ${quoted(name)} <<'${end}'\n${text.replace(/\n?$/, '\n')}${end}\n`;
 }
 
-/** Whether a file of that name is below the folder and is not one that the script writes itself. */
-const isBelow = (name) => /^[^/\\\0-\x1f-][^\\\0-\x1f]*$/.test(name) && !name.split('/').some((part) => ['', '.', '..'].includes(part)) &&
+/** Whether a file of that name is below the folder and is not one that the script writes itself. @param {string} name */
+const isBelow = (name) => /^[^/\\\0-\x1f-][^\\\0-\x1f]*$/.test(name) && !name.split('/').some((/** @type {string} */ part) => ['', '.', '..'].includes(part)) &&
   !/^program-\d+\.txt$/.test(name) && !['effect.json', 'profile.json', 'picture.png', 'playground.sh'].includes(name);
 
 /** The effect and its files by names that lie in one folder. @param {import('./state.js').State} state */
-function inOneFolder({ effect, files }) {
+export function inOneFolder({ effect, files }) {
   const names = new Map(Object.keys(files).map((name, at) => [name, isBelow(name) ? name : `program-${at}.txt`]));
-  const passes = effect.passes.map((pass) => (names.has(pass.program) ? { ...pass, program: names.get(pass.program) } : pass));
-  return { effect: { ...effect, passes }, texts: Object.entries(files).map(([name, text]) => [names.get(name), text]) };
+  const passes = effect.passes.map((/** @type {any} */ pass) => (names.has(pass.program) ? { ...pass, program: names.get(pass.program) } : pass));
+  return { effect: { ...effect, passes }, texts: Object.entries(files).map(([name, text]) => /** @type {[string, string]} */ ([names.get(name), text])) };
 }
 
 /**
@@ -53,9 +53,10 @@ export function commandsOf(state, pixel) {
 export class CommandPanel {
   /** @param {HTMLElement} parent @param {() => string} commands */
   constructor(parent, commands) {
-    Object.assign(this, { parent, commands });
+    this.parent = parent;
+    this.commands = commands;
     this.text = element('pre', { tabindex: 0, 'aria-label': 'Commands' });
-    const button = (title, run) => element('button', { type: 'button', class: 'small', onclick: run }, title);
+    const button = (/** @type {string} */ title, /** @type {() => void} */ run) => element('button', { type: 'button', class: 'small', onclick: run }, title);
     parent.append(element('div', { class: 'bar' }, element('span', { class: 'quiet' }, 'The same picture with the program ninebit:'),
       button('Copy', () => navigator.clipboard?.writeText(this.text.textContent)),
       button('Save as playground.sh', () => save('playground.sh', this.text.textContent))), this.text);

@@ -1,7 +1,7 @@
 /**
  * The program in every other form, each under a tab, with a button that copies it.
  */
-import { element } from './dom.js';
+import { element, messageOf } from './dom.js';
 import { Replaced } from './engine_client.js';
 
 export class ConvertPanel {
@@ -11,7 +11,9 @@ export class ConvertPanel {
    * @param {(to: string) => Promise<any>} convert asks the engine
    */
   constructor(parent, forms, convert) {
-    Object.assign(this, { parent, convert, to: 'gl' });
+    this.parent = parent;
+    this.convert = convert;
+    this.to = 'gl';
     this.text = element('pre', { tabindex: 0, 'aria-label': 'Converted program' });
     this.buttons = forms.map(({ name: form, title }) => element('button', {
       type: 'button', class: 'small', 'data-form': form, 'aria-pressed': form === this.to, onclick: () => this.choose(form),
@@ -20,6 +22,7 @@ export class ConvertPanel {
     parent.append(element('div', { class: 'bar' }, ...this.buttons, copy), this.text);
   }
 
+  /** @param {string} form */
   choose(form) {
     this.to = form;
     for (const button of this.buttons) button.setAttribute('aria-pressed', String(button.dataset.form === form));
@@ -32,7 +35,7 @@ export class ConvertPanel {
       const { answer } = await this.convert(this.to);
       this.text.textContent = answer.text;
     } catch (error) {
-      if (!(error instanceof Replaced)) this.text.textContent = error.message;
+      if (!(error instanceof Replaced)) this.text.textContent = messageOf(error);
     }
   }
 }

@@ -4,6 +4,7 @@
  *
  * A 2D canvas stores premultiplied colours, which loses bits where alpha is below 255. A WebGL texture does not.
  */
+import { messageOf } from './dom.js';
 import { decodePng, isPng } from './png.js';
 
 /** The largest file that may be dropped. */
@@ -31,7 +32,7 @@ function throughWebgl(bitmap) {
 
 /** @param {ImageBitmap} bitmap */
 function throughCanvas(bitmap) {
-  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+  const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d'));
   context.drawImage(bitmap, 0, 0);
   return new Uint8Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
 }
@@ -70,6 +71,6 @@ export async function decodePicture(file) {
   } catch (error) {
     if (error instanceof RangeError) throw error;
     const found = await decodeByBrowser(file);
-    return { ...found, doubt: `it is damaged (${error.message}); ${found.doubt}` };
+    return { ...found, doubt: `it is damaged (${messageOf(error)}); ${found.doubt}` };
   }
 }

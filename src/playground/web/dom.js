@@ -14,12 +14,15 @@ export function element(name, attributes = {}, ...children) {
   for (const [key, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
     if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
-    else if (key === 'value') made.value = value;
+    else if (key === 'value') /** @type {any} */ (made).value = value;
     else made.setAttribute(key, value === true ? '' : String(value));
   }
   made.append(...children.filter((child) => child !== null).map((child) => (typeof child === 'number' ? String(child) : child)));
   return made;
 }
+
+/** What went wrong, in words. @param {unknown} error */
+export const messageOf = (error) => (error instanceof Error ? error.message : String(error));
 
 /** @param {string} id @returns {any} the page's element of that id */
 export const byId = (id) => document.getElementById(id);
@@ -27,7 +30,7 @@ export const byId = (id) => document.getElementById(id);
 /**
  * A labelled choice.
  * @param {string} label
- * @param {(string|[string, string])[]} options values, or pairs of value and title
+ * @param {(string|string[])[]} options values, or pairs of value and title
  * @param {string} chosen
  * @param {(value: string) => void} change
  */
@@ -56,12 +59,14 @@ export function replaceChildren(parent, ...children) {
  * Puts pixels into a canvas of their size.
  * @param {HTMLCanvasElement} canvas
  * @param {Uint8Array} pixels RGBA8, rows from the top
+ * @param {number} width
+ * @param {number} height
  */
 export function paint(canvas, pixels, width, height) {
   canvas.width = width;
   canvas.height = height;
   const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
-  canvas.getContext('2d').putImageData(image, 0, 0);
+  canvas.getContext('2d')?.putImageData(image, 0, 0);
 }
 
 /**
@@ -71,7 +76,8 @@ export function paint(canvas, pixels, width, height) {
  * @returns {(() => void) & {cancel: () => void}}
  */
 export function afterPause(milliseconds, run) {
-  let timer = 0;
+  /** @type {ReturnType<typeof setTimeout>|undefined} */
+  let timer;
   const later = () => {
     clearTimeout(timer);
     timer = setTimeout(run, milliseconds);
@@ -86,7 +92,9 @@ export function afterPause(milliseconds, run) {
  * @param {() => void} run
  */
 export function nextFrame(run) {
-  let waiting = false, timer = 0, frame = 0;
+  let waiting = false, frame = 0;
+  /** @type {ReturnType<typeof setTimeout>|undefined} */
+  let timer;
   const now = () => {
     if (!waiting) return;
     clearTimeout(timer);

@@ -4,13 +4,14 @@
  */
 import { mostBytes } from './decode_picture.js';
 import { findEffect, stateOfDropped } from './effect_drop.js';
+import { messageOf } from './dom.js';
 import { meshEnding } from './shelf.js';
 import { copied, mostCharacters, passOf } from './state.js';
 
 /**
  * @param {File} file
  * @param {number} unit the texture unit that a picture is for
- * @param {{store: any, shelf: any, inputs: any, editor: any}} page
+ * @param {{store: import('./state.js').Store, shelf: import('./shelf.js').Shelf, inputs: import('./inputs_panel.js').InputsPanel, editor: () => void}} page
  */
 async function take(file, unit, { store, shelf, inputs, editor }) {
   if (file.size > mostBytes) {
@@ -20,37 +21,39 @@ async function take(file, unit, { store, shelf, inputs, editor }) {
     inputs.setSource(unit, await shelf.take(file));
   } else if (meshEnding.test(file.name)) {
     const name = await shelf.take(file);
-    store.change('inputs', ({ effect }) => { effect.scene = { ...effect.scene, mesh: name }; });
+    store.change('inputs', (/** @type {import('./state.js').State} */ { effect }) => { effect.scene = { ...effect.scene, mesh: name }; });
     inputs.show();
   } else {
     if (file.size > mostCharacters) throw new Error(`${file.name}: a program has at most ${mostCharacters / 1e6} MB`);
     const text = await file.text();
     if (text.includes('\0')) throw new Error(`${file.name}: not a picture, a mesh or a program; expected a picture such as PNG, a glTF, OBJ, PLY or OFF file, or a text`);
-    store.change('text', (state) => { state.files[passOf(state).program ??= 'program.rc1'] = text; });
+    store.change('text', (/** @type {import('./state.js').State} */ state) => { state.files[passOf(state).program ??= 'program.rc1'] = text; });
     editor();
   }
 }
 
 /**
- * @param {{store: any, shelf: any, inputs: any, editor: () => void, open: (state: import('./state.js').State) => void}} page
+ * @param {{store: import('./state.js').Store, shelf: import('./shelf.js').Shelf, inputs: import('./inputs_panel.js').InputsPanel, editor: () => void, open: (state: import('./state.js').State) => void}} page
  *   `editor` shows the state's text
- * @param {(message: string) => void} say shows what went wrong
+ * @param {(message: string|null) => void} say shows what went wrong
  */
 export function acceptDrops(page, say) {
+  /** @param {File[]} files @param {number} unit */
   const takeAll = async (files, unit) => {
     try {
       const found = await findEffect(files);
       if (found) return page.open(await stateOfDropped(found.effect, found.file.name, files, page.shelf));
     } catch (error) {
-      return say(error.message);
+      return say(messageOf(error));
     }
     const before = copied(page.store.state);
+    /** @type {string[]} */
     const faults = [];
     for (const [number, file] of files.entries()) {
       try {
         await take(file, Math.min(3, unit + number), page);
       } catch (error) {
-        faults.push(error.message);
+        faults.push(messageOf(error));
       }
     }
     if (faults.length < files.length) page.store.step(before);
@@ -58,8 +61,8 @@ export function acceptDrops(page, say) {
   };
   // A drop waits for the one before: each is a step of its own.
   let last = Promise.resolve();
-  const inTurn = (files, unit) => { last = last.then(() => takeAll(files, unit)); };
-  page.inputs.onfiles = (files) => inTurn(files, 0);
+  const inTurn = (/** @type {File[]} */ files, /** @type {number} */ unit) => { last = last.then(() => takeAll(files, unit)); };
+  page.inputs.onfiles = (/** @type {File[]} */ files) => inTurn(files, 0);
   const { body } = document;
   document.addEventListener('dragover', (event) => {
     event.preventDefault();
@@ -75,6 +78,6 @@ export function acceptDrops(page, say) {
     if (files.length === 0) return;
     event.preventDefault();
     event.stopPropagation();
-    inTurn(files, Number(event.target.closest?.('[data-unit]')?.dataset.unit ?? 0));
+    inTurn(files, Number(/** @type {Element} */ (event.target).closest?.('[data-unit]')?.getAttribute('data-unit') ?? 0));
   }, { capture: true });
 }

@@ -1,16 +1,35 @@
 /**
  * The editor: CodeMirror with the programs' language and the engine's diagnostics under their lines.
  *
- * @typedef {{line: number, column: number, length?: number, message: string, severity?: 'error'|'info'}} Diagnostic
+ * @typedef {{line?: number, column?: number, length?: number, message: string, severity?: 'error'|'info'}} Diagnostic
  */
 import { autocompletion, closeBrackets, completionKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
-import { Compartment, EditorState } from '@codemirror/state';
-import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { Compartment, EditorState, StateEffect, StateField } from '@codemirror/state';
+import { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 import { programLanguage } from './language.js';
+
+/** Marks lines, by their numbers from 1. */
+const markLines = /** @type {import('@codemirror/state').StateEffectType<number[]>} */ (StateEffect.define());
+
+/** The marked lines. */
+const markedLines = StateField.define({
+  create: () => Decoration.none,
+  update(marks, transaction) {
+    let found = marks.map(transaction.changes);
+    for (const effect of transaction.effects) {
+      if (!effect.is(markLines)) continue;
+      const { doc } = transaction.state;
+      const lines = effect.value.filter((line) => line <= doc.lines);
+      found = Decoration.set(lines.map((line) => Decoration.line({ class: 'cm-lit' }).range(doc.line(line).from)));
+    }
+    return found;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
 
 export class Editor {
   /**
@@ -22,10 +41,14 @@ export class Editor {
     this.words = programLanguage([]);
     this.silent = false;
     /** The file that is shown; each has its own history. @type {string|null} */
-    this.file = null;
+    this.file = /** @type {string|null} */ (null);
     /** @type {Map<string|null, EditorState>} */
     this.kept = new Map();
+    /** Hears into which line the cursor was moved. @type {(line: number) => void} */
+    this.onmove = () => {};
     const listener = EditorView.updateListener.of((update) => {
+      const line = (/** @type {EditorState} */ state) => state.doc.lineAt(state.selection.main.head).number;
+      if (update.selectionSet && update.view.hasFocus && line(update.state) !== line(update.startState)) this.onmove(line(update.state));
       if (update.docChanged && !this.silent) changed(update.state.doc.toString());
     });
     // Tab leaves the editor, so that the keyboard alone suffices: Control-] and Control-[ indent.
@@ -33,7 +56,7 @@ export class Editor {
       lineNumbers(), history(), drawSelection(), bracketMatching(), closeBrackets(), highlightActiveLine(),
       highlightSelectionMatches(), autocompletion(), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
       keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...completionKeymap, ...lintKeymap]),
-      this.language.of(this.words), EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
+      this.language.of(this.words), markedLines, EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
     ];
     this.view = new EditorView({ parent, state: this.fresh('') });
   }
@@ -74,6 +97,11 @@ export class Editor {
     this.show([]);
   }
 
+  /** Lights lines, by their numbers from 1. @param {number[]} lines */
+  light(lines) {
+    this.view.dispatch({ effects: markLines.of(lines) });
+  }
+
   /** @param {Diagnostic[]} diagnostics */
   show(diagnostics) {
     const { doc } = this.view.state;
@@ -89,7 +117,7 @@ export class Editor {
     this.view.dispatch(setDiagnostics(this.view.state, placed));
   }
 
-  /** Moves to a place and into the editor. */
+  /** Moves to a place and into the editor. @param {number} line @param {number} [column] */
   go(line, column) {
     const { doc } = this.view.state;
     const place = doc.line(Math.min(Math.max(1, line || 1), doc.lines));

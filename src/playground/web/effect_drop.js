@@ -1,9 +1,11 @@
 /**
  * An effect file dropped together with the files that it names: what `ninebit gl-run --dump-frame` writes, for one.
  */
+import { messageOf } from './dom.js';
 import { fileIn } from './shelf.js';
 import { bare, checkedEffect, mostCharacters, stateOf } from './state.js';
 
+/** @param {string} path */
 const fileName = (path) => path.split('/').pop();
 
 /** A texture's source is a generated texture or a target where this matches, else one file or six. */
@@ -50,15 +52,15 @@ export async function stateOfDropped(effect, name, files, shelf) {
   try {
     checkedEffect(effect);
   } catch (error) {
-    throw new Error(`${name}: ${error.message}`);
+    throw new Error(`${name}: ${messageOf(error)}`);
   }
-  const find = (path) => {
+  const find = (/** @type {string} */ path) => {
     const file = files.find((candidate) => candidate.name === fileName(path));
     if (!file) throw new Error(`${name}: drop the file ${fileName(path)}, which it names, together with it`);
     return file;
   };
-  const shelved = async (path) => (path in shelf.embedded ? path : shelf.take(find(path)));
-  const programs = bare({});
+  const shelved = async (/** @type {string} */ path) => (path in shelf.embedded ? path : shelf.take(find(path)));
+  const programs = /** @type {Record<string, string>} */ (bare({}));
   for (const pass of effect.passes) {
     if (typeof pass?.program !== 'string') continue;
     const file = find(pass.program);

@@ -24,32 +24,38 @@ const limit = 20_000;
 
 export class Engine {
   /**
-   * @param {string[]} scripts the engine's and the worker's: together they are the worker, as WebKit imports nothing into
-   *     a worker of a page from the disk
+   * @param {{scripts: string[], wasm: {packed: string, size: number}}} program the engine's and the worker's scripts: together they are the
+   *     worker, as WebKit imports nothing into a worker of a page from the disk
    * @param {(busy: boolean) => void} busy hears when work begins and ends
    * @param {(reason: string) => void} broken hears why the engine started anew
    */
-  constructor(scripts, busy, broken) {
-    this.scripts = scripts;
+  constructor(program, busy, broken) {
+    this.program = program;
     this.busy = busy;
     this.broken = broken;
     /** @type {any[]} */
     this.waiting = [];
+    /** @type {any} */
     this.running = null;
     this.number = 0;
+    /** @type {ReturnType<typeof setTimeout>|undefined} */
+    this.timer = undefined;
     /** Why the engine cannot start. @type {string|null} */
     this.dead = null;
     /** What was put in, to be put in again after a crash. @type {Map<string, {request: any, bytes: Uint8Array}>} */
     this.kept = new Map();
+    /** @type {Worker|null} */
+    this.worker = null;
     this.start();
   }
 
   start() {
-    const address = URL.createObjectURL(new Blob(this.scripts, { type: 'text/javascript' }));
-    this.worker = new Worker(address);
+    const address = URL.createObjectURL(new Blob(this.program.scripts, { type: 'text/javascript' }));
+    const worker = new Worker(address);
+    this.worker = worker;
     URL.revokeObjectURL(address);
-    this.worker.onmessage = ({ data }) => this.finished(data);
-    this.worker.onerror = (event) => {
+    worker.onmessage = ({ data }) => this.finished(data);
+    worker.onerror = (event) => {
       event.preventDefault();
       this.restart(`the engine crashed: ${event.message || 'out of memory'}`);
     };
@@ -85,7 +91,7 @@ export class Engine {
     });
   }
 
-  /** Puts a picture or a file into the engine under a name. */
+  /** Puts a picture or a file into the engine under a name. @param {any} request @param {Uint8Array} bytes */
   put(request, bytes) {
     const entry = { request: { do: 'put', ...request }, bytes };
     this.kept.set(request.name, entry);
@@ -102,9 +108,10 @@ export class Engine {
     const { id, request, bytes, start } = this.running;
     this.timer = setTimeout(() => this.restart(`the engine took longer than ${limit / 1000} s and was stopped`), limit);
     this.busy(true);
-    this.worker.postMessage({ id, request, bytes, start });
+    this.worker?.postMessage({ id, request, bytes, start, wasm: start && this.program.wasm });
   }
 
+  /** @param {any} data */
   finished(data) {
     if (!this.running || data.id !== this.running.id) return;
     if (data.crash) {
@@ -122,7 +129,7 @@ export class Engine {
   /** Gives up what runs and starts anew; everything that waited still runs. @param {string} reason */
   restart(reason) {
     clearTimeout(this.timer);
-    this.worker.terminate();
+    this.worker?.terminate();
     this.broken(reason);
     const broken = this.running;
     this.running = null;

@@ -1,13 +1,19 @@
 /**
  * The engine in its worker, behind the engine's own script, which defines `createNinebit`. One request in, one answer out;
- * the first message starts the engine.
+ * the first message starts the engine and holds its WebAssembly, packed.
  *
  * A request is `{id, request, bytes?}`; an answer is `{id, answer, bytes?}`, or `{id, crash}` with what broke.
  */
 
+import { unpackLzma } from './lzma.js';
+import { bytesOfText } from './text_bytes.js';
+
+/** @type {{engine: any}} */
 const state = { engine: null };
 
-/** A text in the engine's memory, ended by a zero. */
+const worker = /** @type {any} */ (self);
+
+/** A text in the engine's memory, ended by a zero. @param {string} text @returns {number} */
 function textInMemory(text) {
   const { engine } = state;
   const bytes = new TextEncoder().encode(text);
@@ -17,13 +23,13 @@ function textInMemory(text) {
   return at;
 }
 
-/** The text at a place of the engine's memory. */
+/** The text at a place of the engine's memory. @param {number} at */
 function textAt(at) {
   const { HEAPU8 } = state.engine;
   return new TextDecoder().decode(HEAPU8.subarray(at, HEAPU8.indexOf(0, at)));
 }
 
-/** One call of the engine. */
+/** One call of the engine. @param {any} request @param {Uint8Array} [bytes] @returns {{answer: any, bytes?: Uint8Array}} */
 function answer(request, bytes) {
   const { engine } = state;
   if (bytes) {
@@ -40,18 +46,18 @@ function answer(request, bytes) {
   return { answer: found, bytes: engine.HEAPU8.slice(from, from + found.bytes) };
 }
 
-self.onmessage = async ({ data }) => {
+worker.onmessage = async (/** @type {MessageEvent} */ { data }) => {
   try {
     if (data.start) {
-      state.engine = await self.createNinebit({ print() {}, printErr() {} });
-      self.postMessage({ id: data.id, answer: {} });
+      state.engine = await worker.createNinebit({ wasmBinary: unpackLzma(bytesOfText(data.wasm.packed), data.wasm.size), print() {}, printErr() {} });
+      worker.postMessage({ id: data.id, answer: {} });
       return;
     }
     const begin = performance.now();
     const found = answer(data.request, data.bytes);
     const message = { id: data.id, milliseconds: performance.now() - begin, ...found };
-    self.postMessage(message, found.bytes ? [found.bytes.buffer] : []);
+    worker.postMessage(message, found.bytes ? [found.bytes.buffer] : []);
   } catch (error) {
-    self.postMessage({ id: data.id, crash: String(error?.message ?? error).slice(0, 500) });
+    worker.postMessage({ id: data.id, crash: String(error instanceof Error ? error.message : error).slice(0, 500) });
   }
 };

@@ -31,14 +31,16 @@ void main() {
   ninebit_color = uvec4(ninebit_byte(color.r), ninebit_byte(color.g), ninebit_byte(color.b), ninebit_byte(color.a));
 }`;
 
+/** @param {WebGL2RenderingContext} gl @param {number} kind @param {string} source */
 function compiled(gl, kind, source) {
-  const shader = gl.createShader(kind);
+  const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
   gl.shaderSource(shader, source);
   gl.compileShader(shader);
   if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(`the GPU’s compiler refuses it: ${gl.getShaderInfoLog(shader)}`);
   return shader;
 }
 
+/** @param {WebGL2RenderingContext} gl @param {string} fragmentSource */
 function linked(gl, fragmentSource) {
   const program = gl.createProgram();
   gl.attachShader(program, compiled(gl, gl.VERTEX_SHADER, vertexShader));
@@ -48,7 +50,7 @@ function linked(gl, fragmentSource) {
   return program;
 }
 
-/** An integer texture, so that no filter or rounding touches the codes. */
+/** An integer texture, so that no filter or rounding touches the codes. @param {WebGL2RenderingContext} gl @param {number} unit @param {{width: number, height: number}} size @param {Int16Array} codes */
 function integerTexture(gl, unit, { width, height }, codes) {
   gl.activeTexture(gl.TEXTURE0 + unit);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());

@@ -1,12 +1,12 @@
 /**
  * "Your GPU": the pass's program by the emulator and by WebGL 2 on the same fragments, and how many pixels differ.
  */
-import { element, paint } from './dom.js';
+import { element, messageOf, paint } from './dom.js';
 import { Replaced } from './engine_client.js';
 import { registers, runOnGpu } from './gpu.js';
 import { programOf } from './state.js';
 
-/** The parts of the engine's answer about a pass's combiners. */
+/** The parts of the engine's answer about a pass's combiners. @param {{width: number, height: number}} size @param {Uint8Array} bytes */
 function fragmentsOf({ width, height }, bytes) {
   const values = width * height * 4;
   const inputs = registers.map((name, at) => new Int16Array(bytes.buffer, at * values * 2, values));
@@ -14,7 +14,7 @@ function fragmentsOf({ width, height }, bytes) {
   return { width, height, inputs, output: bytes.subarray(rest, rest + values), drawn: bytes.subarray(rest + values) };
 }
 
-/** Pixels for a canvas: opaque where something was drawn, the top row first. */
+/** Pixels for a canvas: opaque where something was drawn, the top row first. @param {Uint8Array} pixels @param {{width: number, height: number, drawn: Uint8Array}} fragments */
 function upright(pixels, { width, height, drawn }) {
   const out = new Uint8Array(pixels.length);
   for (let y = 0; y < height; y++) {
@@ -33,7 +33,11 @@ export class GpuPanel {
    * @param {import('./engine_client.js').Engine} engine
    */
   constructor(parent, store, shelf, engine) {
-    Object.assign(this, { parent, store, shelf, engine, turn: 0 });
+    this.parent = parent;
+    this.store = store;
+    this.shelf = shelf;
+    this.engine = engine;
+    this.turn = 0;
     this.result = element('p', { role: 'status', id: 'gpu-result' });
     this.figures = ['The emulator', 'Your GPU', 'Difference'].map((title) => {
       const canvas = element('canvas', { width: 1, height: 1 });
@@ -53,7 +57,7 @@ export class GpuPanel {
       await this.run(() => turn === this.turn);
     } catch (error) {
       if (error instanceof Replaced || turn !== this.turn) return;
-      this.result.textContent = error.message;
+      this.result.textContent = messageOf(error);
       delete this.result.dataset.count;
       for (const { canvas } of this.figures) canvas.getContext('2d').clearRect(0, 0, canvas.width, canvas.height);
     }

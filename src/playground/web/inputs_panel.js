@@ -26,9 +26,14 @@ export class InputsPanel {
    * @param {{textures: string[], meshes: string[], profiles: any[]}} about what the engine offers
    */
   constructor(parent, store, shelf, about) {
-    Object.assign(this, { parent, store, shelf, about });
+    this.parent = parent;
+    this.store = store;
+    this.shelf = shelf;
+    this.about = about;
     /** The constants that the program sets itself. @type {Record<string, number[]>} */
     this.ofProgram = {};
+    /** Hears of chosen files. @type {((files: File[]) => void)|undefined} */
+    this.onfiles = undefined;
     /** Where the engine put the camera. @type {{position: number[], target: number[]}|null} */
     this.view = null;
     /** How many pictures there were when the panel was shown: later ones have thumbnails, too. */
@@ -48,8 +53,8 @@ export class InputsPanel {
   /** How many texture units the chip has, by the profile. */
   units() {
     const { profile } = this.store.state;
-    const shipped = this.about.profiles.find(({ name }) => name === (profile.base ?? profile));
-    return profile.texture_units ?? shipped?.fields.find(({ name }) => name === 'texture_units')?.value ?? 4;
+    const shipped = this.about.profiles.find((/** @type {any} */ { name }) => name === (profile.base ?? profile));
+    return profile.texture_units ?? shipped?.fields.find((/** @type {any} */ { name }) => name === 'texture_units')?.value ?? 4;
   }
 
   /** @param {Record<string, number[]>} constants */
@@ -68,15 +73,16 @@ export class InputsPanel {
     replaceChildren(this.parent,
       element('div', { class: 'cards' }, ...units,
         element('fieldset', {}, element('legend', {}, 'Vertices'), this.mesh(),
-          choice('Primary colour', colours, pass.primary ?? 'constant:1,1,1', (value) => this.edit((now) => { now.primary = value; })),
-          choice('Secondary colour', colours, pass.secondary ?? 'constant:0,0,0', (value) => this.edit((now) => { now.secondary = value; }))),
+          choice('Primary colour', colours, pass.primary ?? 'constant:1,1,1', (value) => this.edit((/** @type {any} */ now) => { now.primary = value; })),
+          choice('Secondary colour', colours, pass.secondary ?? 'constant:0,0,0', (value) => this.edit((/** @type {any} */ now) => { now.secondary = value; }))),
         element('fieldset', {}, element('legend', {}, 'Constants'), this.constant('const0'), this.constant('const1'),
           element('p', { class: 'quiet' }, 'They replace the program’s own constants.'))),
       element('p', { class: 'quiet' }, 'Drop pictures, a program, or a glTF, OBJ, PLY or OFF file on the page, or ',
         element('label', { class: 'link' }, 'choose one', element('input', { type: 'file', class: 'hidden-file', id: 'choose-file', multiple: true })), '.'));
-    this.parent.querySelector('#choose-file').addEventListener('change', (event) => this.onfiles?.([...event.target.files]));
+    this.parent.querySelector('#choose-file')?.addEventListener('change', (/** @type {any} */ event) => this.onfiles?.([...event.target.files]));
   }
 
+  /** @param {(pass: any, effect: any) => void} change */
   edit(change) {
     this.store.change('inputs', (state) => change(passOf(state), state.effect));
   }
@@ -97,18 +103,19 @@ export class InputsPanel {
     });
     const { camera: position = this.view?.position, look_at: target = this.view?.target } = effect.scene ?? {};
     if (now === rectangle || !position || !target) return mesh;
-    const rounded = target.map((value) => Math.round(value * 1000) / 1000);
+    const rounded = target.map((/** @type {number} */ value) => Math.round(value * 1000) / 1000);
     const camera = cameraSliders({ camera: position, look_at: rounded }, (place) => this.edit((pass, edited) => {
       Object.assign(edited.scene, { camera: place, look_at: edited.scene.look_at ?? rounded });
     }));
     return element('div', { class: 'camera' }, mesh, camera);
   }
 
+  /** @param {number} number @param {any} unit @param {number} chip how many units the chip has */
   unit(number, unit, chip) {
     const { effect } = this.store.state;
     const texture = effect.textures?.[unit?.texture];
     const files = this.shelf.names();
-    const title = (name) => name.replace(/^([a-z0-9-]+:)?(textures|dropped)\//, '$1');
+    const title = (/** @type {string} */ name) => name.replace(/^([a-z0-9-]+:)?(textures|dropped)\//, '$1');
     const sources = [off, ...this.about.textures, ...[...files, ...files.map((name) => `normals:${name}`)].map((name) => [name, title(name)])];
     const picture = this.shelf.pictures.get(fileIn(String(texture?.source ?? '')));
     const rows = [choice('Texture', sources, texture?.source ?? off, (value) => this.setSource(number, value))];
@@ -121,7 +128,13 @@ export class InputsPanel {
     return element('fieldset', { 'data-unit': number }, element('legend', {}, number < chip ? `Texture ${number}` : `Texture ${number}: the chip has ${chip} units`), picture ? thumbnail(picture) : null, ...rows);
   }
 
-  /** A choice of how a texture is sampled; the default depends on its source. */
+  /**
+   * A choice of how a texture is sampled; the default depends on its source.
+   * @param {string} title
+   * @param {string} key
+   * @param {string[]} words
+   * @param {any} texture
+   */
   sampler(title, key, words, texture) {
     return choice(title, [['', 'default'], ...words], texture[key] ?? '', (value) => this.edit(() => {
       if (value) texture[key] = value;
@@ -139,7 +152,7 @@ export class InputsPanel {
         effect.textures ??= bare({});
         const used = pass.units[number]?.texture ?? `tex${number}`;
         // Another pass may read the texture: it keeps its source.
-        const shared = effect.passes.some((other) => (other.units ?? []).some((unit, at) => unit?.texture === used && (other !== pass || at !== number)));
+        const shared = effect.passes.some((/** @type {any} */ other) => (other.units ?? []).some((/** @type {any} */ unit, /** @type {number} */ at) => unit?.texture === used && (other !== pass || at !== number)));
         const name = shared ? `${used}-${number}` : used;
         effect.textures[name] = { ...effect.textures[used], source };
         // The engine refuses the key for other sources.
@@ -151,11 +164,12 @@ export class InputsPanel {
     this.show();
   }
 
+  /** @param {string} name */
   constant(name) {
     const pass = passOf(this.store.state);
     const set = pass.constants?.[name];
     const value = set ?? this.ofProgram[name] ?? [0, 0, 0, 0];
-    const write = (edited) => {
+    const write = (/** @type {number[]} */ edited) => {
       this.edit((now) => { now.constants = { ...now.constants, [name]: edited }; });
       own.hidden = false;
     };
@@ -190,13 +204,13 @@ export class InputsPanel {
   }
 }
 
-/** A small picture of a texture. */
+/** A small picture of a texture. @param {{width: number, height: number, pixels: Uint8Array}} picture */
 function thumbnail({ width, height, pixels }) {
   const canvas = element('canvas', { class: 'texture-thumbnail', 'aria-hidden': 'true' });
   canvas.width = width;
   canvas.height = height;
   const opaque = new Uint8ClampedArray(pixels);
   for (let at = 3; at < opaque.length; at += 4) opaque[at] = 255;
-  canvas.getContext('2d').putImageData(new ImageData(opaque, width, height), 0, 0);
+  canvas.getContext('2d')?.putImageData(new ImageData(opaque, width, height), 0, 0);
   return canvas;
 }

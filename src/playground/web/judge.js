@@ -21,8 +21,12 @@ export class Judge {
    *     failed: (error: Error) => void}} view `plane`: the number of a cause for each pixel, plus 128 if it is falsely lit
    */
   constructor(newEngine, drawing, view) {
-    Object.assign(this, { newEngine, drawing, view });
-    /** The next request. */
+    this.newEngine = newEngine;
+    this.drawing = drawing;
+    this.view = view;
+    /** The one that judges, once there is something to judge. @type {import('./engine_client.js').Engine|undefined} */
+    this.engine = undefined;
+    /** The next request. @type {any} */
     this.wanted = null;
     this.on = true;
     this.running = false;
@@ -51,13 +55,13 @@ export class Judge {
       try {
         await this.judge(request);
       } catch (error) {
-        if (this.on && !this.wanted) this.view.failed(error);
+        if (this.on && !this.wanted) this.view.failed(error instanceof Error ? error : new Error(String(error)));
       }
     }
     this.running = false;
   }
 
-  /** The engine, with the mesh of a request. */
+  /** The engine, with the mesh of a request. @param {any} request */
   async ready({ scene }) {
     this.engine ??= this.newEngine();
     const entry = this.drawing.kept.get(scene);
@@ -68,6 +72,7 @@ export class Judge {
     return this.engine;
   }
 
+  /** @param {any} request */
   async judge(request) {
     const engine = await this.ready(request);
     const begin = performance.now();

@@ -1,6 +1,7 @@
 /**
  * What a browser keeps of one's work: the state and the steps before it in localStorage, dropped files in IndexedDB.
  */
+import { messageOf } from './dom.js';
 import { checkedState, mostSteps } from './state.js';
 
 const key = 'ninebit-playground';
@@ -55,10 +56,10 @@ export function keptState() {
     if (found.version !== version) throw new Error('another version of this page wrote it');
     found.state = checkedState(found.state);
   } catch (error) {
-    throw new Error(`${error.message}; its text ${setAside(text)}`);
+    throw new Error(`${messageOf(error)}; its text ${setAside(text)}`);
   }
   const steps = Array.isArray(found.past) ? found.past.slice(-mostSteps) : [null];
-  const past = steps.flatMap((step) => {
+  const past = steps.flatMap((/** @type {any} */ step) => {
     try {
       return [checkedState(step)];
     } catch {
@@ -106,7 +107,7 @@ export async function keepFile(name, bytes) {
 const alone = () => new Promise((resolve) => {
   const held = async () => {
     const locks = await navigator.locks.query();
-    resolve(locks.held.filter(({ name }) => name === key).length === 1);
+    resolve((locks.held ?? []).filter(({ name }) => name === key).length === 1);
     // Held as long as the page lives.
     await new Promise(() => {});
   };
@@ -123,6 +124,7 @@ export async function keptFiles(wanted) {
   const forgets = await alone() && localStorage.getItem(unreadableKey) === null;
   const store = await files('readwrite');
   const names = await resultOf(store.getAllKeys());
+  /** @type {[string, Uint8Array][]} */
   const found = [];
   for (const name of names) {
     if (wanted(name)) found.push([name, await resultOf(store.get(name))]);

@@ -8,9 +8,16 @@ import { hoverTooltip } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { element } from './dom.js';
 
+/** @type {Record<string, string>} */
 const styles = { 'gl-constant': 'atom', 'gl-function': 'keyword', rc10: 'keyword', ps: 'keyword', profile: 'atom', json: 'propertyName' };
 
-/** Reads one token and says how it looks: comments, numbers, quoted words, known words. */
+/**
+ * Reads one token and says how it looks: comments, numbers, quoted words, known words.
+ * @param {import('@codemirror/language').StringStream} stream
+ * @param {{comment: boolean, json: boolean, shader: boolean, start: boolean}} state
+ * @param {Map<string, string>} kinds
+ * @returns {string|null}
+ */
 function token(stream, state, kinds) {
   if (state.comment) {
     if (stream.skipTo('*/')) {
@@ -67,7 +74,7 @@ const look = HighlightStyle.define([
   { tag: tags.meta, color: 'var(--quiet)', fontWeight: '600' },
 ]);
 
-/** The word of a text around a place, or `null`. */
+/** The word of a text around a place, or `null`. @param {string} text @param {number} at */
 function wordAround(text, at) {
   let from = at;
   let to = at;
@@ -93,7 +100,7 @@ function hover(words) {
 /** @param {Word[]} words */
 function completionSource(words) {
   const options = words.map(({ word, kind, help }) => ({ label: word, type: kind === 'gl-function' ? 'function' : 'keyword', detail: kind, info: help || undefined }));
-  return (context) => {
+  return (/** @type {import('@codemirror/autocomplete').CompletionContext} */ context) => {
     const before = context.matchBefore(/[\w!.]+/);
     if (!before || (before.to - before.from < 2 && !context.explicit)) return null;
     return { from: before.from, options, validFor: /^[\w!.]*$/ };

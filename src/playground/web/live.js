@@ -4,26 +4,36 @@
 import { Replaced } from './engine_client.js';
 import { passOf, programOf } from './state.js';
 
+/** When the picture is drawn. @typedef {{time: number, frame: number}} Moment */
+
+/** @param {unknown} error @returns {any} */
+const asError = (error) => (error instanceof Error ? error : new Error(String(error)));
+
 export class Live {
   /**
    * @param {import('./state.js').Store} store
    * @param {import('./engine_client.js').Engine} engine
    * @param {import('./shelf.js').Shelf} shelf
-   * @param {{read: (answer: any) => void, drawn: (result: any) => void, failed: (error: Error) => void, traced: (trace: any, pass?: string) => void}} view
+   * @param {{read: (answer: any) => void, drawn: (result: any) => void, failed: (error: any) => void, traced: (trace: any, pass?: string) => void}} view
    */
   constructor(store, engine, shelf, view) {
-    Object.assign(this, { store, engine, shelf, view });
+    this.store = store;
+    this.engine = engine;
+    this.shelf = shelf;
+    this.view = view;
     /** The effect's text while it is edited, so that faults have its lines. @type {() => string|null} */
     this.effectText = () => null;
     /** The pixel whose trace is shown. @type {{x: number, y: number}|null} */
     this.pixel = null;
+    /** @type {Moment} */
+    this.moment = { time: 0, frame: 0 };
     /** Whether drawings are hashed: the tests ask for it, and it takes longer than many a drawing. */
-    this.hash = Boolean(globalThis.ninebitHashes);
+    this.hash = Boolean(/** @type {any} */ (globalThis).ninebitHashes);
   }
 
-  /** The request that draws a state. @param {import('./state.js').State} state */
-  static request({ effect, files, profile }) {
-    return { do: 'draw', effect, files, profile, hash: false };
+  /** The request that draws a state. @param {import('./state.js').State} state @param {Moment} [moment] */
+  static request({ effect, files, profile }, { time, frame } = { time: 0, frame: 0 }) {
+    return { do: 'draw', effect, files, profile, time, frame, hash: false };
   }
 
   async read() {
@@ -36,7 +46,8 @@ export class Live {
     try {
       const { answer } = await this.engine.ask({ do: 'read', text, profile: state.profile }, { key: 'read' });
       this.view.read(answer);
-    } catch (error) {
+    } catch (caught) {
+      const error = asError(caught);
       if (!(error instanceof Replaced)) this.view.read({ form: '', faults: [{ line: error.line, column: error.column, message: error.message }], notes: [], explanation: '', constants: {} });
     }
   }
@@ -44,34 +55,54 @@ export class Live {
   async draw() {
     try {
       await this.shelf.loadFor(this.store.state.effect);
-      const { effect, ...rest } = Live.request(this.store.state);
+      const { effect, ...rest } = Live.request(this.store.state, this.moment);
       const result = await this.engine.ask({ ...rest, effect: this.effectText() ?? effect, hash: this.hash }, { key: 'draw' });
       this.view.drawn(result);
     } catch (error) {
-      if (!(error instanceof Replaced)) this.view.failed(error);
+      if (!(error instanceof Replaced)) this.view.failed(asError(error));
     }
   }
 
+  /** Draws the state, so that the engine's next answers are about it, whoever asked for the last drawing. */
+  prepare() {
+    this.engine.ask(Live.request(this.store.state, this.moment)).catch(() => {});
+  }
+
   /**
-   * Traces a pixel. The drawing comes first, as the engine traces the last one, whoever asked for it.
+   * Traces a pixel.
    * @param {string} [pass] without it the last pass with a program
    */
   async trace(pass) {
     if (!this.pixel) return;
     try {
-      this.engine.ask(Live.request(this.store.state)).catch(() => {});
+      this.prepare();
       const { answer } = await this.engine.ask({ do: 'pixel', ...this.pixel, ...(pass && { pass }) });
       this.view.traced(answer, pass);
     } catch (error) {
-      this.view.traced({ error });
+      this.view.traced({ error: asError(error) });
     }
+  }
+
+  /**
+   * An output of the chosen pixel for each byte of an input.
+   * @param {{input: string, output: string, stage?: number, pass?: string, profiles: any[]}} what
+   */
+  async sweep(what) {
+    this.prepare();
+    return (await this.engine.ask({ do: 'sweep', ...this.pixel, ...what }, { key: 'sweep' })).answer;
+  }
+
+  /** Where the combiners of the pass that is edited lost something. */
+  async losses() {
+    this.prepare();
+    return this.engine.ask({ do: 'losses', pass: this.store.state.pass }, { key: 'losses' });
   }
 
   /** @param {any[]} profiles */
   async compare(profiles) {
     const { effect, files } = this.store.state;
     await this.shelf.loadFor(effect);
-    return this.engine.ask({ do: 'compare', effect, files, profiles }, { key: 'compare' });
+    return this.engine.ask({ do: 'compare', effect, files, profiles, ...this.moment }, { key: 'compare' });
   }
 
   /** @param {string} to */

@@ -1,7 +1,7 @@
 /**
  * The state in the page's address: `#1.` and the JSON, deflated, in the alphabet of base64url. 1 is the version.
  */
-import { checkedState, mostCharacters } from './state.js';
+import { bare, checkedState, mostCharacters } from './state.js';
 
 const version = 1;
 
@@ -20,20 +20,26 @@ async function through(blob, what) {
   }
 }
 
-/** @param {import('./state.js').State} state @returns {Promise<string>} the address's part from `#` on */
-export async function addressOf(state) {
-  const packed = new Uint8Array(await (await through(new Blob([JSON.stringify(state)]), 'compress')).arrayBuffer());
+/**
+ * The address's part from `#` on.
+ * @param {import('./state.js').State} state
+ * @param {any} [view] what is looked at: the pixel, the tab, settings of panels
+ * @returns {Promise<string>}
+ */
+export async function addressOf(state, view) {
+  const written = view && Object.keys(view).length ? { ...state, view } : state;
+  const packed = new Uint8Array(await (await through(new Blob([JSON.stringify(written)]), 'compress')).arrayBuffer());
   let binary = '';
   for (const byte of packed) binary += String.fromCharCode(byte);
   return `#${version}.${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
 }
 
 /**
- * The state of an address, or `null` where there is none. Anything else is an error in words.
+ * The state of an address, and what is looked at; `null` where there is none. Anything else is an error in words.
  * @param {string} hash
- * @returns {Promise<import('./state.js').State|null>}
+ * @returns {Promise<{state: import('./state.js').State, view: any}|null>}
  */
-export async function stateOfAddress(hash) {
+export async function opened(hash) {
   if (hash.length < 2) return null;
   const match = /^#(\d+)\.([A-Za-z0-9_-]*)$/.exec(hash);
   if (!match) throw new Error('the address is not one that this page has written');
@@ -49,5 +55,9 @@ export async function stateOfAddress(hash) {
   } catch {
     throw new Error('the address is damaged: part of it is missing or changed');
   }
-  return checkedState(found);
+  const view = typeof found?.view === 'object' && found.view !== null ? bare(found.view) : {};
+  return { state: checkedState(found), view };
 }
+
+/** The state alone. @param {string} hash @returns {Promise<import('./state.js').State|null>} */
+export const stateOfAddress = async (hash) => (await opened(hash))?.state ?? null;

@@ -24,9 +24,12 @@ const table = Uint32Array.from({ length: 256 }, (_, byte) => {
 /** @param {Uint8Array} bytes */
 const checksum = (bytes) => ~bytes.reduce((sum, byte) => table[(sum ^ byte) & 255] ^ (sum >>> 8), ~0) >>> 0;
 
+/** @typedef {{IHDR: Uint8Array|null, PLTE: Uint8Array|null, tRNS: Uint8Array|null, IDAT: Uint8Array[]}} Chunks */
+
 /** The chunks that decide texels. @param {Uint8Array} bytes */
 function chunksOf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  /** @type {Chunks} */
   const chunks = { IHDR: null, PLTE: null, tRNS: null, IDAT: [] };
   for (let at = signature.length; at + 12 <= bytes.length;) {
     const end = at + 8 + view.getUint32(at);
@@ -37,7 +40,7 @@ function chunksOf(bytes) {
       if (checksum(bytes.subarray(at + 4, end)) !== view.getUint32(end)) throw new Error(`the checksum of its chunk ${name} is wrong`);
       const data = bytes.subarray(at + 8, end);
       if (name === 'IDAT') chunks.IDAT.push(data);
-      else chunks[name] = data;
+      else chunks[/** @type {'IHDR'|'PLTE'|'tRNS'} */ (name)] = data;
     }
     at = end + 4;
   }
@@ -47,7 +50,7 @@ function chunksOf(bytes) {
 /** @param {Uint8Array[]} parts @param {number} size */
 async function inflated(parts, size) {
   const out = new Uint8Array(size);
-  const reader = new Blob(parts).stream().pipeThrough(new DecompressionStream('deflate')).getReader();
+  const reader = new Blob(/** @type {BlobPart[]} */ (parts)).stream().pipeThrough(new DecompressionStream('deflate')).getReader();
   let at = 0;
   for (;;) {
     const { done, value } = await reader.read();
@@ -58,7 +61,7 @@ async function inflated(parts, size) {
   }
 }
 
-/** Undoes a row's filter. @param {Uint8Array} row @param {Uint8Array} above @param {number} step the bytes of a texel */
+/** Undoes a row's filter. @param {number} type @param {Uint8Array} row @param {Uint8Array} above @param {number} step the bytes of a texel */
 function unfilter(type, row, above, step) {
   if (type > 4) throw new Error(`${type} is not a filter`);
   for (let at = 0; at < row.length; at++) {
@@ -73,7 +76,7 @@ function unfilter(type, row, above, step) {
   }
 }
 
-/** The header's facts, checked. */
+/** The header's facts, checked. @param {Chunks} chunks */
 function headerOf({ IHDR, PLTE }) {
   if (IHDR?.length !== 13) throw new Error('its header is missing');
   const view = new DataView(IHDR.buffer, IHDR.byteOffset, 13);
@@ -86,15 +89,19 @@ function headerOf({ IHDR, PLTE }) {
   return { width, height, depth, type, channels: kind.channels, passes: interlace ? adam7 : [[0, 0, 1, 1]] };
 }
 
-/** A function that writes the RGBA bytes of a texel whose samples are given. */
+/**
+ * A function that writes the RGBA bytes of a texel whose samples are given.
+ * @param {{depth: number, type: number, channels: number}} header
+ * @param {Chunks} chunks
+ */
 function writer({ depth, type, channels }, { PLTE, tRNS }) {
   const most = 2 ** depth - 1;
-  const byte = (sample) => Math.round(sample * 255 / most);
+  const byte = (/** @type {number} */ sample) => Math.round(sample * 255 / most);
   const key = tRNS && type < 3 ? [...Array(channels).keys()].map((at) => tRNS[2 * at] << 8 | tRNS[2 * at + 1]) : null;
-  return (samples, out, to) => {
+  return (/** @type {Uint16Array} */ samples, /** @type {Uint8Array} */ out, /** @type {number} */ to) => {
     if (type === 3) {
       const [index] = samples;
-      if (3 * index + 2 >= PLTE.length) throw new Error(`its palette has no colour ${index}`);
+      if (!PLTE || 3 * index + 2 >= PLTE.length) throw new Error(`its palette has no colour ${index}`);
       out.set(PLTE.subarray(3 * index, 3 * index + 3), to);
       out[to + 3] = tRNS?.[index] ?? 255;
       return;

@@ -1,7 +1,7 @@
 /**
  * The profile: a named one or one of one's own, field by field; and two profiles side by side with their difference.
  */
-import { choice, element, paint, replaceChildren } from './dom.js';
+import { choice, element, messageOf, paint, replaceChildren } from './dom.js';
 import { Replaced } from './engine_client.js';
 
 /**
@@ -20,7 +20,11 @@ export class ProfilesPanel {
    * @param {{compare: (profiles: any[]) => Promise<any>, engine: import('./engine_client.js').Engine}} asks
    */
   constructor(parent, store, profiles, { compare, engine }) {
-    Object.assign(this, { parent, store, profiles, compare, engine });
+    this.parent = parent;
+    this.store = store;
+    this.profiles = profiles;
+    this.compare = compare;
+    this.engine = engine;
     this.result = element('p', { role: 'status', id: 'difference-count' });
     this.canvases = [0, 1, 2].map(() => element('canvas', { width: 1, height: 1 }));
     this.captions = [0, 1, 2].map(() => element('figcaption'));
@@ -55,36 +59,41 @@ export class ProfilesPanel {
     this.update();
   }
 
-  /** The fields of the profile, with the ranges that they have in it. */
+  /** The fields of the profile, with the ranges that they have in it. @param {any} profile */
   async showFields(profile) {
     try {
       const { answer } = await this.engine.ask({ do: 'profile', profile }, { key: 'profile' });
       if (this.dragged) return;
       const base = this.profiles.find(({ name }) => name === (profile.base ?? profile));
-      replaceChildren(this.fields, ...answer.fields.map((field, at) => this.field(field, base?.fields[at])));
+      replaceChildren(this.fields, ...answer.fields.map((/** @type {Field} */ field, /** @type {number} */ at) => this.field(field, base?.fields[at])));
     } catch (error) {
-      if (!(error instanceof Replaced)) this.fields.replaceChildren(element('p', {}, error.message));
+      if (!(error instanceof Replaced)) this.fields.replaceChildren(element('p', {}, messageOf(error)));
     }
   }
 
-  /** Changes a field, and what depends on it, after the edits before; of several values of a field that wait, the last. */
+  /**
+   * Changes a field, and what depends on it, after the edits before; of several values of a field that wait, the last.
+   * @param {string} field
+   * @param {any} value
+   */
   edit(field, value) {
     this.waiting.set(field, value);
     this.editing = this.editing.then(() => this.editNow(field));
     return this.editing;
   }
 
+  /** @param {string} field */
   async editNow(field) {
     if (!this.waiting.has(field)) return;
     const value = this.waiting.get(field);
     this.waiting.delete(field);
     try {
       const { answer } = await this.engine.ask({ do: 'edit_profile', profile: this.store.state.profile, field, value });
-      const others = answer.coupled.map((other) => `${other.name} ${other.value}`);
+      const others = answer.coupled.map((/** @type {any} */ other) => `${other.name} ${other.value}`);
       this.coupled.textContent = others.length ? `With ${field} ${value} also changed: ${others.join(', ')}.` : '';
       this.store.change('profile', (now) => { now.profile = answer.profile; });
     } catch (error) {
-      this.coupled.textContent = error.message;
+      this.coupled.textContent = messageOf(error);
       this.show();
     }
   }
@@ -96,12 +105,13 @@ export class ProfilesPanel {
     if (ended) this.show();
   }
 
+  /** @param {Field} field @param {Field} [base] the same field of the profile that this one was made of */
   field({ name, value, evidence, choices, range, help, read }, base) {
-    const write = (edited) => this.edit(name, edited);
+    const write = (/** @type {any} */ edited) => this.edit(name, edited);
     let control;
     if (choices?.length) control = choice(name, choices, String(value), write);
     else if (typeof value === 'boolean') control = choice(name, ['true', 'false'], String(value), (text) => write(text === 'true'));
-    else control = slider(name, Number(value), range, write, (dragged) => this.hold(dragged));
+    else control = slider(name, Number(value), range ?? [0, 1], write, (dragged) => this.hold(dragged));
     control.dataset.field = name;
     if (base && base.value !== value) control.classList.add('changed');
     if (read === false || (range && range[0] === range[1])) control.querySelector('select, input').disabled = true;
@@ -128,7 +138,7 @@ export class ProfilesPanel {
       const share = (100 * pixels / (width * height)).toFixed(2);
       this.result.textContent = `${pixels.toLocaleString('en')} of ${(width * height).toLocaleString('en')} pixels differ (${share} %), by ${max} of 255 at most`;
     } catch (error) {
-      if (!(error instanceof Replaced)) this.result.textContent = error.message;
+      if (!(error instanceof Replaced)) this.result.textContent = messageOf(error);
     }
   }
 }
@@ -162,6 +172,7 @@ function slider(name, value, [lowest, highest], write, hold) {
   return element('label', { class: 'field' }, element('span', {}, name), element('span', { class: 'slider' }, input, shown));
 }
 
+/** @param {Uint8Array} pixels */
 function opaque(pixels) {
   const copy = pixels.slice();
   for (let at = 3; at < copy.length; at += 4) copy[at] = 255;

@@ -1,7 +1,7 @@
 /**
  * The left pane: which text is edited, the editor, the diagnostics as a list.
  */
-import { byId, choice, element, replaceChildren } from './dom.js';
+import { byId, choice, element, messageOf, replaceChildren } from './dom.js';
 import { Editor } from './editor.js';
 import { checkedEffect, effectFile, passOf } from './state.js';
 
@@ -11,16 +11,19 @@ export class ProgramPane {
    * @param {Record<string, string>} programs the gallery's programs, for names that an edited effect adds
    */
   constructor(store, programs) {
-    Object.assign(this, { store, programs, shows: 'program', effectText: null });
+    this.store = store;
+    this.programs = programs;
+    this.shows = 'program';
+    this.effectText = null;
     this.editor = new Editor(byId('editor'), (text) => this.edited(text));
-    /** Faults of the program or the effect, and of the drawing. */
+    /** Faults of the program or the effect, and of the drawing. @type {Record<'read'|'draw', import('./editor.js').Diagnostic[]>} */
     this.faults = { read: [], draw: [] };
   }
 
   /** Shows the text of the state. */
   show() {
     const { state } = this.store;
-    const passes = state.effect.passes.map((pass, at) => [String(at), `${pass.name ?? `pass ${at}`}: ${pass.program ?? 'no program'}`]);
+    const passes = state.effect.passes.map((/** @type {any} */ pass, /** @type {number} */ at) => [String(at), `${pass.name ?? `pass ${at}`}: ${pass.program ?? 'no program'}`]);
     const value = this.shows === 'effect' ? effectFile : String(state.pass);
     replaceChildren(byId('file-choice'), choice('Edit', [...passes, [effectFile, 'the effect itself (JSON)']], value, (chosen) => this.choose(chosen)));
     const text = this.shows === 'effect' ? JSON.stringify(state.effect, null, 2) : state.files[passOf(state).program] ?? '';
@@ -28,6 +31,7 @@ export class ProgramPane {
     this.effectText = this.shows === 'effect' ? text : null;
   }
 
+  /** @param {string} value */
   choose(value) {
     this.shows = value === effectFile ? 'effect' : 'program';
     this.faults = { read: [], draw: [] };
@@ -35,6 +39,7 @@ export class ProgramPane {
     this.show();
   }
 
+  /** @param {string} text */
   edited(text) {
     if (this.shows === 'effect') {
       this.effectText = text;
@@ -44,12 +49,13 @@ export class ProgramPane {
     this.store.change('text', (state) => { state.files[passOf(state).program ??= 'program.rc1'] = text; });
   }
 
+  /** @param {string} text */
   editedEffect(text) {
     let effect;
     try {
       effect = checkedEffect(JSON.parse(text));
     } catch (error) {
-      this.setFaults('read', [{ message: error.message }]);
+      this.setFaults('read', [{ message: messageOf(error) }]);
       // The engine reads the text, too, and names the place.
       this.store.change('text', () => {});
       return;

@@ -2,6 +2,7 @@
  * The pictures and meshes that effects read: the gallery's pictures, which are part of the page, and what is dropped.
  */
 import { decodePicture, mostBytes } from './decode_picture.js';
+import { messageOf } from './dom.js';
 import { keepFile } from './kept.js';
 
 /** @param {string} text base64 */
@@ -68,6 +69,11 @@ export class Shelf {
     return this.loading.get(name);
   }
 
+  /** The content of a file of the page or one that was dropped; `null`: there is none of that name. @param {string} name */
+  bytesOf(name) {
+    return this.dropped.get(name) ?? (Object.hasOwn(this.embedded, name) ? bytesOf(this.embedded[name]) : null);
+  }
+
   /** Loads all files that an effect names. @param {any} effect */
   async loadFor(effect) {
     await Promise.all(picturesOf(effect).map((name) => this.load(name)));
@@ -75,9 +81,10 @@ export class Shelf {
 
   /** What is not exact about the pictures that an effect names. @param {any} effect @returns {string[]} */
   doubtsOf(effect) {
-    return picturesOf(effect).filter((name) => this.doubts.has(name)).map((name) => this.doubts.get(name));
+    return picturesOf(effect).flatMap((name) => this.doubts.get(name) ?? []);
   }
 
+  /** @param {string} name @param {Blob} file */
   async put(name, file) {
     if (meshEnding.test(name)) {
       await this.engine.put({ name, kind: 'file' }, new Uint8Array(await file.arrayBuffer()));
@@ -104,7 +111,7 @@ export class Shelf {
     try {
       await this.put(name, file);
     } catch (error) {
-      throw new Error(`${file.name}: ${error.message}`);
+      throw new Error(`${file.name}: ${messageOf(error)}`);
     }
     this.dropped.set(name, bytes);
     await this.keepFile(name, bytes).catch(() => this.onlost());
@@ -114,7 +121,7 @@ export class Shelf {
   /** A name that no other content has, so that a step back finds the old file. @param {string} file @param {Uint8Array} bytes */
   nameFor(file, bytes) {
     // The effect's words take no commas or colons in a file's name.
-    const [, stem, ending] = /^(.*?)(\.[^.]*)?$/s.exec(file.replace(/[,:\\]/g, '_'));
+    const [, stem, ending] = /^(.*?)(\.[^.]*)?$/s.exec(file.replace(/[,:\\]/g, '_')) ?? ['', file];
     for (let number = 1; ; number++) {
       const name = `dropped/${stem}${number > 1 ? ` ${number}` : ''}${ending ?? ''}`;
       const there = this.dropped.get(name);
@@ -124,7 +131,7 @@ export class Shelf {
 
   /** Takes a file that was dropped before the page was loaded. @param {string} name @param {Uint8Array} bytes */
   async restore(name, bytes) {
-    await this.put(name, new Blob([bytes]));
+    await this.put(name, new Blob([/** @type {BlobPart} */ (bytes)]));
     this.dropped.set(name, bytes);
   }
 }

@@ -5,7 +5,7 @@
  * @property {any} effect the JSON of an effect file
  * @property {Record<string, string>} files the effect's programs by name
  * @property {number} pass which pass the panels are about
- * @property {string|object} profile a name, or the JSON of a profile file
+ * @property {any} profile a name, or the JSON of a profile file
  * @property {string} other the profile to compare with, or "arithmetic"
  */
 
@@ -69,7 +69,7 @@ export function newState() {
 export function stateOf(effect, programs) {
   const files = Object.create(null);
   for (const pass of effect.passes) if (pass.program) files[pass.program] = programs[pass.program] ?? '';
-  const first = Math.max(0, effect.passes.findIndex((pass) => pass.program));
+  const first = Math.max(0, effect.passes.findIndex((/** @type {any} */ pass) => pass.program));
   return { effect: copied(effect), files, pass: first, profile: effect.profile ?? 'geforce2', other: defaultOther };
 }
 

@@ -9,20 +9,20 @@
  */
 export function tabs(list, shown) {
   const buttons = /** @type {HTMLButtonElement[]} */ ([...list.querySelectorAll('[role=tab]')]);
-  const panel = (button) => document.getElementById(button.getAttribute('aria-controls'));
-  const choose = (chosen) => {
+  const panel = (/** @type {Element} */ button) => /** @type {HTMLElement} */ (document.getElementById(button.getAttribute('aria-controls') ?? ''));
+  const choose = (/** @type {HTMLButtonElement} */ chosen) => {
     for (const button of buttons) {
       const selected = button === chosen;
       button.setAttribute('aria-selected', String(selected));
       button.tabIndex = selected ? 0 : -1;
       panel(button).hidden = !selected;
     }
-    shown(chosen.dataset.panel);
+    shown(chosen.dataset.panel ?? '');
   };
   buttons.forEach((button, at) => {
     button.addEventListener('click', () => choose(button));
     button.addEventListener('keydown', (event) => {
-      const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
       if (!step) return;
       const next = buttons[(at + step + buttons.length) % buttons.length];
       next.focus();

@@ -5,16 +5,23 @@ import { causeColors, causeHelp, wrongPixels } from '../../page/web/wrong_pixels
 import { choice, element } from './dom.js';
 
 const marks = [['', 'not marked'], ['points', 'in the colour of their cause'], ['heat', 'as a heat map']];
-const grouped = (number) => number.toLocaleString('en');
+const grouped = (/** @type {number} */ number) => number.toLocaleString('en');
 
 export class WrongPixels {
-  /** @param {() => void} changed hears that counting was switched on or off */
-  constructor(changed) {
+  /**
+   * @param {import('./picture.js').Picture} picture the marks are over it
+   * @param {() => void} changed hears that counting was switched on or off
+   */
+  constructor(picture, changed) {
+    this.canvas = picture;
+    /** Whether the picture is the one whose pixels are counted. */
+    this.visible = false;
     /** Whether to count. */
     this.wanted = true;
     this.marks = '';
-    /** The request of the picture that is shown, and the last judgement. */
+    /** The request of the picture that is shown. @type {any} */
     this.picture = null;
+    /** The last judgement. @type {{request: any, judgement: import('./judge.js').Judgement, plane: Uint8Array}|null} */
     this.last = null;
     this.text = element('p', { role: 'status', id: 'wrong-result' });
     this.legend = element('ul', { class: 'legend', hidden: true });
@@ -27,15 +34,16 @@ export class WrongPixels {
     shown.querySelector('select').id = 'mark-wrong';
     this.element = element('div', { class: 'wrong' }, element('div', { class: 'shadow-controls' },
       element('label', { class: 'field' }, box, element('span', {}, 'Count wrong pixels by rays')), shown), this.text, this.legend);
-    this.overlay = element('canvas', { width: 1, height: 1, hidden: true, role: 'img', 'aria-label': 'Wrong pixels' });
+    this.overlay = picture.layer('Wrong pixels');
   }
 
-  /** The picture's canvas with the marks over it. @param {HTMLCanvasElement} canvas */
-  over(canvas) {
-    this.canvas = canvas;
-    return element('div', { class: 'overlaid' }, canvas, this.overlay);
+  /** @param {boolean} visible */
+  see(visible) {
+    this.visible = visible;
+    this.mark();
   }
 
+  /** @param {boolean} wanted @param {() => void} changed */
   switchTo(wanted, changed) {
     this.wanted = wanted;
     this.last = null;
@@ -72,6 +80,7 @@ export class WrongPixels {
     this.mark();
   }
 
+  /** @param {import('./judge.js').Judgement} judgement */
   sentence({ errors, pixels }) {
     const wrong = errors.false_lit + errors.false_shadowed;
     const share = (100 * wrong / Math.max(1, pixels.lit + pixels.shadowed)).toFixed(2);
@@ -81,11 +90,11 @@ export class WrongPixels {
   }
 
   mark() {
-    const current = this.marks && this.last && this.last.request === this.picture;
+    const current = Boolean(this.visible && this.marks && this.last && this.last.request === this.picture);
     this.overlay.hidden = !current;
-    this.canvas.classList.toggle('dimmed', Boolean(current));
+    if (this.visible) this.canvas.dim(current);
     this.legend.hidden = !current || this.marks !== 'points';
-    if (!current) return;
+    if (!current || !this.last) return;
     const { judgement, plane } = this.last;
     const painter = wrongPixels(judgement.width, judgement.height, judgement.causes);
     const row = { plane };

@@ -41,7 +41,7 @@ class State:
     @classmethod
     def parse(
         cls,
-        text: str | bytes,
+        text: str | bytes | PathLike[str],
         form: ReadForm | None = None,
         profile: str | PathLike[str] = "geforce2",
         *,
@@ -62,7 +62,10 @@ class State:
 class Program:
     state: State
     def __init__(
-        self, state: State | str, form: ReadForm | None = None, profile: str | PathLike[str] | None = None
+        self,
+        state: State | Program | str | bytes | PathLike[str],
+        form: ReadForm | None = None,
+        profile: str | PathLike[str] | None = None,
     ) -> None: ...
     @property
     def profile(self) -> str: ...

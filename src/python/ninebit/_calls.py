@@ -13,12 +13,14 @@ import numpy as np
 
 from . import _verbs
 from ._combiner import Error, Program, State, nearest_name  # the bases of ninebit.Program and ninebit.State
+from ._programs import source_of
 
 _verbs.set_file(_verbs.__file__)
 
 _ONLY_IN_THE_PROGRAM = {"help", "json", "quiet"}
 STUDIES = ["index-steps", "datapath", "depth-packing", "shadows", "merge"]
 QUESTIONS = ["equivalent", "stable", "discriminate", "kit"]
+_PICTURES = {"tex0", "tex1", "tex2", "tex3", "cookie"}  # options that take pictures as arrays
 _CANNOT_WRITE, _OUT_OF_MEMORY, _INTERRUPTED = 4, 5, 128
 
 
@@ -61,9 +63,25 @@ class _Call:
             program = program.state
         if isinstance(program, State):
             return self.file_of(program.print("json").encode(), ".json", "State")
-        if isinstance(program, str) and "\n" in program:
-            raise Error(f"{name} is a text of several lines; expected a path, a Program or a State, such as State.parse(text)")
-        return self.path(name, program, "a path, a State or a Program")
+        text, path = source_of(name, program)
+        if path is not None:
+            return self.path(name, path)
+        return self.file_of(text if isinstance(text, bytes) else text.encode(), ".txt", name)
+
+    def picture(self, name, value):
+        """A picture as the name of a file."""
+        if isinstance(value, np.ndarray):
+            fits = value.ndim == 2 or (value.ndim == 3 and value.shape[2] in (1, 3, 4))
+            if value.dtype != np.uint8 or not fits or value.size == 0:
+                real = "; numpy.rint(255 * x).astype(numpy.uint8) makes one of real numbers" if value.dtype.kind == "f" else ""
+                raise TypeError(f"{name} is an array of {value.dtype} with the shape {value.shape}; expected a picture: uint8 with "
+                                f"the shape (height, width), (height, width, 3) or (height, width, 4){real}")
+            return self.file_of(_verbs.png(np.ascontiguousarray(value)), ".png", name)
+        if isinstance(value, (list, tuple)) and value and all(isinstance(one, (str, os.PathLike, np.ndarray)) for one in value):
+            return ",".join(self.picture(name, one) for one in value)
+        if isinstance(value, (str, os.PathLike)):
+            return self.plain(name, value)
+        raise TypeError(f"{name} is {type(value).__name__}; expected a file, a picture as an array of uint8, or a list of six")
 
     def path(self, name, value, expected="a path"):
         if not isinstance(value, (str, os.PathLike)) or not isinstance(os.fspath(value), str):
@@ -75,10 +93,17 @@ class _Call:
 
     def text(self, name, value):
         """A value as a flag's text."""
-        if isinstance(value, np.ndarray) and value.dtype == np.uint8 and value.ndim in (2, 3):
-            return self.file_of(_verbs.png(np.ascontiguousarray(value)), ".png", name)
+        if name in _PICTURES:
+            return self.picture(name, value)
+        if name == "program":
+            return self.program(name, value)
+        if isinstance(value, np.ndarray) and value.ndim > 2:
+            raise TypeError(f"{name} is an array of {value.dtype} with the shape {value.shape}; expected a text, a number, or a list of them")
         if isinstance(value, (np.ndarray, np.generic)):
             value = value.tolist()
+        return self.plain(name, value)
+
+    def plain(self, name, value):
         if isinstance(value, (str, os.PathLike)) and isinstance(os.fspath(value), str):
             text = os.fspath(value)
         elif isinstance(value, numbers.Real) and not isinstance(value, bool):
@@ -86,7 +111,8 @@ class _Call:
         elif isinstance(value, (State, Program)):
             text = self.program(name, value)
         elif isinstance(value, (list, tuple, range)) and value:
-            text = ("x" if name == "size" else ",").join(self.text(name, one) for one in value)
+            nested = any(isinstance(one, (list, tuple, range, np.ndarray)) for one in value)
+            text = ("x" if name == "size" else ";" if nested else ",").join(self.text(name, one) for one in value)
         else:
             raise TypeError(f"{name} is {value!r:.60}; expected a text, a number, or a list of them")
         if "\0" in text:

@@ -13,6 +13,43 @@ def _list(value):
     return [value] if isinstance(value, str) else [] if value is None else list(value)
 
 
+def source_of(name, value):
+    """A program that is neither a State nor a Program: its text and None, or None and its file's name.
+
+    A str is a text if it has several lines or an equals sign, a semicolon or a brace, which programs have and names of
+    files mostly do not; if a file has that name all the same, it is that file.
+    """
+    if isinstance(value, bytes):
+        return value, None
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+        if isinstance(value, str):
+            return None, value
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {type(value).__name__}; expected a State, a Program, the path of a file, or the text of a program")
+    if "\n" in value or "\0" in value or not value:
+        return value, None
+    is_text = any(mark in value for mark in "=;{}") and not os.path.exists(value)
+    return (value, None) if is_text else (None, value)
+
+
+def _read(name, value):
+    """The text of a program, and the name of the file that it was read from."""
+    text, path = source_of(name, value)
+    if path is None:
+        return text, None
+    if not os.path.isfile(path):
+        raise Error(f"{name} is {path!r}, which is not a file; expected the path of a file, or the text of a program")
+    try:
+        with open(path, "rb") as file:
+            return file.read(_LONGEST), path
+    except OSError as wrong:
+        raise Error(f"{path}: cannot be read: {wrong.strerror}") from None
+
+
+_LONGEST = 1 << 26  # bytes, more than any reader takes
+
+
 class State(_combiner.State):
     """The combiner state of OpenGL, and its hardware profile: a name of profiles(), or the path of a .json file."""
 
@@ -21,24 +58,22 @@ class State(_combiner.State):
 
     @classmethod
     def parse(cls, text, form=None, profile="geforce2", *, chip=None, function=None, define=None, setup=0):
-        """Parses a program. Without `form`, finds the form of the text.
+        """Parses a program: a text, or the path of a file. Without `form`, finds the form of the text.
 
         The forms are 'gl' (GL calls), 'source' (a source file with them), 'rc10' (!!RC1.0), 'ps' (a ps.1.x pixel
         shader), 'tokens' (an assembled one), 'words' and 'words-json' (register words), 'json', 'xbox' (a D3DPIXELSHADERDEF) and 'log' (register
         writes). `function` is for sources, `define` for them and pixel shaders, `chip` for words, `setup` for logs: the
         number of a set-up.
         """
-        if not isinstance(text, (str, bytes)):
-            raise TypeError(f"text is {type(text).__name__}; expected str, the program itself; open(path).read() reads a file")
+        text, file = _read("text", text)
         state = cls.__new__(cls)
         values = {str(name): str(value) for name, value in dict(define or {}).items()}
         try:
             _combiner.State.__init__(state, text, form, os.fspath(profile), chip, _list(function), values, setup)
         except Error as wrong:
-            if isinstance(text, str) and len(text) < 1000 and "\0" not in text and os.path.isfile(text):
-                raise Error(f"text is the name of a file, {text}; expected the program itself, such as "
-                            "pathlib.Path(name).read_text()") from None
-            raise wrong
+            if file is not None:
+                raise Error("\n".join(f"{file}: {line}" for line in str(wrong).splitlines())) from None
+            raise
         for note in state._notes:
             warnings.warn(note, stacklevel=2)
         return state
@@ -60,14 +95,15 @@ class State(_combiner.State):
 class Program(_combiner.Program):
     """A compiled, valid state. It never changes, and any thread may use it.
 
-    Takes a State, or the text of a program with its form (None: found) and its profile, as State.parse().
+    Takes a State, or the text or the path of a program with its form (None: found) and its profile, as State.parse().
     """
 
     def __init__(self, state, form=None, profile=None):
-        if isinstance(state, str):
+        if isinstance(state, Program):
+            state = state.state
+        if not isinstance(state, State):
+            source_of("state", state)  # refuses what is no program
             state = State.parse(state, form, "geforce2" if profile is None else profile)
-        elif not isinstance(state, State):
-            raise TypeError(f"state is {type(state).__name__}; expected a State, or the text of a program")
         elif form is not None or profile is not None:
             raise TypeError("form and profile belong to the text of a program; a State has a profile already")
         super().__init__(state)

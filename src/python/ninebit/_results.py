@@ -1,15 +1,41 @@
 """What the verbs return: dictionaries with the keys of --json, with pictures as arrays and rows as structured arrays."""
 import html
+import uuid
 
 import numpy as np
 
 
+# In a notebook's frame, pictures and answers come first and how they were made last; the page says how high it is.
+_IN_A_FRAME = """<style>main { display: flex; flex-direction: column } main > header, main > .made { order: 1 }</style>
+<script>{
+  const made = document.querySelector("header > .made");
+  if (made) document.querySelector("main").append(made);
+  const say = () => parent.postMessage({ ninebitHeight: Math.ceil(document.body.offsetHeight) + 2 }, "*");
+  new ResizeObserver(say).observe(document.body);
+}</script>
+"""
+
+# Of the notebook: a frame takes the height of its page, where the notebook runs scripts.
+_BESIDE_A_FRAME = """<script>{
+  const frame = document.getElementById("NAME");
+  addEventListener("message", (event) => {
+    const height = event.source === frame.contentWindow ? Number(event.data?.ninebitHeight) : 0;
+    if (height > 0) frame.style.height = `${Math.min(height, 20000)}px`;
+  });
+}</script>"""
+
+
 def framed(page, height=560):
-    """A page as an element of another one: a frame that holds it whole, and loads nothing."""
+    """A page as an element of another one: a frame that holds it whole, and loads nothing. Pages save their plots as
+    downloads. `height`, in pixels, is for notebooks that run no scripts."""
     if page is None:
         return None
-    return (f'<iframe sandbox="allow-scripts" style="width:100%;height:{height}px;border:1px solid #ccc" '
-            f'srcdoc="{html.escape(page)}"></iframe>')
+    body, end, rest = page.rpartition("</body>")
+    page = body + _IN_A_FRAME + end + rest if end else page
+    name = f"ninebit-{uuid.uuid4().hex}"  # a notebook may hold many
+    return (f'<iframe id="{name}" sandbox="allow-scripts allow-downloads" '
+            f'style="width:100%;height:{height}px;border:1px solid #ccc" srcdoc="{html.escape(page)}"></iframe>'
+            + _BESIDE_A_FRAME.replace("NAME", name))
 
 
 def _cells(row, prefix=""):

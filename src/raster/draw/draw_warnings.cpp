@@ -1,4 +1,4 @@
-// What GL accepts in a draw and one may not expect.
+// Settings of a draw that GL accepts, and whose effect is easily overlooked.
 #include <array>
 
 #include "ninebit/combiner/program.h"

@@ -68,7 +68,7 @@ struct DrawContext {
   bool stages_decide = false;           // whether fragments may be culled or their depth replaced
   std::uint32_t largest_depth;          // code of the target
   std::array<std::optional<TextureSampler>, kMaxTextureUnits> samplers;
-  // Of s at points, where rho is 1 (OpenGL 1.3, 3.8.8), for units and stages that read textures at s/q, t/q, r/q.
+  // The change of s at points, where rho is 1 (OpenGL 1.3, 3.8.8), for units and stages that read at s/q, t/q, r/q.
   std::array<float, kMaxTextureUnits> point_change{};
   bool needs_texture_changes = false;
   bool kills_by_key = false;  // whether a unit's colour key may kill fragments

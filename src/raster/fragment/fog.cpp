@@ -25,7 +25,7 @@ std::uint8_t byte_to_nearest(double factor) {
 
 }  // namespace
 
-// Rules 25 and 49.
+// Rules 25 and 49. A factor becomes a byte by byte_of_fog_factor (fixed9.h).
 std::uint8_t fog_byte(const HardwareProfile& profile, const Fog& fog, float x) {
   const auto linear = [&](float at) { return fog.bias - 1.0F + fog.slope * at; };
   const double t = static_cast<double>(fog.bias) - 1.5 + static_cast<double>(fog.slope) * static_cast<double>(x);

@@ -28,7 +28,7 @@ class FragmentStages {
   [[nodiscard]] bool needs(std::size_t unit, std::size_t k) const {
     return context_.stages->reads(static_cast<int>(unit), static_cast<int>(k)) && (k < 3 || has_q(unit));
   }
-  // Of which kinds: of fragments, and the changes to their neighbours in x and y.
+  // The number of kinds of coordinates: those of the fragments, and, if needed, their changes in x and in y.
   [[nodiscard]] std::size_t kinds() const { return coordinates_.size(); }
   [[nodiscard]] Lanes& at(std::size_t kind, std::size_t unit, std::size_t k) { return coordinates_[kind][unit][k]; }
 

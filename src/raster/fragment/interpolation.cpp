@@ -5,7 +5,7 @@
 namespace ninebit {
 namespace {
 
-// Divides the weights by their sum.
+// Divides the weights by their sum. Colours then cut them to eight bits (rules/eight_bit_weights.inl).
 void normalize(std::size_t count, WeightPlanes& weight, std::array<float, kBatchSize>& sums) {
   for (std::size_t i = 0; i < count; ++i) {
     const float sum = (weight[0][i] + weight[1][i]) + weight[2][i];

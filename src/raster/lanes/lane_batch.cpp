@@ -1,5 +1,6 @@
 #include "src/raster/lanes/lane_batch.h"
 
+#include "src/numerics/simd_targets.h"
 #include "src/raster/lanes/lane_inputs.h"
 #include "src/raster/lanes/lane_pass.h"
 

@@ -25,7 +25,7 @@ struct LanePass {
   const LaneOperations operations;
   // Whether find_depths() gives codes, and whether those of primitives' corners are codes, too.
   const bool depths_are_codes, corners_are_codes;
-  // Of a pass that stipples: all ones for the pixels of a tile that are drawn, else 0. (Tiles repeat the pattern.)
+  // The polygon stipple, if it is enabled: all ones for the pixels of a tile that are drawn, else 0. (Tiles repeat it.)
   std::unique_ptr<TileWords> stipple;
   std::unique_ptr<LaneBatch> batch;  // of a pass that gathers fragments: none where the draw's result is flat
 

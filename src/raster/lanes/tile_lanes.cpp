@@ -6,6 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "src/numerics/simd_targets.h"
 #include "src/raster/fragment/blend.h"
 #include "src/raster/lanes/primitive_draw.h"
 #include "src/raster/lanes/tile_triangles.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "src/numerics/simd_targets.h"
 #include "src/raster/lanes/tile_row.h"
 #include "src/raster/surface/color_words.h"
 

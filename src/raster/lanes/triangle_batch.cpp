@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "src/numerics/simd_targets.h"
 #include "src/raster/lanes/triangle_candidates.h"
 
 #undef HWY_TARGET_INCLUDE

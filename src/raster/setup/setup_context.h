@@ -44,7 +44,7 @@ struct SetupContext {
   }
   // Whether polygons are filled, whatever their facing.
   [[nodiscard]] bool fills() const { return front_mode == PolygonMode::fill && back_mode == PolygonMode::fill; }
-  // What primitives without an offset have.
+  // The offset of primitives that have none: 0.
   [[nodiscard]] SetupOffset no_offset() const {
     return window.depth().is_real() ? SetupOffset(0.0F) : SetupOffset(0, window.depth().cuts());
   }

@@ -86,7 +86,7 @@ class TriangleEdges {
       const std::int64_t dx = x[b] - x[a], dy = y[b] - y[a];
       step_x_[i] = -dy * 16;
       step_y_[i] = dx * 16;
-      // At the centre of pixel (0, 0).
+      // At the centre of pixel (0, 0); the rule is in rules/top_left.inl.
       origin_[i] = dx * (8 - y[a]) - dy * (8 - x[a]);
       threshold_[i] = one_fragment::top_left_sign(one_fragment::Numbers(), sign(dx), sign(dy)) < 0 ? 0 : 1;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "src/numerics/simd_targets.h"
 #include "src/raster/setup/clip.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -34,7 +34,7 @@ class DepthNumbers {
   // The number of the largest code.
   [[nodiscard]] constexpr double largest() const { return largest_; }
 
-  // What code() is made of, for vectors.
+  // The parts of code(), for vectors.
   [[nodiscard]] constexpr bool is_whole() const { return is_whole_; }
   [[nodiscard]] constexpr double half() const { return half_; }
   [[nodiscard]] constexpr double least() const { return least_; }

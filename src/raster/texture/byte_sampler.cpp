@@ -38,7 +38,7 @@ int cube_detail_q8(int size, const TextureCoordinates& at, std::size_t i) {
   return level_of_detail_q8(rho_squared(changes));
 }
 
-// Of all fragments, where coordinates have one_change.
+// The level of detail that all fragments share, if their coordinates have one_change.
 int one_detail_q8(const LaneLevel& level, const TextureCoordinates& at) {
   TexelChanges changes{at.dx[0][0], at.dx[1][0], at.dy[0][0], at.dy[1][0]};
   for (double* const change : {&changes.ux, &changes.uy}) *change *= level.width;

@@ -6,7 +6,7 @@
 
 #include "ninebit/raster/pipeline_state.h"
 #include "src/raster/texture/byte_sampler.h"
-#include "src/raster/texture/cube_face.h"
+#include "src/raster/texture/cube_coordinate.h"
 #include "src/raster/texture/texture_level.h"
 #include "src/raster/texture/texture_wrap.h"
 

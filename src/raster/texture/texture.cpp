@@ -4,7 +4,7 @@
 #include <bit>
 #include <string>
 
-#include "src/raster/texture/cube_face.h"
+#include "src/raster/texture/cube_coordinate.h"
 
 namespace ninebit {
 namespace {

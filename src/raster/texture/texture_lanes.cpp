@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "src/numerics/simd_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "src/raster/texture/texture_lanes.cpp"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep

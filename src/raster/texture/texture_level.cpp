@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "src/raster/texture/cube_face.h"
+#include "src/raster/texture/cube_coordinate.h"
 
 namespace ninebit {
 namespace {

@@ -152,7 +152,7 @@ std::string complaint_about(TextureTarget target, InternalFormat format, const T
 template <class T>
 using Octet = std::array<T, 8>;
 
-// Of an image with one layer, both halves are alike.
+// If the image has one layer, both halves are equal.
 float mean(const Octet<float>& of) {
   const float near = ((of[0] + of[1]) + (of[2] + of[3])) * 0.25F;
   const float far = ((of[4] + of[5]) + (of[6] + of[7])) * 0.25F;
@@ -168,7 +168,7 @@ T mean(const Octet<T>& of) {
   return static_cast<T>((std::accumulate(of.begin(), of.end(), std::uint32_t{0}) + 4) / 8);  // codes have 24 bits
 }
 
-// Of whole numbers in two's complement with this sign bit: shifted to positive ones, and back. A sign of 0: unsigned.
+// The mean of codes in two's complement with this sign bit, which are shifted to unsigned codes and back. 0: unsigned.
 template <class T>
 T signed_mean(Octet<T> of, T sign) {
   for (T& code : of) code = static_cast<T>(code ^ sign);
@@ -201,7 +201,7 @@ std::vector<T> means(const TextureImage& image, const TextureSamples& next, cons
   return all;
 }
 
-// Of words whose bytes are in two components.
+// Adds the means of 16-bit words whose bytes are in two components.
 void add_words(const TextureImage& image, const TextureSamples& next, std::array<std::size_t, 2> high_and_low,
                bool is_signed, std::array<std::vector<std::uint8_t>, 4>& bytes) {
   const auto& planes = *std::get_if<std::array<Plane<const std::uint8_t>, 4>>(&image.planes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "src/numerics/simd_targets.h"
 #include "src/raster/texture/texture_level.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -102,6 +102,17 @@ JudgedPixel Judge::judged(int x, int y) const {
   return pixel;
 }
 
+bool Judge::spot_holds_picture() const {
+  const std::span<const std::uint32_t> shown = rendering_.frame.primitive();
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (shown[i] >= scene_.triangles.size()) continue;
+    const int x = static_cast<int>(i % static_cast<std::size_t>(settings_.width));
+    const int y = static_cast<int>(i / static_cast<std::size_t>(settings_.width));
+    if (outside_spot(pixel_rays_.point_on(corners_of(scene_, shown[i]), x, y))) return false;
+  }
+  return true;
+}
+
 bool Judge::turns_away(const Corners& t) const {
   return settings_.light_facing && glm::dot(glm::cross(t.b - t.a, t.c - t.a), light_ray(light_, t.a).way) <= 0.0;
 }

@@ -24,6 +24,9 @@ class Judge {
   // One pixel with all that is known of it.
   [[nodiscard]] JudgedPixel judged(int x, int y) const;
 
+  // Whether the light, a spot, reaches each point that the picture shows: for the camera it is a point light then.
+  [[nodiscard]] bool spot_holds_picture() const;
+
   // The truth about all rows, after all of them were judged once. The judge is empty then.
   [[nodiscard]] GroundTruth finish();
 

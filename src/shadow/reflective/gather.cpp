@@ -1,6 +1,7 @@
 // Gathers for a vector of receivers at a time. Compiled for every SIMD target; the target is chosen at run time.
 #include <cstdint>
 
+#include "src/numerics/simd_targets.h"
 #include "src/shadow/reflective/gather_pattern.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -9,37 +9,37 @@
 namespace ninebit::proof {
 namespace {
 
-struct Around {
+struct OperatorText {
   std::string_view before, after;
   int cost;
 };
 
-constexpr std::array<Around, 8> kMappings{{{"", "", 0},
-                                           {"-", "", 1},
-                                           {"unsigned(", ")", 1},
-                                           {"unsigned_invert(", ")", 1},
-                                           {"expand(", ")", 2},
-                                           {"-expand(", ")", 2},
-                                           {"half_bias(", ")", 2},
-                                           {"-half_bias(", ")", 2}}};
+constexpr std::array<OperatorText, 8> kMappings{{{"", "", 0},
+                                                 {"-", "", 1},
+                                                 {"unsigned(", ")", 1},
+                                                 {"unsigned_invert(", ")", 1},
+                                                 {"expand(", ")", 2},
+                                                 {"-expand(", ")", 2},
+                                                 {"half_bias(", ")", 2},
+                                                 {"-half_bias(", ")", 2}}};
 
-constexpr std::array<Around, 6> kScales{{{"", "", 0},
-                                         {" scale_by_two();", "", 1},
-                                         {" scale_by_four();", "", 1},
-                                         {" scale_by_one_half();", "", 1},
-                                         {" bias_by_negative_one_half();", "", 1},
-                                         {" bias_by_negative_one_half_scale_by_two();", "", 2}}};
+constexpr std::array<OperatorText, 6> kScales{{{"", "", 0},
+                                               {" scale_by_two();", "", 1},
+                                               {" scale_by_four();", "", 1},
+                                               {" scale_by_one_half();", "", 1},
+                                               {" bias_by_negative_one_half();", "", 1},
+                                               {" bias_by_negative_one_half_scale_by_two();", "", 2}}};
 
 constexpr int kFactorCost = 2;
 
-std::string mapped(const Around& mapping, std::string_view what) {
+std::string mapped(const OperatorText& mapping, std::string_view what) {
   return fmt::format("{}{}{}", mapping.before, what, mapping.after);
 }
 
 std::vector<ProgramForm> stages_of_one(std::string_view x) {
   std::vector<ProgramForm> stages;
-  for (const Around& mapping : kMappings) {
-    for (const Around& scale : kScales) {
+  for (const OperatorText& mapping : kMappings) {
+    for (const OperatorText& scale : kScales) {
       stages.push_back({fmt::format("{{ rgb {{ spare0 = {};{} }} }}\n", mapped(mapping, x), scale.before),
                         mapping.cost + scale.cost});
     }
@@ -49,9 +49,9 @@ std::vector<ProgramForm> stages_of_one(std::string_view x) {
 
 std::vector<ProgramForm> stages_of_product(std::string_view x, std::string_view y) {
   std::vector<ProgramForm> stages;
-  for (const Around& first : kMappings) {
-    for (const Around& second : kMappings) {
-      for (const Around& scale : kScales) {
+  for (const OperatorText& first : kMappings) {
+    for (const OperatorText& second : kMappings) {
+      for (const OperatorText& scale : kScales) {
         stages.push_back(
             {fmt::format("{{ rgb {{ spare0 = {} * {};{} }} }}\n", mapped(first, x), mapped(second, y), scale.before),
              first.cost + second.cost + scale.cost + kFactorCost});

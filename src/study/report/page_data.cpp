@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "src/study/report/plot_points.h"
 #include "src/study/report/report_colors.h"
 #include "src/system/hashing/openssl.h"
 
@@ -20,35 +21,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool can_be_shown(const Plot& plot, const std::pair<double, double>& point) {
-  constexpr double kGreatest = 1e150;  // keeps the lengths of axes finite
-  if (!(std::fabs(point.first) < kGreatest) || !(std::fabs(point.second) < kGreatest)) return false;
-  const bool log_x = plot.log_x && !plot.bars && !plot.even_x;
-  return (!log_x || point.first > 1.0 / kGreatest) && (!plot.log_y || point.second > 1.0 / kGreatest);
-}
-
-// The positions that stand at equal distances: each x of a point, ascending.
-std::vector<double> even_positions(const Plot& plot) {
-  std::vector<double> positions;
-  for (const PlotSeries& series : plot.series) {
-    for (const auto& point : series.points) {
-      if (can_be_shown(plot, point)) positions.push_back(point.first);
-    }
-  }
-  std::sort(positions.begin(), positions.end());
-  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-  return positions;
-}
-
-// The label of a position: its name or number.
-std::string position_label(const Plot& plot, double x) {
-  const bool named = x >= 1.0 && x <= static_cast<double>(plot.x_names.size());
-  return named ? plot.x_names[static_cast<std::size_t>(x) - 1] : text_of(x);
-}
-
 Json json_of(const Plot& plot) {
   // At each of the even positions a series has a value or none.
-  const bool even = plot.bars || plot.even_x;
+  const bool even = is_even(plot);
   const std::vector<double> groups = even ? even_positions(plot) : std::vector<double>();
   Json labels = Json::array(), all = Json::array();
   for (const double x : groups) labels.push_back(position_label(plot, x));

@@ -13,6 +13,7 @@
 #include "src/image/output/faults.h"
 #include "src/study/part/part_text.h"
 #include "src/study/report/report_colors.h"
+#include "src/study/report/report_svg.h"
 
 namespace ninebit {
 namespace {
@@ -81,8 +82,14 @@ Result<std::vector<std::filesystem::path>> write_report(const std::filesystem::p
   for (const auto& [table, text] : report_csv(report, rows)) {
     if (Status status = files.text(table + ".csv", text); !status) return status.error();
   }
+  for (const Plot& plot : report.plots) {
+    if (Status status = files.text(plot.file + ".svg", svg_of(plot)); !status) return status.error();
+  }
   for (const HeatMap& map : report.heat_maps) {
     if (Status status = files.picture(map.file, picture_of(map, kLeastMapSide)); !status) return status.error();
+    const auto svg = svg_of(map);
+    if (!svg) return svg.error();
+    if (Status status = files.text(map.file + ".svg", *svg); !status) return status.error();
   }
   for (const ReportPicture& picture : report.pictures) {
     if (Status status = files.picture(picture.file, picture.image); !status) return status.error();

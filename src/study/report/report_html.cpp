@@ -7,50 +7,14 @@
 #include "ninebit/study/report_files.h"
 #include "src/study/report/page_data.h"
 #include "src/study/report/page_texts.h"
+#include "src/study/report/report_text.h"
 #include "src/system/hashing/openssl.h"
 
 namespace ninebit {
 namespace {
 
-// Escapes text for use between tags or in a quoted attribute.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 bool is_number(const StudyValue& value) {
   return !std::holds_alternative<std::string>(value) && !std::holds_alternative<std::monostate>(value);
-}
-
-// A number for people: groups of three digits; reals with six significant digits.
-std::string readable(const StudyValue& value) {
-  if (const auto* real = std::get_if<double>(&value)) return fmt::format("{:.6g}", *real);
-  std::string text = text_of(value);
-  const std::size_t first = text.starts_with('-') ? 1 : 0;
-  if (text.size() - first <= 4) return text;
-  for (std::size_t end = text.size(); end > first + 3; end -= 3) text.insert(end - 3, "\u202f");
-  return text;
 }
 
 std::string caption(std::string_view text) {

@@ -24,7 +24,7 @@ struct WrongPixelTrace {
 // The first of each cause.
 [[nodiscard]] std::vector<WrongPixelTrace> first_of_causes(const std::vector<WrongPixelTrace>& worst);
 
-// What JSON says of one: cause, x, y, radius, command.
+// One in JSON: cause, x, y, radius, command.
 [[nodiscard]] std::vector<std::pair<std::string, StudyValue>> fields_of(const WrongPixelTrace& trace);
 
 }  // namespace ninebit

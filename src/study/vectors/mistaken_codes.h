@@ -18,8 +18,8 @@ namespace ninebit::vectors {
 template <class T>
 using NumberFile = std::array<std::array<T, 4>, kRegisterCount>;
 
-// What both combiners share. T is double for codes, whose wide values are whole numbers below 2^53, and float for
-// fractions of 1.
+// The rules that both combiners share. T is double for codes, whose wide values are whole numbers below 2^53, and float
+// for fractions of 1.
 template <class T>
 class MistakenNumbers {
  public:

@@ -179,7 +179,7 @@ void combined(Maker& m, StageVectorProgram& p) {
     for (bool& is_signed : flags) is_signed = m.random.one_in(2);
   }
   p.state.converts_yuv = m.random.one_in(8);
-  // What no operation reads has no words' meaning: the words of equal programs are equal.
+  // Settings that no operation reads are reset, so that equal programs have equal words.
   p.state = only_used(p.state);
 }
 

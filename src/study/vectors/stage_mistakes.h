@@ -59,11 +59,11 @@ struct StageMistake {
 // The mistakes that may be made instead of a profile's rules.
 [[nodiscard]] std::vector<StageMistake> stage_mistakes_of(const HardwareProfile& profile);
 
-// What a model gives for all fragments of a program.
+// The outputs of a model for all fragments of a program.
 [[nodiscard]] std::vector<StageOutput> run_stage_mistake(const StageMistake& mistake, const StageVectorPack& pack,
                                                          const StageVectorProgram& program);
 
-// What the pack's profile gives, at other coordinates than the program's and for another state.
+// The output of the pack's profile, at other coordinates than the program's and for another state.
 [[nodiscard]] StageOutput stage_output(const HardwareProfile& profile, const std::vector<StagePicture>& pictures,
                                        const StageVectorProgram& program, const TextureShaderProgram& compiled,
                                        const StageCoordinates& at);

@@ -89,7 +89,7 @@ class Model {
   std::vector<void (*)(CombinerState&)> edits_{};
 };
 
-// What a model shows for programs of a pack.
+// The colours that a model shows for programs of a pack.
 class ModelColors {
  public:
   // `programs`: those that run, in turn. They, the pack and the model live longer.

@@ -9,7 +9,7 @@
 namespace ninebit {
 namespace {
 
-// What one mistake gives.
+// The result of one mistake.
 struct Alone {
   std::string name, rules, group;
   vectors::ModelColors colors;

@@ -1,4 +1,4 @@
-// What makes a pack: its size, programs as words, the colours that they show, and loops over them.
+// The parts of a pack: its size, programs as words, the colours that they show, and loops over them.
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 
 namespace ninebit::vectors {
 
-// What is said of a pack where its results are read.
+// The pack's facts that the reader of its results prints.
 struct ResultsOf {
   const std::string& id;
   std::size_t programs, fragments;

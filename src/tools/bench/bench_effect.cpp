@@ -72,7 +72,7 @@ double mpixels(const bench::Spread& spread, double pixels) {
   return pixels / spread.median / 1e3;
 }
 
-// What a verb measures: "effect" or "program".
+// The thing that a verb measures: "effect" or "program".
 struct Measured {
   std::string verb, what;
   std::vector<bench::EffectWorkload> workloads{};

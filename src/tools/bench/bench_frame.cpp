@@ -106,7 +106,7 @@ struct FrameBench {
 Status set_up(const FrameFlags& flags, FrameBench& frame) {
   auto scene = flags.scene.file.empty()
                    ? complete_scene_of(flags.scene, frame.settings, bench::generated_scene(flags.triangles))
-                   : load_scene(flags.scene, frame.settings, flags.bench.common.quiet);
+                   : load_scene(flags.scene, frame.settings);
   if (!scene) return scene.error();
   frame.scene.emplace(std::move(scene).value());
   const auto start = bench::Clock::now();
@@ -194,7 +194,7 @@ int bench_frame(const FrameFlags& flags) {
   if (done && frame.rival) done = measure_rival(*frame.rival, frame.renderer->rendering(), seconds, *line, rival);
   line.reset();
   if (!done) return report(done.error());
-  warn_of_unused_order(frame.settings, frame.renderer->rendering().index_order, common.quiet);
+  warn_of_unused_order(frame.settings, frame.renderer->rendering().index_order);
   return common.json ? answer(json_of(flags, frame, times, rival)) : answer(text_of(frame, times, rival));
 }
 

@@ -112,6 +112,16 @@ std::string check_fov(const std::string& text) {
   return fmt::format("invalid angle '{}'; expected degrees from 0.01 to 170", text);
 }
 
+std::string check_seconds(const std::string& text) {
+  if (are_numbers_in<double>(text, ',', 1, -1e6, 1e6)) return {};
+  return fmt::format("invalid time '{}'; expected seconds from -1e6 to 1e6", text);
+}
+
+std::string check_frame(const std::string& text) {
+  if (are_numbers_in<int>(text, ',', 1, 0, 1'000'000'000)) return {};
+  return fmt::format("invalid frame '{}'; expected a number from 0 to 1000000000", text);
+}
+
 std::string check_spot_angle(const std::string& text) {
   if (are_numbers_in<float>(text, ',', 1, 1.0, 170.0)) return {};
   return fmt::format("invalid angle '{}'; expected degrees from 1 to 170", text);

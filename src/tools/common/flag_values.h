@@ -78,6 +78,8 @@ CLI::Option* add_pixel_flag(CLI::App& verb, const std::string& flag, std::string
 [[nodiscard]] std::string check_floor(const std::string& text);
 // Degrees from 0.01 to 170.
 [[nodiscard]] std::string check_fov(const std::string& text);
+[[nodiscard]] std::string check_seconds(const std::string& text);
+[[nodiscard]] std::string check_frame(const std::string& text);
 // Degrees from 1 to 170.
 [[nodiscard]] std::string check_spot_angle(const std::string& text);
 // Any text that is not empty.

@@ -176,10 +176,10 @@ Result<Scene> read_scene_of(const SceneFlags& flags) {
   return explained_by_kind(scene.error(), flags.file, FileRole::scene);
 }
 
-Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
+Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings) {
   auto read = read_scene_of(flags);
   if (!read) return read;
-  warn_of_ignored(flags.file, read->notes, quiet);
+  warn_of_ignored(flags.file, read->notes);
   return complete_scene_of(flags, settings, std::move(*read));
 }
 

@@ -58,9 +58,8 @@ class ThreadLimit {
 // Reads the scene's file.
 [[nodiscard]] Result<Scene> read_scene_of(const SceneFlags& flags);
 
-// Reads the scene, without its textures, and completes it. Unless quiet, prints one warning that names what the reader
-// ignores.
-[[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet);
+// Reads the scene, without its textures, and completes it. Prints one warning that names what the reader ignores.
+[[nodiscard]] Result<Scene> load_scene(const SceneFlags& flags, const RenderSettings& settings);
 
 // Renders the scene with the technique and the cookie of the flags.
 [[nodiscard]] Result<Rendering> render_scene(const SceneFlags& flags, const Scene& scene,

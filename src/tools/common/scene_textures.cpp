@@ -142,7 +142,7 @@ std::vector<std::string> ignored_materials(const Scene& scene, const std::string
   return out;
 }
 
-Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet) {
+Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings) {
   auto scene = read_scene_of(flags);
   if (!scene) return scene.error();
   if (Status read = read_textures(flags.file, settings, *scene); !read) return read.error();
@@ -151,12 +151,11 @@ Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSetting
   for (std::string& part : ignored_materials(*scene, flags.technique, settings)) ignored.push_back(std::move(part));
   auto complete = complete_scene_of(flags, settings, std::move(*scene));
   if (!complete) return complete.error();
-  warn_of_ignored(flags.file, ignored, quiet);
   return DrawnScene{std::move(*complete), std::move(ignored)};
 }
 
-void warn_of_ignored(const std::string& scene_file, const std::vector<std::string>& ignored, bool quiet) {
-  if (quiet || ignored.empty()) return;
+void warn_of_ignored(const std::string& scene_file, const std::vector<std::string>& ignored) {
+  if (ignored.empty()) return;
   std::string all;
   for (const std::string& part : ignored) all += (all.empty() ? "" : "; ") + printable(part);
   say_warning(fmt::format("{}: ignored: {}", scene_file, all));

@@ -21,17 +21,16 @@ struct DrawnScene {
 };
 
 // load_scene, with the textures of the materials that triangles use, each picture once; none with settings.cartoon and
-// without texture coordinates. Unless quiet, prints one warning that names what is ignored. Reports also, naming the
-// scene's file and the picture, one that is missing, damaged, outside of the scene's folder (unless --allow-outside is
+// without texture coordinates; prints nothing. Reports also, naming the scene's file and the picture, one that is missing, damaged, outside of the scene's folder (unless --allow-outside is
 // given) or beyond the limits.
-[[nodiscard]] Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings, bool quiet);
+[[nodiscard]] Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings);
 
 // Parts of the scene's materials that a technique ignores, one entry each kind.
 [[nodiscard]] std::vector<std::string> ignored_materials(const Scene& scene, const std::string& technique,
                                                          const RenderSettings& settings);
 
-// One warning that names what is ignored; prints nothing if that is empty or `quiet`.
-void warn_of_ignored(const std::string& scene_file, const std::vector<std::string>& ignored, bool quiet);
+// Prints one warning that names what is ignored, if anything is.
+void warn_of_ignored(const std::string& scene_file, const std::vector<std::string>& ignored);
 
 // The flag --cookie: a light's cube map.
 

@@ -130,8 +130,8 @@ void group_scene_flags(CLI::App& verb) {
   }
 }
 
-void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport& report, bool quiet) {
-  if (quiet || settings.index.order == report.order) return;
+void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport& report) {
+  if (settings.index.order == report.order) return;
   say_warning(fmt::format("--index-order neighbour has no effect, the order of the file is used: {}", report.reason));
 }
 

@@ -30,8 +30,8 @@ void group_scene_flags(CLI::App& verb);
 
 // The order of indices in the words of the program: warnings, the summary, JSON.
 
-// Prints a warning to stderr, unless quiet, if a rendering with --index-order neighbour used the order of the file.
-void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport& report, bool quiet);
+// Prints a warning to stderr if a rendering with --index-order neighbour used the order of the file.
+void warn_of_unused_order(const RenderSettings& settings, const IndexOrderReport& report);
 
 // "index order: 40 patches, 60 borders, 3 broken (5.0 % of their length), 0 false neighbours", with a line break; empty
 // for the order of the file.

@@ -44,6 +44,7 @@ function addHeader(page) {
   fact("Picture", `${pictureWidth} × ${pictureHeight} pixels`);
   fact("Profile", data.vary.some((text) => /^-*profile=/.test(text)) ? "varied" : data.profile);
   if (data.vary.length > 0) fact("Varied", data.vary.join("; "));
+  if (data.made_by) fact("Command", data.made_by);
   if (data.ignored.length > 0) fact("Ignored", data.ignored.join("; "));
   for (const reason of new Set(data.left_out.map((one) => one.reason))) {
     const names = data.left_out.filter((one) => one.reason === reason).map((one) => one.technique);

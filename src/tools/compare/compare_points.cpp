@@ -109,8 +109,28 @@ void complete_point(const CompareFlags& flags, const LightKinds& kinds, Compared
   point.scene.light_kinds = kinds;
 }
 
-ComparedPoint varied_point(const CompareFlags& flags, const std::vector<VariedFlag>& varied, std::size_t number,
-                           std::vector<std::string> arguments) {
+// A technique that has no support for a spot light, but for a point light.
+bool takes_only_point(std::string_view technique) {
+  const Technique* const found = find_technique(technique);
+  return found != nullptr && found->lights.point && !found->lights.spot;
+}
+
+std::string_view technique_of(const std::vector<std::string>& arguments) {
+  constexpr std::string_view kFlag = "--technique=";
+  for (const std::string& argument : arguments) {
+    if (argument.starts_with(kFlag)) return std::string_view(argument).substr(kFlag.size());
+  }
+  return {};
+}
+
+// A flag that a point light does not read.
+bool is_of_beam(const std::string& argument) {
+  return argument.starts_with("--light-type=") || argument.starts_with("--light-target=") ||
+         argument.starts_with("--spot-angle=");
+}
+
+ComparedPoint varied_point(const CompareFlags& flags, const LightKinds& kinds, const std::vector<VariedFlag>& varied,
+                           std::size_t number, std::vector<std::string> arguments) {
   std::vector<std::pair<std::string, std::string>> values;
   for (auto flag = varied.rbegin(); flag != varied.rend(); ++flag) {
     values.emplace_back(flag->flag, flag->values[number % flag->values.size()]);
@@ -123,8 +143,11 @@ ComparedPoint varied_point(const CompareFlags& flags, const std::vector<VariedFl
     words.push_back(flag == "technique" ? value : fmt::format("{} {}", flag, value));
   }
   const std::string name = fmt::format("{}", fmt::join(words, ", "));
+  const bool as_point = !kinds.has(LightKind::point) && takes_only_point(technique_of(arguments));
+  if (as_point) std::erase_if(arguments, is_of_beam);
   try {
     ComparedPoint point = parse_point(std::move(arguments));
+    point.as_point = as_point;
     point.name = name;
     point.varied = std::move(values);
     return point;
@@ -159,6 +182,11 @@ LightKinds light_kinds_of(const CompareFlags& flags) {
     kinds.directional = kinds.directional && technique->lights.directional;
   }
   if (kinds.point || kinds.spot || kinds.directional) return kinds;
+  const auto takes_spot = [](const std::string& name) {
+    const Technique* const technique = find_technique(name);
+    return technique == nullptr || technique->lights.spot || technique->lights.point;
+  };
+  if (std::all_of(names.begin(), names.end(), takes_spot)) return {.point = false, .spot = true, .directional = false};
   throw CLI::ValidationError(
       fmt::format("--vary technique={}: no kind of light is supported by all of them; expected techniques that share "
                   "one",
@@ -184,21 +212,33 @@ ComparedPoints varied_points(const CompareFlags& flags) {
   if (!names_technique) arguments.push_back("--technique=" + flags.scene.technique);
   ComparedPoints all;
   for (std::size_t i = 0; i < count; ++i) {
-    all.points.push_back(varied_point(flags, varied, i, arguments));
+    all.points.push_back(varied_point(flags, kinds, varied, i, arguments));
     complete_point(flags, kinds, all.points.back());
   }
   return all;
 }
 
-Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind light) {
+Result<bool> spot_holds_picture(const CompareFlags& flags, const Scene& scene) {
+  RenderSettings settings = settings_of(flags.scene, flags.common);
+  settings.evidence = true;
+  const auto rendering = find_technique("shadow-volume")->render(scene, settings, {});  // it supports every light
+  if (!rendering) return rendering.error();
+  const auto rays = GroundTruthScene::make(scene);
+  if (!rays) return rays.error();
+  return Judge(rays->rays(), settings, *rendering).spot_holds_picture();
+}
+
+Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind light, bool holds_picture) {
   const LightKinds kinds{.point = light == LightKind::point,
                          .spot = light == LightKind::spot,
                          .directional = light == LightKind::directional};
   ComparedPoints all;
   for (const Technique& technique : techniques()) {
     const std::string name(technique.name);
-    if (!technique.lights.has(light)) {
-      all.left_out.push_back({name, fmt::format("no support for a {} light", light_kind_name(light))});
+    const bool as_point = light == LightKind::spot && takes_only_point(name);
+    if (!technique.lights.has(light) && !(as_point && holds_picture)) {
+      all.left_out.push_back({name, fmt::format("no support for a {} light{}", light_kind_name(light),
+                                                as_point ? " that does not reach all of the picture" : "")});
       continue;
     }
     if (name == "light-cookie" && flags.scene.cookie.empty()) {
@@ -210,8 +250,10 @@ Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind lig
     std::vector<std::string> arguments = given_arguments(
         flags.common, flags.scene_options, [&](const std::string& flag) { return reads_flag(own, flag); });
     arguments.push_back("--technique=" + name);
+    if (as_point) std::erase_if(arguments, is_of_beam);
     try {
       all.points.push_back(parse_point(std::move(arguments)));
+      all.points.back().as_point = as_point;
     } catch (const CLI::ParseError& error) {
       return Diagnostic{.message = error.what()};
     }
@@ -232,12 +274,16 @@ namespace {
 
 // The flags of the point, without the size; the kind of light is said, as `trace` would choose it by the technique
 // alone.
-std::vector<std::string> traced_arguments(const ComparedPoint& point, LightKind light) {
+std::vector<std::string> traced_arguments(const ComparedPoint& point, const Light& light) {
   std::vector<std::string> arguments;
   for (const std::string& argument : point.arguments) {
-    if (!argument.starts_with("--size=")) arguments.push_back(argument);
+    const bool is_replaced = point.as_point && argument.starts_with("--light=");
+    if (!argument.starts_with("--size=") && !is_replaced) arguments.push_back(argument);
   }
-  if (point.scene.light_type.empty()) arguments.push_back(fmt::format("--light-type={}", light_kind_name(light)));
+  if (point.as_point) {
+    arguments.push_back(fmt::format("--light={},{},{}", light.position.x, light.position.y, light.position.z));
+  }
+  if (point.scene.light_type.empty()) arguments.push_back(fmt::format("--light-type={}", light_kind_name(light.kind)));
   return arguments;
 }
 
@@ -251,7 +297,7 @@ Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Sc
   for (const ErrorCause cause : causes_of(*rendering.evidence)) {
     errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
   }
-  errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0].kind), *truth);
+  errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0]), *truth);
   Image8 causes = cause_plane(*truth, settings.width, settings.height);
   auto plane = encode_png(causes);
   if (!plane) return plane.error();
@@ -295,6 +341,7 @@ Json row_json(const ComparedPoint& point, const ComparedRow& row) {
     out["refused"] = row.refused;
     return out;
   }
+  out["light"] = light_kind_name(row.light);
   out["pixels"] = {{"background", row.background}, {"lit", row.lit}, {"shadowed", row.shadowed}};
   out["errors"] = row.errors ? errors_of_row(*row.errors) : Json();
   const PassTimes& pass = row.times;
@@ -318,7 +365,7 @@ double total_ms(const PassTimes& times) {
 
 Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene,
                                  const GroundTruthScene& rays, const Progress& progress) {
-  ComparedRow row;
+  ComparedRow row{.light = scene.lights[0].kind};
   RenderSettings settings = settings_of(point.scene, point.common);
   settings.evidence = true;
   const auto part = [&](double from, double share) {
@@ -390,6 +437,7 @@ std::string page_json(const CompareFlags& flags, const Comparison& comparison) {
     if (!row.color.empty()) data["rows"][i]["color"] = picture_url(row.color);
     if (!row.wrong.empty()) data["rows"][i]["wrong_pixels"] = picture_url(row.wrong);
   }
+  data["made_by"] = given_command();
   data["causes"] = Json::array();
   for (std::size_t cause = 0; cause < kErrorCauses; ++cause) {
     data["causes"].push_back(name_of(static_cast<ErrorCause>(cause)));

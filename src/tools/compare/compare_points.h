@@ -30,6 +30,7 @@ struct ComparedPoint {
   SceneFlags scene{};
   CommonFlags common{};
   std::vector<std::string> arguments{};  // the flags that it was parsed from
+  bool as_point = false;                 // the scene's spot light is drawn as a point light at its place
 };
 
 // A technique that is not compared.
@@ -50,17 +51,21 @@ inline constexpr std::size_t kMostComparedPixels = std::size_t{1} << 26;
 // "point", "spot" or "directional".
 [[nodiscard]] const char* light_kind_name(LightKind kind);
 
-// The kinds of light that the scene may have: those that all techniques of --vary support; any without --vary.
-// Throws CLI::ValidationError if there is none.
+// The kinds of light that the scene may have: those that all techniques of --vary support; any without --vary. If there
+// is none, a spot light, where those without support for it support a point light. Throws CLI::ValidationError if that
+// is not so, either.
 [[nodiscard]] LightKinds light_kinds_of(const CompareFlags& flags);
 
 // The combinations of --vary, in the order of the lists, the last one fastest. Throws CLI::ValidationError for a flag
 // that cannot be varied, a value that `render` would reject, and too many combinations.
 [[nodiscard]] ComparedPoints varied_points(const CompareFlags& flags);
 
-// A point for each technique that supports this light. The Diagnostic, wrong usage, names a given flag that none of
-// them reads.
-[[nodiscard]] Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind light);
+// A point for each technique that supports this light or, if it is a spot that `holds_picture`, a point light. The
+// Diagnostic, wrong usage, names a given flag that none of them reads.
+[[nodiscard]] Result<ComparedPoints> technique_points(const CompareFlags& flags, LightKind light, bool holds_picture);
+
+// Whether the scene's light, a spot, reaches all that the picture shows: for the camera it is a point light then.
+[[nodiscard]] Result<bool> spot_holds_picture(const CompareFlags& flags, const Scene& scene);
 
 // The rows of `ninebit compare`: each point rendered, judged by rays and measured.
 
@@ -73,6 +78,7 @@ struct ComparedErrors {
 
 struct ComparedRow {
   std::string refused{};  // why the technique cannot draw the scene; empty: it was drawn
+  LightKind light = LightKind::point;
   std::uint64_t background = 0, lit = 0, shadowed = 0;
   std::optional<ComparedErrors> errors{};                     // empty if no shadows were drawn
   PassTimes times{};                                          // of a rendering that is not judged
@@ -90,6 +96,7 @@ struct Comparison {
   std::vector<ComparedRow> rows{};  // one per point
   std::vector<std::string> ignored{};
   std::string light{};  // "point light at 1, 2, 3"
+  bool spot_holds_picture = false;
   int width = 0, height = 0;
   std::size_t triangles = 0;
 };

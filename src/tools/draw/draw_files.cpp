@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "ninebit/combiner/validate.h"
@@ -58,7 +59,7 @@ Result<Texture> read_pictures(std::span<const std::filesystem::path> files, cons
   TextureReadOptions options{.any_size = files.size() == 1, .isolated = true, .go_on = &go_on};
   options.on_resample = [&](int width, int height) {
     warnings.push_back(
-        fmt::format("{}: {} x {} is resampled to powers of two; textures of the time have no other sizes",
+        fmt::format("{}: {} x {} is resampled to powers of two; 2D textures of the time have no other sizes",
                     printable(files[0].string()), width, height));
   };
   if (files.size() == 1) {
@@ -91,9 +92,9 @@ Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::s
       .file = file};
 }
 
-DrawnFile read_effect_file(const std::string& file, bool allow_outside) {
+DrawnFile read_effect_file(const std::string& file, const EffectReadOptions& options) {
   if (!is_effect(file)) return {};
-  auto parsed = read_effect(file, {.allow_outside = allow_outside});
+  auto parsed = read_effect(file, options);
   if (!parsed) return {.effect = {}, .exit_code = report(parsed.faults())};
   return {.effect = std::move(*parsed)};
 }
@@ -101,17 +102,22 @@ DrawnFile read_effect_file(const std::string& file, bool allow_outside) {
 EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>& defines,
                              std::vector<std::string>& warnings) {
   EffectReaders readers;
-  readers.program = [defines, allow_outside, &warnings](const std::filesystem::path& path,
-                                                        const HardwareProfile& profile) {
-    return read_program(path, profile, defines, allow_outside, warnings);
+  readers.program = [defines, allow_outside, &warnings, known = std::map<std::filesystem::path, Result<TextProgram>>()](
+                        const std::filesystem::path& path, const HardwareProfile& profile) mutable {
+    const auto found = known.find(path);
+    if (found != known.end()) return found->second;
+    return known.emplace(path, read_program(path, profile, defines, allow_outside, warnings)).first->second;
   };
   readers.texture = [&warnings](std::span<const std::filesystem::path> files, const HardwareProfile& profile) {
     return read_texture_files(files, profile, warnings);
   };
-  readers.rectangle = [](const std::filesystem::path& file, const HardwareProfile& profile) {
+  readers.rectangle = [known = std::map<std::filesystem::path, Texture>()](
+                          const std::filesystem::path& file, const HardwareProfile& profile) mutable -> Result<Texture> {
+    if (const auto found = known.find(file); found != known.end()) return found->second;
     TextureReadOptions options{.rectangle = true, .isolated = true, .go_on = &go_on};
     auto texture = image_detail::read_texture(profile, file, options, image_detail::kPictureModule);
-    return texture ? texture : explained_by_kind(texture.error(), texture.error().file, FileRole::picture);
+    if (!texture) return explained_by_kind(texture.error(), texture.error().file, FileRole::picture);
+    return known.emplace(file, std::move(*texture)).first->second;
   };
   readers.scene = [allow_outside, &warnings](const std::filesystem::path& file, std::optional<UpAxis> up) {
     auto scene = read_scene(file, {.allow_outside = allow_outside, .up = up, .isolated = true, .go_on = &go_on});

@@ -17,12 +17,12 @@ struct DrawnFile {
   int exit_code = kDone;           // of the faults that were printed
 };
 
-// Reads the file if it is an effect, which is told from its content. Prints its faults. `allow_outside` as in
-// EffectReadOptions.
-[[nodiscard]] DrawnFile read_effect_file(const std::string& file, bool allow_outside);
+// Reads the file if it is an effect, which is told from its content. Prints its faults.
+[[nodiscard]] DrawnFile read_effect_file(const std::string& file, const EffectReadOptions& options);
 
 // Readers in isolated child processes that can be interrupted. They add what is worth a warning to `warnings`, which
-// must outlive them, and print the faults of programs, of which they then report only the first.
+// must outlive them, and print the faults of programs, of which they then report only the first. They read a program,
+// and a rectangle, once: the profile must be the same in all calls.
 // `defines`: as ProgramFlags::defines, of all programs that take definitions.
 [[nodiscard]] EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>& defines,
                                            std::vector<std::string>& warnings);

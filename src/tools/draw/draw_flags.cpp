@@ -100,12 +100,7 @@ Status add_unit(const DrawFlags& flags, std::size_t unit, Effect& effect, Effect
     return Diagnostic{.message = fmt::format("--tex{} {}: only effect files have targets", unit, flags.textures[unit])};
   }
   texture.name = fmt::format("tex{}", unit);
-  for (std::size_t i = 0; i < kSamplerWords.size(); ++i) {
-    const std::string& text = flags.samplers[unit][i];
-    if (!text.empty()) (void)kSamplerWords[i].parse(text, texture.sampler);
-  }
-  if (!flags.border_colors[unit].empty()) (void)parse_border_color(flags.border_colors[unit], texture.sampler);
-  texture.sampler.border_texels = flags.border_texels[unit];
+  set_sampler(flags, unit, texture.sampler);
   pass.units[unit].texture = texture.name;
   if (!flags.coordinates[unit].empty()) {
     pass.units[unit].coordinates = parse_coordinate_source(flags.coordinates[unit]).value();
@@ -229,8 +224,27 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
 
 }  // namespace
 
+void set_sampler(const DrawFlags& flags, std::size_t unit, Sampler& sampler) {
+  for (std::size_t i = 0; i < kSamplerWords.size(); ++i) {
+    const std::string& text = flags.samplers[unit][i];
+    if (!text.empty()) (void)kSamplerWords[i].parse(text, sampler);
+  }
+  if (!flags.border_colors[unit].empty()) (void)parse_border_color(flags.border_colors[unit], sampler);
+  sampler.border_texels = flags.border_texels[unit];
+}
+
+std::vector<CLI::Option*> add_moment_flags(CLI::App& verb, EffectMoment& moment) {
+  return {verb.add_option("--time", moment.time, "Time of the picture, for effect files that move (default: 0)")
+              ->type_name("SECONDS")
+              ->check(text_check(&check_seconds)),
+          verb.add_option("--frame", moment.frame, "Number of the picture, for effect files that move (default: 0)")
+              ->type_name("N")
+              ->check(text_check(&check_frame))};
+}
+
 void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
-  verb.add_option("--size", flags.size, "Picture size in pixels (default: 512x512)")
+  verb.add_option("--size", flags.size,
+                  "Picture size in pixels (default: that of the first picture that the rectangle shows; else 512x512)")
       ->type_name("WxH")
       ->check(text_check(&check_size));
   std::vector<std::string> color_formats;
@@ -247,6 +261,7 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   add_up_flag(verb, flags.up);
   verb.add_flag("--allow-outside", flags.allow_outside,
                 "Also read files that the effect or scene names outside of its folder");
+  flags.moment_options = add_moment_flags(verb, flags.moment);
   add_pass_flags(verb, flags);
   const auto point = [&](const char* flag, std::string& text, const char* help) {
     verb.add_option(flag, text, help)->type_name("X,Y,Z")->check(text_check(&check_point));

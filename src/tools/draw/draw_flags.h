@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ninebit/effect/effect.h"
+#include "ninebit/effect/effect_json.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "src/effect/effect_words.h"
@@ -43,14 +44,21 @@ struct DrawFlags {
   ProfileChoice difference;  // or kArithmetic
   std::string only;          // the files to write; empty: all
   bool layers = false;
+  EffectMoment moment{};
+  std::vector<CLI::Option*> moment_options{};
   std::vector<CLI::Option*> pass_options{};                            // those that an effect file replaces
   std::array<std::vector<CLI::Option*>, kEffectUnits> unit_options{};  // those that need a unit's texture
 };
 
 void add_draw_flags(CLI::App& verb, DrawFlags& flags);
+// Adds --time and --frame.
+std::vector<CLI::Option*> add_moment_flags(CLI::App& verb, EffectMoment& moment);
 
 // The effect of one pass that the flags describe. The Diagnostic is wrong usage.
 [[nodiscard]] Result<Effect> effect_of(const DrawFlags& flags);
+
+// Sets what the flags of a unit say about its sampler.
+void set_sampler(const DrawFlags& flags, std::size_t unit, Sampler& sampler);
 
 // Whether to write the picture, the difference or the layers: --only.
 [[nodiscard]] bool writes(const DrawFlags& flags, std::string_view name);

@@ -72,7 +72,7 @@ StageTextures textures_of(const TextureShaderState& state) {
   return textures;
 }
 
-// What a row gives.
+// The values of a row.
 struct Row {
   StageInputs inputs{};
   std::array<Bytes4, kTextureStages> texel{};

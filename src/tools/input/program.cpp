@@ -13,6 +13,7 @@
 
 #include "src/language/source/nearest_name.h"
 #include "src/system/process.h"
+#include "src/system/shell_word.h"
 #include "src/system/stream.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/host.h"
@@ -22,6 +23,9 @@ namespace ninebit::tools {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+
+// Whether the cursor stands behind a progress line.
+bool progress_is_shown = false;
 
 // The second signal ends the program at once: outputs that are not complete have temporary names.
 extern "C" void on_interrupt(int signal) {
@@ -90,6 +94,12 @@ void write_to_stderr(std::string_view text) noexcept {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+// The next step draws it again.
+void erase_progress() noexcept {
+  if (progress_is_shown) write_to_stderr("\r\x1b[K");
+  progress_is_shown = false;
+}
+
 // Piece by piece, so that an out-of-memory message needs no allocation.
 void say_printable(std::string_view text) noexcept {
   while (!text.empty()) {
@@ -134,7 +144,7 @@ void add_profile_flag(CLI::App& verb, CommonFlags& flags, std::vector<std::strin
 
 void add_answer_flags(CLI::App& verb, CommonFlags& flags) {
   verb.add_flag("--json", flags.json, "Print one JSON object to stdout, and nothing else");
-  verb.add_flag("--quiet", flags.quiet, "Do not print progress or the names of written files");
+  verb.add_flag("--quiet", flags.quiet, "Do not print progress, notes or the names of written files");
 }
 
 void add_common_flags(CLI::App& verb, CommonFlags& flags) {
@@ -180,10 +190,29 @@ bool wants_colors(int stream) {
   return takes_escapes(stream) && (no_color == nullptr || *no_color == '\0');
 }
 
+namespace {
+
+std::string& command() {
+  static std::string text;
+  return text;
+}
+
+}  // namespace
+
+const std::string& given_command() {
+  return command();
+}
+
+void set_given_command(int argc, const char* const* argv) {
+  command() = host() == nullptr ? "ninebit" : "";
+  for (int i = 1; i < argc && host() == nullptr; ++i) command() += ' ' + shell_word(argv[i]);
+}
+
 void say(std::string_view text) noexcept {
   if (host() != nullptr) return host()->say(text);
   constexpr std::string_view kError = "ninebit: error:", kRed = "\x1b[1;31m", kPlain = "\x1b[0m";
   const bool colored = wants_colors(posix::kStandardError);
+  erase_progress();
   for (std::string_view rest = text; !rest.empty();) {
     std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
     rest.remove_prefix(line.size());
@@ -269,7 +298,7 @@ ProgressLine::ProgressLine(bool quiet) : visible_(host() == nullptr && !quiet &&
 }
 
 ProgressLine::~ProgressLine() {
-  if (visible_) write_to_stderr("\r\x1b[K");
+  erase_progress();
 }
 
 bool ProgressLine::step(std::string_view what, double done) {
@@ -278,6 +307,7 @@ bool ProgressLine::step(std::string_view what, double done) {
     const int filled = static_cast<int>(std::clamp(done, 0.0, 1.0) * kWidth);
     write_to_stderr(fmt::format("\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
                                 std::string(static_cast<std::size_t>(kWidth - filled), '.'), printable(what)));
+    progress_is_shown = true;
     std::fflush(stderr);
   }
   if (host() != nullptr) host()->step(what, done);

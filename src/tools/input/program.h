@@ -89,6 +89,11 @@ CLI::Option* add_profile_option(CLI::App& verb, const std::string& option, Profi
 // and TERM is not "dumb".
 [[nodiscard]] bool wants_colors(int stream);
 
+// The command that runs, as a shell takes it, for the pages that it writes. Empty in a host's process, whose words are
+// not a command of its user.
+[[nodiscard]] const std::string& given_command();
+void set_given_command(int argc, const char* const* argv);
+
 // Writes lines to stderr, with "ninebit: error:" in red if it wants colours, and control characters escaped as in
 // printable.h. Write errors are ignored: the results do not depend on stderr.
 void say(std::string_view text) noexcept;

@@ -17,7 +17,7 @@ namespace {
 using Op = TextureOperation;
 using Stages = std::array<std::optional<TextureStage>, kTextureStages>;
 
-// What a unit's register holds before the combiners.
+// The contents of a unit's register before the combiners.
 struct UnitTexel {
   enum class Kind { texture, coordinates, value, opaque };
   Kind kind = Kind::texture;

@@ -1,4 +1,4 @@
-// What a question about combiners sees of the texture-shader stages before them: registers that hold one value, and
+// Texture-shader stages as a question about combiners sees them: registers that hold one value, and
 // opaque ones, which hold what a dependent look-up gives.
 #pragma once
 

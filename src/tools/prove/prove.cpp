@@ -67,12 +67,12 @@ void add_proof_flags(CLI::App& verb, ProofFlags& flags) {
       ->allow_extra_args(false);
 }
 
-Status choose_inputs(const ProofFlags& flags, const std::vector<AskedProgram>& programs, EquivalenceOptions& options) {
+Status choose_inputs(const ProofFlags& flags, const std::vector<ProofProgram>& programs, EquivalenceOptions& options) {
   for (const std::string& text : flags.free) {
     const std::optional<Register> reg = register_named(text);
     const auto name = constant_called(reg ? short_name(*reg) : text);
     bool found = false;
-    for (const AskedProgram& one : programs) found = (name && free_constant(*one.state, *name)) || found;
+    for (const ProofProgram& one : programs) found = (name && free_constant(*one.state, *name)) || found;
     if (!found) {
       return Diagnostic{.message = fmt::format("--free {}: no program of the question reads such a constant; expected "
                                                "a name such as const0 or stage1.const0",
@@ -80,7 +80,7 @@ Status choose_inputs(const ProofFlags& flags, const std::vector<AskedProgram>& p
     }
   }
   std::vector<ConstantName> unset;
-  for (const AskedProgram& one : programs) {
+  for (const ProofProgram& one : programs) {
     std::vector<std::string> names;
     for (std::size_t which = 0; which < 2; ++which) {
       for (std::size_t place = 0; place <= kFinalConstants; ++place) {

@@ -18,13 +18,13 @@ struct ProofFlags {
 // Adds the common flags, --timeout, --set and --free.
 void add_proof_flags(CLI::App& verb, ProofFlags& flags);
 // A program of a question and its name.
-struct AskedProgram {
+struct ProofProgram {
   std::string name;
   CombinerState* state;
 };
 // Makes the constants of --free unset in the programs, and puts the inputs of --set into the options. Notes which
 // constants are inputs. The Diagnostic is wrong usage.
-[[nodiscard]] Status choose_inputs(const ProofFlags& flags, const std::vector<AskedProgram>& programs,
+[[nodiscard]] Status choose_inputs(const ProofFlags& flags, const std::vector<ProofProgram>& programs,
                                    EquivalenceOptions& options);
 // The options of a question, whose progress is shown.
 [[nodiscard]] EquivalenceOptions options_of(const ProofFlags& flags, ProgressLine& progress);

@@ -27,6 +27,9 @@ void add_study_flags(CLI::App& verb, StudyFlags& flags, StudyProfiles profiles) 
     add_profile_flag(verb, flags.common, profiles == StudyProfiles::several ? &flags.profiles : nullptr);
     flags.profile = verb.get_option("--profile");
   }
+  if (profiles == StudyProfiles::several) {
+    flags.profile->description(flags.profile->get_description() + " (default: all)")->default_str("");
+  }
   add_threads_flag(verb, flags.common);
   CLI::Option* folder = verb.add_option("-o,--output", flags.folder,
                                         "Folder for report.html, rows.json, tables and pictures; created if missing. "

@@ -209,7 +209,7 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
   CLI::App* verb = verbs.add_subcommand("datapath", "Measure the error of every datapath operation, over all inputs");
   verb->footer(
       "The error is the difference from exact arithmetic. --program measures a whole program and each of its stages;\n"
-      "--exhaustive-sum measures AB + CD case by case. Their profile is by default geforce2.\n"
+      "--exhaustive-sum measures AB + CD case by case.\n"
       "Examples:\n"
       "  ninebit study datapath --profile geforce2\n"
       "  ninebit study datapath --program docs/programs/index_compare.gl --over primary.r,tex0.r\n"
@@ -219,6 +219,9 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
       "  ninebit study datapath --exhaustive-sum --forms x1,x4");
   auto flags = std::make_shared<DatapathFlags>();
   add_study_flags(*verb, flags->study);
+  flags->study.profile->description(
+      "Hardware profile to emulate: a name from `ninebit profiles`, or a .json file; several names, separated by commas, "
+      "share a report (default: all with integer arithmetic; of --program and --exhaustive-sum geforce2)");
   CLI::Option* program = verb->add_option("--program", flags->program, "Measure this program and each of its stages")
                              ->type_name("FILE")
                              ->check(CLI::Validator(check_file, ""));

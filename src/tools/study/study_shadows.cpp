@@ -130,7 +130,7 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
     if (!cookie) return cookie.error();
     settings.light_cookie.cookie = std::move(cookie).value();
   }
-  auto scene = load_scene(flags.scene, settings, flags.study.common.quiet);
+  auto scene = load_scene(flags.scene, settings);
   if (!scene) return scene.error();
   return make_shadow_sweep(std::move(question).value(), std::move(scene).value(), *find_technique(technique), settings,
                            grid_of(flags));

@@ -90,6 +90,7 @@ DiagramPage trace_page(const TraceFacts& facts) {
     drawn = {{"first", 0}, {"passes", Json::array({std::move(only)})}};
   }
   fact("Version", "ninebit " NINEBIT_VERSION);
+  if (!given_command().empty()) fact("Command", given_command());
   if (!drawn.is_null()) page.passes = json_text(drawn);
   return page;
 }

@@ -52,8 +52,9 @@ Result<RenderedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& c
   settings.evidence = question.ground_truth;
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
-  const auto loaded = load_drawn_scene(flags, settings, common.quiet);
+  const auto loaded = load_drawn_scene(flags, settings);
   if (!loaded) return loaded.error();
+  warn_of_ignored(flags.file, loaded->ignored);
   const Scene* const scene = &loaded->scene;
   auto rendering = render_scene(flags, *scene, settings,
                                 [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); });
@@ -194,8 +195,8 @@ std::string pixel_text(const TracedPixel& pixel) {
 
 namespace {
 
-Result<Effect> effect_in(const std::string& file, bool allow_outside) {
-  auto parsed = read_effect(file, {.allow_outside = allow_outside});
+Result<Effect> effect_in(const std::string& file, const EffectReadOptions& options) {
+  auto parsed = read_effect(file, options);
   if (parsed) return std::move(*parsed);
   const Diagnostic other = explained_by_kind({}, file, FileRole::effect);
   if (!other.message.empty()) return other;
@@ -206,11 +207,11 @@ Result<Effect> effect_in(const std::string& file, bool allow_outside) {
 
 }  // namespace
 
-Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, bool allow_outside,
+Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, const EffectReadOptions& options,
                                 const CommonFlags& common, const HardwareProfile* given,
                                 const std::vector<std::string>& defines) {
   const ThreadLimit limit(common.threads);
-  const auto effect = effect_in(file, allow_outside);
+  const auto effect = effect_in(file, options);
   if (!effect) return effect.error();
   const auto chosen = effect_profile(*effect, file, given);
   if (!chosen) return chosen.error();
@@ -223,8 +224,9 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
   std::vector<std::string> warnings;
-  auto renderer = EffectRenderer::make(*effect, *traced.profile, effect_readers(allow_outside, defines, warnings),
-                                       {.layers = false, .pixel = *at});
+  auto renderer =
+      EffectRenderer::make(*effect, *traced.profile, effect_readers(options.allow_outside, defines, warnings),
+                           {.layers = false, .pixel = *at});
   if (!renderer) return renderer.error();
   Status drawn = renderer->draw([&](std::string_view pass, double done) { return line.step(pass, done); });
   if (!drawn) return drawn.error();

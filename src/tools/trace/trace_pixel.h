@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ninebit/effect/effect_json.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/shadow/ground_truth.h"
@@ -14,7 +15,7 @@
 
 namespace ninebit::tools {
 
-// What is asked about a pixel of a scene.
+// A question about a pixel of a scene.
 struct PixelQuestion {
   int x = 0, y = 0;            // from the top left, inside the picture
   bool other_program = false;  // a program replaces that of the pass
@@ -35,7 +36,7 @@ struct RenderedPixel {
 
 [[nodiscard]] std::string pixel_text(const TracedPixel& pixel);
 
-// What is true of the pixel, and why: "wrong (joint): …", a sentence.
+// The verdict on the pixel, with its reason: "wrong (joint): …", a sentence.
 [[nodiscard]] std::string truth_text(const TracedPixel& pixel, const JudgedPixel& truth);
 // The same as `truth` of the answer; polygons count from 1.
 [[nodiscard]] Json truth_json(const JudgedPixel& truth);
@@ -51,11 +52,11 @@ struct TracedEffect {
 };
 
 // Draws the effect file and probes the pixel X,Y of its picture, counted from the top left. The rectangles that passes
-// draw count as one more object, whose polygons come after those of the mesh. `allow_outside` as in EffectReadOptions.
-// `given`: the profile of --profile, or nullptr. `defines`: as ProgramFlags::defines. Reports what `ninebit draw`
-// reports, and a pixel outside of the picture.
-[[nodiscard]] Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel, bool allow_outside,
-                                              const CommonFlags& common, const HardwareProfile* given,
-                                              const std::vector<std::string>& defines);
+// draw count as one more object, whose polygons come after those of the mesh. `given`: the profile of --profile, or
+// nullptr. `defines`: as ProgramFlags::defines. Reports what `ninebit draw` reports, and a pixel outside of the
+// picture.
+[[nodiscard]] Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixel,
+                                              const EffectReadOptions& options, const CommonFlags& common,
+                                              const HardwareProfile* given, const std::vector<std::string>& defines);
 
 }  // namespace ninebit::tools

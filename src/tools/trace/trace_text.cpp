@@ -143,21 +143,23 @@ class TextWriter {
       variable(0);
       variable(1);
       table_.wide("A·B", cells(&TracedChannel::ab_product));
-      if (out.ab_dot_product) table_.wide("dot product A·B", cells(&TracedChannel::ab));
+      if (out.ab_dot_product) table_.wide("dot(A, B)", cells(&TracedChannel::ab));
     }
     if (portion.uses_cd) {
       variable(2);
       variable(3);
       table_.wide("C·D", cells(&TracedChannel::cd_product));
-      if (out.cd_dot_product) table_.wide("dot product C·D", cells(&TracedChannel::cd));
+      if (out.cd_dot_product) table_.wide("dot(C, D)", cells(&TracedChannel::cd));
     }
     if (out.sum != Register::discard) {
       if (out.mux_sum) mux(stage);
       table_.wide(out.mux_sum ? "mux" : "A·B + C·D", cells(&TracedChannel::third));
     }
     const char* const blue = ", blue also to its alpha";
-    output("A·B", out, out.ab, channels, &TracedChannel::ab_output, out.ab_blue_to_alpha ? blue : "");
-    output("C·D", out, out.cd, channels, &TracedChannel::cd_output, out.cd_blue_to_alpha ? blue : "");
+    output(out.ab_dot_product ? "dot(A, B)" : "A·B", out, out.ab, channels, &TracedChannel::ab_output,
+           out.ab_blue_to_alpha ? blue : "");
+    output(out.cd_dot_product ? "dot(C, D)" : "C·D", out, out.cd, channels, &TracedChannel::cd_output,
+           out.cd_blue_to_alpha ? blue : "");
     output(out.mux_sum ? "mux" : "A·B + C·D", out, out.sum, channels, &TracedChannel::third_output);
   }
 

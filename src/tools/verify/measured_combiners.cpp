@@ -140,7 +140,7 @@ namespace {
 // Three bytes of constants or registers of the quads' programs.
 using Triple = std::array<int, 3>;
 
-// What a quad of the tables' pictures runs.
+// The program of a quad in the tables' pictures.
 struct QuadProgram {
   CombinerState state;
   Triple constant{}, secondary{};

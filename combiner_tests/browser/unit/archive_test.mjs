@@ -1,0 +1,55 @@
+/** What the page saves: PNG, APNG, ZIP. */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { enlarged, png, zip } from '../../../src/playground/web/archive.js';
+import { decodePng } from '../../../src/playground/web/png.js';
+
+const pixels = (width, height) => Uint8Array.from({ length: width * height * 4 }, (_, at) => at * 37 % 256);
+const bytesOf = async (blob) => new Uint8Array(await blob.arrayBuffer());
+
+test('a PNG has the bytes of its picture, alpha included', async () => {
+  for (const [width, height] of [[1, 1], [7, 3], [64, 65]]) {
+    const found = await decodePng(await bytesOf(await png([pixels(width, height)], width, height)), 1e6);
+    assert.deepEqual(found, { width, height, pixels: pixels(width, height) });
+  }
+});
+
+test('an enlarged picture has blocks', () => {
+  const source = pixels(3, 2);
+  const large = enlarged(source, 3, 2, 4);
+  assert.equal(large.length, 16 * source.length);
+  for (let y = 0; y < 8; y++) {
+    for (let x = 0; x < 12; x++) {
+      const from = (Math.floor(y / 4) * 3 + Math.floor(x / 4)) * 4, to = (y * 12 + x) * 4;
+      assert.deepEqual(large.slice(to, to + 4), source.slice(from, from + 4));
+    }
+  }
+  assert.equal(enlarged(source, 3, 2, 1), source);
+});
+
+test('an animation has its frames, and its first one is a PNG', async () => {
+  const frames = [0, 1, 2].map((n) => pixels(5, 4).map((value) => value ^ n));
+  const bytes = await bytesOf(await png(frames, 5, 4, 25));
+  assert.deepEqual((await decodePng(bytes, 100)).pixels, frames[0]);
+  const names = [];
+  const view = new DataView(bytes.buffer);
+  for (let at = 8; at < bytes.length; at += 12 + view.getUint32(at)) names.push(String.fromCharCode(...bytes.slice(at + 4, at + 8)));
+  assert.deepEqual(names, ['IHDR', 'acTL', 'fcTL', 'IDAT', 'fcTL', 'fdAT', 'fcTL', 'fdAT', 'IEND']);
+});
+
+test('a ZIP archive unpacks with another program', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'ninebit-zip-'));
+  try {
+    const files = [['effect.json', '{}'], ['programs/sepia.rc1', '!!RC1.0\n'], ['dropped/ü.png', 'x'.repeat(70_000)]];
+    const file = join(folder, 'a.zip');
+    writeFileSync(file, await bytesOf(zip(files.map(([name, text]) => [name, new TextEncoder().encode(text)]))));
+    execFileSync('/usr/bin/python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2])', file, folder]);
+    for (const [name, text] of files) assert.equal(readFileSync(join(folder, name), 'utf8'), text);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});

@@ -1,0 +1,62 @@
+/** Lines of a program and the boxes of the diagram. */
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { boxesOfLines } from '../../../src/playground/web/source_lines.js';
+
+test('statements of !!RC1.0 are products, sums and the final combiner', () => {
+  const lines = boxesOfLines(`!!RC1.0
+# spare0 = tex0;
+{
+  rgb {
+    discard = tex0 * col0;
+    discard = tex1 * col1;
+    spare0 = sum();
+  }
+  alpha { spare1 = tex0; }
+}
+{
+  rgb { spare1 = spare0 . tex0; }
+}
+final_product = spare0 * spare1;
+out.rgb = spare0;
+out.a = spare1;
+`);
+  assert.deepEqual(lines[1], []);
+  assert.deepEqual(lines[4], ['stage0/rgb-A', 'stage0/rgb-B', 'stage0/rgb-ab', 'stage0/rgb-out-ab']);
+  assert.ok(lines[5].includes('stage0/rgb-cd'));
+  assert.ok(lines[6].includes('stage0/rgb-third') && lines[6].includes('stage0/rgb-out-sum'));
+  assert.ok(lines[8].includes('stage0/alpha-ab'));
+  assert.ok(lines[11].includes('stage1/rgb-ab'));
+  assert.ok(lines[13].includes('early/ef'));
+  assert.ok(lines[14].includes('final/rgb'));
+  assert.deepEqual(lines[15], ['final/alpha', 'final/alpha-G']);
+});
+
+test('GL calls name their boxes', () => {
+  const lines = boxesOfLines('glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_C_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);\n' +
+    'glCombinerOutputNV(GL_COMBINER0_NV, GL_RGB, GL_SPARE0_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);\n' +
+    'glFinalCombinerInputNV(GL_VARIABLE_E_NV, GL_SPARE0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);\n');
+  assert.deepEqual(lines[0], ['stage1/alpha-C']);
+  assert.ok(lines[1].includes('stage0/rgb-out-ab'));
+  assert.deepEqual(lines[2], ['early/rgb-E']);
+});
+
+test('other forms have none', () => {
+  assert.deepEqual(boxesOfLines('ps.1.1\nmov r0, t0\n'), [[], [], []]);
+});
+
+test("the gallery's programs have boxes, in as many stages as they have blocks", () => {
+  const folder = new URL('../../../scenes/effects/programs/', import.meta.url);
+  for (const name of readdirSync(folder).filter((file) => file.endsWith('.rc1'))) {
+    const text = readFileSync(new URL(name, folder), 'utf8');
+    const boxes = boxesOfLines(text).flat();
+    const stages = new Set(boxes.filter((box) => box.startsWith('stage')).map((box) => box.split('/')[0]));
+    let depth = 0, blocks = 0;
+    for (const [brace] of text.replace(/#.*/g, '').matchAll(/[{}]/g)) {
+      if (brace === '{' && depth++ === 0) blocks++;
+      if (brace === '}') depth--;
+    }
+    assert.equal(stages.size, blocks, name);
+  }
+});

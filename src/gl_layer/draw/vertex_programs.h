@@ -1,0 +1,33 @@
+// Which program of the driver stands for the one that is bound by NV_vertex_program.
+#pragma once
+
+#include "src/gl_layer/context/context.h"
+
+namespace ninebit::gl_layer {
+
+// Whether the layer adds the extension to this context.
+[[nodiscard]] inline bool has_vertex_programs(const Context* context) {
+  return context != nullptr && context->features.extras.have(Extra::vertex_program);
+}
+
+// Binds the driver's program for the extension's state, with these attributes from arrays. Not between glBegin and glEnd,
+// nor while a list of the driver is open.
+void bind_vertex_program(Context& context, unsigned arrays);
+
+// The attributes that a draw call takes from arrays.
+[[nodiscard]] inline unsigned drawn_arrays(const Context& context, bool reads_arrays) {
+  return reads_arrays ? context.vertex.arrays : 0;
+}
+
+// The same before a draw call, if the last one was of the other kind.
+inline void prepare_vertices(Context& context, unsigned arrays) {
+  if (arrays != context.vertex.drawn_arrays) bind_vertex_program(context, arrays);
+}
+
+// The four rows of a matrix as it is now.
+[[nodiscard]] std::array<VertexVector, 4> rows_of(const TrackedMatrix& matrix);
+
+// Deletes the driver's programs of an object.
+void delete_variants(Context& context, VertexProgramObject& object);
+
+}  // namespace ninebit::gl_layer

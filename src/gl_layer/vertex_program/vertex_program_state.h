@@ -1,0 +1,45 @@
+// The state of NV_vertex_program: the objects that contexts share, and what is a context's own.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "src/gl_layer/vertex_program/vertex_program.h"
+
+namespace ninebit::gl_layer {
+
+// What a program of the driver stands for, beside a text: the tracked matrices that it reads, and the attributes that come
+// from attribute arrays.
+using VertexVariant = std::pair<TrackedMatrices, unsigned>;
+
+// A program by its name. It has no text while its name is only generated or bound.
+struct VertexProgramObject {
+  unsigned target = 0;  // 0: it was not loaded
+  std::string text{};
+  VertexProgram program{};
+  std::map<VertexVariant, unsigned> variants{};  // the driver's programs; 0: the driver refused it
+};
+
+struct SharedVertexPrograms {
+  std::map<unsigned, std::shared_ptr<VertexProgramObject>> by_name{};
+  std::set<unsigned> driver_names{};  // that the layer made, and the program never got
+  unsigned without_text = 0;          // the driver's program that draws nothing, with its error
+};
+
+struct VertexProgramState {
+  bool used = false;    // whether the program has called a function of the extension
+  bool is_bound = false;  // whether the last program was bound by the extension, and not by ARB_vertex_program
+  unsigned name = 0;      // that is bound by the extension
+  std::shared_ptr<VertexProgramObject> object{};  // nullptr: there is none of this name
+  unsigned driver_name = 0;  // of the driver's program that stands for it
+  unsigned arrays = 0;       // the attribute arrays that are enabled
+  unsigned drawn_arrays = 0;  // those that the driver's program reads: immediate mode has none
+  TrackedMatrices matrices{};
+  std::array<std::pair<unsigned, unsigned>, kVertexParameters / 4> tracked{};  // the same in OpenGL's words
+  int error_position = -1;
+  bool has_error_position = false;  // whether the last program text was of the extension
+};
+
+}  // namespace ninebit::gl_layer

@@ -1,0 +1,113 @@
+/**
+ * Files that the page writes: pictures as PNG to the bit, animations as APNG, several files as a ZIP archive.
+ */
+
+const table = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let value = byte;
+  for (let bit = 0; bit < 8; bit++) value = value & 1 ? 0xEDB88320 ^ (value >>> 1) : value >>> 1;
+  return value;
+});
+
+/** CRC-32, which both formats use. @param {Uint8Array[]} parts */
+function crc32(...parts) {
+  let crc = 0xFFFFFFFF;
+  for (const part of parts) for (const byte of part) crc = table[(crc ^ byte) & 255] ^ (crc >>> 8);
+  return (crc ^ 0xFFFFFFFF) >>> 0;
+}
+
+/** Whole numbers as bytes. @param {boolean} little the lowest byte first @param {...[number, number]} fields sizes in bytes, and values */
+function bytesOf(little, ...fields) {
+  const bytes = new Uint8Array(fields.reduce((sum, [size]) => sum + size, 0));
+  const view = new DataView(bytes.buffer);
+  let at = 0;
+  for (const [size, value] of fields) {
+    if (size === 1) view.setUint8(at, value);
+    else if (size === 2) view.setUint16(at, value, little);
+    else view.setUint32(at, value, little);
+    at += size;
+  }
+  return bytes;
+}
+
+/** @param {...[number, number]} fields */
+const bigEndian = (...fields) => bytesOf(false, ...fields);
+/** @param {...[number, number]} fields */
+const littleEndian = (...fields) => bytesOf(true, ...fields);
+/** @param {string} text */
+const ascii = (text) => new TextEncoder().encode(text);
+
+/** The bytes deflated with zlib's heading. @param {Uint8Array<ArrayBuffer>} bytes */
+async function deflated(bytes) {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate'))).arrayBuffer());
+}
+
+/** @param {string} name @param {...Uint8Array} data @returns {Uint8Array[]} */
+function chunk(name, ...data) {
+  const kind = ascii(name);
+  const length = data.reduce((sum, part) => sum + part.length, 0);
+  return [bigEndian([4, length]), kind, ...data, bigEndian([4, crc32(kind, ...data)])];
+}
+
+/** A picture, RGBA8 from the top, enlarged to blocks. @param {Uint8Array} pixels @param {number} width @param {number} height @param {number} times */
+export function enlarged(pixels, width, height, times) {
+  if (times === 1) return pixels;
+  const from = new Uint32Array(pixels.slice().buffer);
+  const to = new Uint32Array(width * height * times * times);
+  for (let y = 0; y < height * times; y++) {
+    for (let x = 0; x < width * times; x++) to[y * width * times + x] = from[Math.floor(y / times) * width + Math.floor(x / times)];
+  }
+  return new Uint8Array(to.buffer);
+}
+
+/** The rows of a picture, each behind its filter (none), deflated. @param {Uint8Array} pixels @param {number} width @param {number} height */
+function rowsOf(pixels, width, height) {
+  const rows = new Uint8Array((width * 4 + 1) * height);
+  for (let y = 0; y < height; y++) rows.set(pixels.subarray(y * width * 4, (y + 1) * width * 4), y * (width * 4 + 1) + 1);
+  return deflated(rows);
+}
+
+/**
+ * One picture as PNG, or several as APNG.
+ * @param {Uint8Array[]} frames RGBA8 from the top
+ * @param {number} width
+ * @param {number} height
+ * @param {number} [rate] frames a second
+ * @returns {Promise<Blob>}
+ */
+export async function png(frames, width, height, rate = 30) {
+  const parts = [Uint8Array.of(137, 80, 78, 71, 13, 10, 26, 10), ...chunk('IHDR', bigEndian([4, width], [4, height], [1, 8], [1, 6], [1, 0], [1, 0], [1, 0]))];
+  if (frames.length > 1) parts.push(...chunk('acTL', bigEndian([4, frames.length], [4, 0])));
+  let sequence = 0;
+  for (const [number, frame] of frames.entries()) {
+    const data = await rowsOf(frame, width, height);
+    if (frames.length > 1) parts.push(...chunk('fcTL', bigEndian([4, sequence++], [4, width], [4, height], [4, 0], [4, 0], [2, 1], [2, rate], [1, 0], [1, 0])));
+    if (number === 0) parts.push(...chunk('IDAT', data));
+    else parts.push(...chunk('fdAT', bigEndian([4, sequence++]), data));
+  }
+  parts.push(...chunk('IEND'));
+  return new Blob(/** @type {BlobPart[]} */ (parts), { type: frames.length > 1 ? 'image/apng' : 'image/png' });
+}
+
+/**
+ * Files as a ZIP archive, not compressed.
+ * @param {[string, Uint8Array][]} files names and contents
+ * @returns {Blob}
+ */
+export function zip(files) {
+  /** @type {Uint8Array[]} */
+  const parts = [], directory = [];
+  let at = 0;
+  for (const [name, content] of files) {
+    const words = ascii(name);
+    // Version 2.0, names in UTF-8, stored; a date that is the same in each archive: 1 January 2000.
+    /** @type {[number, number][]} */
+    const facts = [[2, 20], [2, 0x800], [2, 0], [2, 0], [2, (20 << 9) | (1 << 5) | 1], [4, crc32(content)], [4, content.length], [4, content.length], [2, words.length], [2, 0]];
+    const heading = littleEndian([4, 0x04034B50], ...facts);
+    directory.push(littleEndian([4, 0x02014B50], [2, 20], ...facts, [2, 0], [2, 0], [2, 0], [4, 0], [4, at]), words);
+    parts.push(heading, words, content);
+    at += heading.length + words.length + content.length;
+  }
+  const size = directory.reduce((sum, part) => sum + part.length, 0);
+  const end = littleEndian([4, 0x06054B50], [2, 0], [2, 0], [2, files.length], [2, files.length], [4, size], [4, at], [2, 0]);
+  return new Blob(/** @type {BlobPart[]} */ ([...parts, ...directory, end]), { type: 'application/zip' });
+}

@@ -1,0 +1,103 @@
+/**
+ * Saving: the picture as PNG, one to one or enlarged; the effect with all its files; an animation.
+ */
+import { enlarged, png, zip } from './archive.js';
+import { inOneFolder } from './command_line.js';
+import { choice, element, save } from './dom.js';
+import { Live } from './live.js';
+import { fileIn } from './shelf.js';
+
+/** The most pixels of one side of a saved picture, and of all frames of an animation together. */
+const mostSide = 8192, mostPixels = 1 << 26;
+
+const rate = 30;
+
+export class SavePanel {
+  /**
+   * @param {HTMLElement} parent
+   * @param {import('./state.js').Store} store
+   * @param {import('./shelf.js').Shelf} shelf
+   * @param {import('./engine_client.js').Engine} engine
+   * @param {import('./picture.js').Picture} picture
+   */
+  constructor(parent, store, shelf, engine, picture) {
+    this.parent = parent;
+    this.store = store;
+    this.shelf = shelf;
+    this.engine = engine;
+    this.picture = picture;
+    this.times = 4;
+    this.seconds = 4;
+    this.text = element('p', { role: 'status', id: 'save-result' });
+    const button = (/** @type {string} */ title, /** @type {string} */ id, /** @type {() => Promise<void>} */ run) => element('button', {
+      type: 'button', id, onclick: () => this.run(run) }, title);
+    const block = (/** @type {string} */ title, /** @type {any[]} */ ...parts) => element('fieldset', {}, element('legend', {}, title), ...parts);
+    parent.append(element('div', { class: 'cards' },
+      block('The picture that is shown', button('PNG, pixel for pixel', 'save-png', () => this.savePicture(1)),
+        choice('Enlarged', [2, 3, 4, 6, 8, 16].map(String), String(this.times), (value) => { this.times = Number(value); }),
+        button('PNG, enlarged', 'save-large', () => this.savePicture(this.times))),
+      block('The effect', element('p', { class: 'quiet' }, 'The effect file, its programs, pictures, meshes and profile as one archive; ninebit draw and this page open it.'),
+        button('ZIP archive', 'save-zip', async () => save(`${this.name()}.zip`, zip(await this.files())))),
+      block('An animation', element('p', { class: 'quiet' }, `Of an effect that moves, ${rate} frames a second, as APNG.`),
+        choice('Seconds', [1, 2, 4, 8].map(String), String(this.seconds), (value) => { this.seconds = Number(value); }),
+        button('Animated PNG', 'save-animation', () => this.saveAnimation()))), this.text);
+  }
+
+  /** The effect's title as a file's name. */
+  name() {
+    return (this.store.state.effect.title ?? '').toLowerCase().replace(/[^a-z0-9]+/g, '_').replace(/^_|_$/g, '') || 'picture';
+  }
+
+  /** @param {() => Promise<void>} task */
+  async run(task) {
+    this.text.textContent = '';
+    try {
+      await task();
+    } catch (error) {
+      this.text.textContent = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** @param {number} times */
+  async savePicture(times) {
+    const { pixels, width, height } = this.picture;
+    if (!pixels) throw new Error('There is no picture yet.');
+    if (times * Math.max(width, height) > mostSide) throw new Error(`The picture would have ${times * width} x ${times * height} pixels; expected ${mostSide} a side at most.`);
+    save(`${this.name()}${times > 1 ? `_x${times}` : ''}.png`, await png([enlarged(pixels, width, height, times)], width * times, height * times));
+  }
+
+  /** The effect and what it reads, by names that lie in one folder. @returns {Promise<[string, Uint8Array][]>} */
+  async files() {
+    const { state } = this.store;
+    const { effect, texts } = inOneFolder(state);
+    const text = (/** @type {any} */ value) => new TextEncoder().encode(typeof value === 'string' ? value : `${JSON.stringify(value, null, 2)}\n`);
+    /** @type {[string, Uint8Array][]} */
+    const files = [['effect.json', text(effect)], ...texts.map(([name, content]) => /** @type {[string, Uint8Array]} */ ([name, text(content)]))];
+    if (typeof state.profile === 'object') files.push(['profile.json', text(state.profile)]);
+    const sources = Object.values(effect.textures ?? {}).flatMap((texture) => fileIn(String(/** @type {any} */ (texture)?.source ?? '')).split(','));
+    for (const name of new Set([...sources, String(effect.scene?.mesh ?? '')])) {
+      const bytes = this.shelf.bytesOf(name);
+      if (bytes) files.push([name, bytes]);
+    }
+    return files;
+  }
+
+  async saveAnimation() {
+    const { state } = this.store;
+    const count = this.seconds * rate;
+    /** @type {Uint8Array[]} */
+    const frames = [];
+    let width = 0, height = 0;
+    await this.shelf.loadFor(state.effect);
+    for (let frame = 0; frame < count; frame++) {
+      const { answer, bytes } = await this.engine.ask(Live.request(state, { time: frame / rate, frame }));
+      if (!answer.moves) throw new Error('The effect does not move: no number of it depends on time or frame.');
+      ({ width, height } = answer);
+      if (width * height * count > mostPixels) throw new Error(`The animation would have ${width * height * count} pixels; expected ${mostPixels} at most.`);
+      frames.push(bytes);
+      this.text.textContent = `Frame ${frame + 1} of ${count}`;
+    }
+    save(`${this.name()}.png`, await png(frames, width, height, rate));
+    this.text.textContent = `${count} frames were saved.`;
+  }
+}

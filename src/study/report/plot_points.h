@@ -1,0 +1,26 @@
+// The points that a plot shows, for the page and for SVG files.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ninebit/study/report.h"
+
+namespace ninebit {
+
+// Whether the x of all points stand at equal distances: bars, and even_x.
+[[nodiscard]] inline bool is_even(const Plot& plot) {
+  return plot.bars || plot.even_x;
+}
+
+// Whether the plot's axes have a place for a point: logarithmic ones have none for 0 and below.
+[[nodiscard]] bool can_be_shown(const Plot& plot, const std::pair<double, double>& point);
+
+// Each x of a point that can be shown, ascending: the positions of an even plot.
+[[nodiscard]] std::vector<double> even_positions(const Plot& plot);
+
+// The label of a position: its name or number.
+[[nodiscard]] std::string position_label(const Plot& plot, double x);
+
+}  // namespace ninebit
