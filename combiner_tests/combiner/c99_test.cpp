@@ -1,5 +1,5 @@
-// The two C99 files that emulators copy, compiled as C: profiles, defaults, faults, programs, results and register words
-// are those of the library.
+// The two C99 files that emulators copy, compiled as C: profiles, defaults, faults, programs, results and register
+// words are those of the library.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,9 +68,8 @@ nbc_portion in_c(const Portion& p) {
           in_c(p.c),
           in_c(p.d),
           {static_cast<nbc_register>(p.out.ab), static_cast<nbc_register>(p.out.cd),
-           static_cast<nbc_register>(p.out.sum), static_cast<nbc_scale>(p.out.scale),
-           static_cast<nbc_bias>(p.out.bias), p.out.ab_dot_product, p.out.cd_dot_product, p.out.mux_sum,
-           p.out.ab_blue_to_alpha, p.out.cd_blue_to_alpha}};
+           static_cast<nbc_register>(p.out.sum), static_cast<nbc_scale>(p.out.scale), static_cast<nbc_bias>(p.out.bias),
+           p.out.ab_dot_product, p.out.cd_dot_product, p.out.mux_sum, p.out.ab_blue_to_alpha, p.out.cd_blue_to_alpha}};
 }
 
 nbc_final in_c(const FinalCombiner& f) {
@@ -105,15 +104,16 @@ std::string c_text_of(const nbc_input& in) {
 std::string c_text_of(const nbc_portion& p) {
   std::string text = c_text_of(p.a) + c_text_of(p.b) + c_text_of(p.c) + c_text_of(p.d);
   const nbc_output& out = p.out;
-  for (const int field : {int{out.ab}, int{out.cd}, int{out.sum}, int{out.scale}, int{out.bias},
-                          int{out.ab_dot_product}, int{out.cd_dot_product}, int{out.mux_sum},
-                          int{out.ab_blue_to_alpha}, int{out.cd_blue_to_alpha}}) {
+  for (const int field :
+       {int{out.ab}, int{out.cd}, int{out.sum}, int{out.scale}, int{out.bias}, int{out.ab_dot_product},
+        int{out.cd_dot_product}, int{out.mux_sum}, int{out.ab_blue_to_alpha}, int{out.cd_blue_to_alpha}}) {
     text += std::to_string(field) + ' ';
   }
   return text;
 }
 std::string c_text_of(const nbc_final& f) {
-  return c_text_of(f.a) + c_text_of(f.b) + c_text_of(f.c) + c_text_of(f.d) + c_text_of(f.e) + c_text_of(f.f) + c_text_of(f.g);
+  return c_text_of(f.a) + c_text_of(f.b) + c_text_of(f.c) + c_text_of(f.d) + c_text_of(f.e) + c_text_of(f.f) +
+         c_text_of(f.g);
 }
 template <class Four>
 std::string c_text_of_four(const Four& four) {
@@ -157,7 +157,8 @@ struct EvaluatedInC {
 
 EvaluatedInC evaluate_in_c(const nbc_program& program, const RegisterFile& start) {
   std::int16_t registers[NBC_REGISTERS][4];
-  for (std::size_t r = 0; r < kRegisterCount; ++r) std::copy(start.value[r].begin(), start.value[r].end(), registers[r]);
+  for (std::size_t r = 0; r < kRegisterCount; ++r)
+    std::copy(start.value[r].begin(), start.value[r].end(), registers[r]);
   EvaluatedInC result;
   nbc_evaluate(&program, registers, result.color.data());
   for (std::size_t r = 0; r < kRegisterCount; ++r) std::copy_n(registers[r], 4, result.registers.value[r].begin());

@@ -75,9 +75,7 @@ std::string caller(const Program& program, const std::string& name) {
   }
   set(2 * kMaxGeneralCombiners, program.constant0);
   set(2 * kMaxGeneralCombiners + 1, program.constant1);
-  const auto four = [](const std::string& v) {
-    return "int4(" + v + "[0], " + v + "[1], " + v + "[2], " + v + "[3])";
-  };
+  const auto four = [](const std::string& v) { return "int4(" + v + "[0], " + v + "[1], " + v + "[2], " + v + "[3])"; };
   return text + "  const int4 result = of_" + name + "::" + name + '(' + four("p") + ", " + four("s") + ", " +
          four("f") + ", " + four("t0") + ", " + four("t1") + ", " + four("t2") + ", " + four("t3") +
          ", spare0_alpha);\n  to[0] = result.rgb.r; to[1] = result.rgb.g; to[2] = result.rgb.b; to[3] = result.a;\n}\n";
@@ -118,9 +116,9 @@ TEST(EmitPixel, LanguagesDifferInTheirWordsAlone) {
   for (const EmitCase& c : random_cases(0x776F7264U, 40)) {
     const std::string text = without_words(emit_pixel_shader(c.program, PixelLanguage::glsl_330).value());
     const std::string body = text.substr(text.find('\n'));
-    for (const auto& [language, head] :
-         {std::pair(PixelLanguage::glsl_130, "#version 130\n"), std::pair(PixelLanguage::glsl_450, "#version 450 core\n"),
-          std::pair(PixelLanguage::es_300, "#version 300 es\nprecision highp int;\n")}) {
+    for (const auto& [language, head] : {std::pair(PixelLanguage::glsl_130, "#version 130\n"),
+                                         std::pair(PixelLanguage::glsl_450, "#version 450 core\n"),
+                                         std::pair(PixelLanguage::es_300, "#version 300 es\nprecision highp int;\n")}) {
       const std::string other = without_words(emit_pixel_shader(c.program, language).value());
       EXPECT_TRUE(other.starts_with(head)) << other;
       EXPECT_TRUE(other.ends_with(body)) << other;
@@ -146,7 +144,8 @@ TEST(EmitPixel, ConstantsAreNoPartOfTheText) {
 // Operations in a text: operators between values, and calls of functions.
 std::size_t operations_in(const std::string& text) {
   const std::string code = without_words(text);
-  const std::regex one(R"( [-+*/] |\b(min|max|clamp|abs)\(|_with_sign\((?!int|ivec)|_sum\((?!ivec)| \? |[(,] ?-[a-z(])");
+  const std::regex one(
+      R"( [-+*/] |\b(min|max|clamp|abs)\(|_with_sign\((?!int|ivec)|_sum\((?!ivec)| \? |[(,] ?-[a-z(])");
   return static_cast<std::size_t>(
       std::distance(std::sregex_iterator(code.begin(), code.end(), one), std::sregex_iterator()));
 }
@@ -162,7 +161,8 @@ class Needed {
     }
     const FinalCombiner& f = program.final_combiner;
     if (detail::reads_directly(f, Register::e_times_f)) count += input(f.e) + input(f.f) + 1 + 2;
-    if (detail::reads_directly(f, Register::spare0_plus_secondary)) count += 2 + 1 + (program.color_sum_clamp ? 1U : 0U);
+    if (detail::reads_directly(f, Register::spare0_plus_secondary))
+      count += 2 + 1 + (program.color_sum_clamp ? 1U : 0U);
     const bool ab = !is_zero(f.a) && !is_zero(f.b), c = !is_zero(f.c);
     if (ab) count += input(f.a) + input(f.b) + 1;
     if (c) count += input(f.c) + (is_zero(f.a) ? 0U : 2U);
@@ -175,9 +175,9 @@ class Needed {
 
  private:
   static bool is_zero(const CombinerInput& in) {
-    return in.reg == Register::zero && (in.mapping == InputMapping::unsigned_identity ||
-                                        in.mapping == InputMapping::signed_identity ||
-                                        in.mapping == InputMapping::signed_negate);
+    return in.reg == Register::zero &&
+           (in.mapping == InputMapping::unsigned_identity || in.mapping == InputMapping::signed_identity ||
+            in.mapping == InputMapping::signed_negate);
   }
   static bool is_number(const CombinerInput& in) { return in.reg == Register::zero; }
   // Reading and mapping.
@@ -223,8 +223,8 @@ TEST(EmitPixel, TextsHaveAtMostHalfMoreOperationsThanProgramsNeed) {
     text << file.rdbuf();
     const std::string words = text.str(), name = entry.path().filename().string();
     const SourceText source{words, name};
-    const auto state = entry.path().extension() == ".gl" ? parse_gl_calls(source, profiles::nv2a)
-                                                         : parse_rc10(source, profiles::nv2a);
+    const auto state =
+        entry.path().extension() == ".gl" ? parse_gl_calls(source, profiles::nv2a) : parse_rc10(source, profiles::nv2a);
     ASSERT_TRUE(state) << entry.path();
     const Program program = normalize(*state, profiles::nv2a);
     const std::size_t own = operations_in(emit_pixel_shader(program, PixelLanguage::glsl_330).value());

@@ -148,7 +148,8 @@ TEST(PixelShaderFaults, OfWhatCombinersDoNotHave) {
        "2:38: registers of xfc take no modifier but 1-x, found 'r0_bx2'\n"},
       {"ps.1.1\nmov r0, v0.b\n", "2:9: 'v0'.b: combiners read blue alone only where .a is written\n"},
       {"ps.1.1\ndef c0, 1, -1, 0, 0\ndef c1, 1, 1, 1, 1\nmul r0, c0, c1\n",
-       "4:9: 'c1' is a third constant: a general combiner reads two, and with profile geforce2 all read the same two\n"},
+       "4:9: 'c1' is a third constant: a general combiner reads two, and with profile geforce2 all read the same "
+       "two\n"},
       {"ps.1.1\ndef c0, 1, -1, 0, 0\ndef c1, 1, -1, 1, 1\nmul r0, c0, c1\n",
        "4:13: 'c1' has values below 0 and above 0, which takes two constants of the combiners, which read no more than "
        "two; expected (x + 1) / 2, read as c1_bx2\n"},

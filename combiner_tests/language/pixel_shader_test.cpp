@@ -121,9 +121,10 @@ TEST(PixelShader, ConstantsBelongToAStageWhereThereAreMoreThanTwo) {
 }
 
 TEST(PixelShader, AConstantWithMixedSignsIsTheDifferenceOfTwo) {
-  const std::string two = "{ const0 = (1, 0, 0, 1); const1 = (0, 0.498, 1, 0);\n"
-                          "  rgb { discard = unsigned(const0); discard = -const1; spare1 = sum(); }\n"
-                          "  alpha { discard = unsigned(const0); discard = -const1; spare1 = sum(); } }\n";
+  const std::string two =
+      "{ const0 = (1, 0, 0, 1); const1 = (0, 0.498, 1, 0);\n"
+      "  rgb { discard = unsigned(const0); discard = -const1; spare1 = sum(); }\n"
+      "  alpha { discard = unsigned(const0); discard = -const1; spare1 = sum(); } }\n";
   // The register keeps the constant for later instructions; one that is negated is read as its negative.
   expect_same({{"mul r0, t0, c1\nadd r0, r0, -c1",
                 two + "{ rgb { spare0 = tex0 * spare1; } alpha { spare0 = tex0 * spare1; } }\n"

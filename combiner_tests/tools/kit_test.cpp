@@ -254,8 +254,8 @@ std::vector<std::map<std::string, unsigned long>> words_of_first_programs(const 
   return programs;
 }
 
-// The kit for an Xbox, compiled with headers that have nxdk's calls: its push buffer, played by the two C files, gives the
-// expected colours, and its methods are a log that has the pack's programs.
+// The kit for an Xbox, compiled with headers that have nxdk's calls: its push buffer, played by the two C files, gives
+// the expected colours, and its methods are a log that has the pack's programs.
 TEST_F(Kit, TheXboxsStreamGivesTheColorsOfThePack) {
   const std::string kit = folder_ / "xbox";
   const Json answer = json_of(ninebit({"prove", "kit", "--target", "xbox", "-o", kit, "--json"}));
@@ -263,7 +263,7 @@ TEST_F(Kit, TheXboxsStreamGivesTheColorsOfThePack) {
   EXPECT_TRUE(std::filesystem::exists(kit + "/Makefile"));
   EXPECT_NE(read_bytes(kit + "/README.md").find("Nobody has run this program on an Xbox yet"), std::string::npos);
   const std::string sources(NINEBIT_SOURCE_DIR), stubs = sources + "/combiner_tests/emulators/xbox",
-                    combiner = sources + "/src/combiner/c99";
+                                                 combiner = sources + "/src/combiner/c99";
   const auto [messages, status] =
       shell("cc -std=c99 -pedantic -Wall -Wextra -Werror -DDRIVE='\"" + (folder_ / "") + "\"' -I '" + stubs + "' -I '" +
             combiner + "' '" + kit + "/kit.c' '" + stubs + "/player.c' '" + combiner + "/ninebit_combiner.c' -lm -o '" +

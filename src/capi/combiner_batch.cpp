@@ -23,7 +23,10 @@ CombinerInput input_of(const nbc_input& in) {
 
 Portion portion_of(const nbc_portion& p) {
   const nbc_output& out = p.out;
-  return {input_of(p.a), input_of(p.b), input_of(p.c), input_of(p.d),
+  return {input_of(p.a),
+          input_of(p.b),
+          input_of(p.c),
+          input_of(p.d),
           {static_cast<Register>(out.ab), static_cast<Register>(out.cd), static_cast<Register>(out.sum),
            static_cast<Scale>(out.scale), static_cast<Bias>(out.bias), out.ab_dot_product, out.cd_dot_product,
            out.mux_sum, out.ab_blue_to_alpha, out.cd_blue_to_alpha}};
@@ -54,8 +57,9 @@ Program program_of(const nbc_program& c) {
   program.color_sum_invert_secondary = c.color_sum_invert_secondary;
   for (std::size_t i = 0; i < program.general.size(); ++i) {
     const nbc_stage& from = c.general[i];
-    program.general[i] = {portion_of(from.rgb),     portion_of(from.alpha), codes_of(from.constant0),
-                          codes_of(from.constant1), {},                     from.mux_by_lowest_bit};
+    program.general[i] = {
+        portion_of(from.rgb),  portion_of(from.alpha), codes_of(from.constant0), codes_of(from.constant1), {},
+        from.mux_by_lowest_bit};
   }
   const nbc_final& f = c.final_combiner;
   program.final_combiner = {input_of(f.a), input_of(f.b), input_of(f.c), input_of(f.d),

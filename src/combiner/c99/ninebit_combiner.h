@@ -14,6 +14,8 @@
 
    A state is what OpenGL has (NV_register_combiners), and what the NV2A adds to it. A profile says what a chip has and
    how it computes. The programs' results are those of `ninebit eval`; rules N are those of docs/numerics.md. */
+/* generate.py lays this out: */
+/* clang-format off */
 #ifndef NINEBIT_COMBINER_H
 #define NINEBIT_COMBINER_H
 

@@ -50,7 +50,7 @@ struct Node {
   Opcode opcode = Opcode::input;
   std::array<V, 4> args{};
   Interval range;
-  std::string name;    // empty: an inner value
+  std::string name;     // empty: an inner value
   bool named = false;   // declared in its own line even if used once
   bool vector = false;  // red, green and blue; the interval is that of each
 };

@@ -40,16 +40,20 @@ Words words_of(PixelLanguage language) {
     case PixelLanguage::hlsl:
       break;
   }
-  return {"// Shader model 4 and later.\n", "int3", "int4", "cbuffer NAME_of_program {\n  int4 ", "}\n", "(int3)(",
-          "int4(",                          ")"};
+  return {"// Shader model 4 and later.\n",
+          "int3",
+          "int4",
+          "cbuffer NAME_of_program {\n  int4 ",
+          "}\n",
+          "(int3)(",
+          "int4(",
+          ")"};
 }
 
 // What is known of the registers between two stages.
 struct Known {
   std::array<Interval, kRegisterCount> rgb{}, alpha{};
-  Interval& of(Register r, bool is_alpha) {
-    return (is_alpha ? alpha : rgb)[static_cast<std::size_t>(r)];
-  }
+  Interval& of(Register r, bool is_alpha) { return (is_alpha ? alpha : rgb)[static_cast<std::size_t>(r)]; }
 };
 
 // One function: values of registers as the function begins, and what it writes.
@@ -167,8 +171,9 @@ class Final {
   const Datapath& d_;
 };
 
-constexpr std::array kHeld{Register::fog,    Register::primary,  Register::secondary, Register::spare0,  Register::spare1,
-                           Register::texture0, Register::texture1, Register::texture2,  Register::texture3};
+constexpr std::array kHeld{Register::fog,      Register::primary,  Register::secondary,
+                           Register::spare0,   Register::spare1,   Register::texture0,
+                           Register::texture1, Register::texture2, Register::texture3};
 
 class Writer {
  public:
@@ -277,9 +282,11 @@ class Writer {
            ". Arguments are register codes in [" + std::to_string(d.lowest) + ", " + one +
            "],\n// the result is codes in [0, " + one + "]. Every value lies in [" + std::to_string(range_.low) + ", " +
            std::to_string(range_.high) + "]; only numbers that are not negative are divided.\n";
-    out += "\n// The codes of constants: elements 2 i and 2 i + 1 are constant 0 and 1 of general combiner i, the last two\n"
-           "// those of the final combiner.\n" +
-           open + name_ + "_constants[" + std::to_string(kGlslConstants) + "];\n" + std::string(words_.close);
+    out +=
+        "\n// The codes of constants: elements 2 i and 2 i + 1 are constant 0 and 1 of general combiner i, the last "
+        "two\n"
+        "// those of the final combiner.\n" +
+        open + name_ + "_constants[" + std::to_string(kGlslConstants) + "];\n" + std::string(words_.close);
     out += "\nstruct " + name_ + "_registers {\n";
     for (const Register r : kHeld) out += "  " + four + ' ' + std::string(short_name_of(r)) + ";\n";
     return out + "};\n";
@@ -290,7 +297,8 @@ class Writer {
     const std::string three(words_.int3);
     if (called_.count(dialect_.with_sign) != 0) {
       out += "\nint " + dialect_.with_sign + "(int n, int magnitude) {\n  return n < 0 ? -magnitude : magnitude;\n}\n";
-      out += three + ' ' + dialect_.with_sign + '(' + three + " n, " + three + " magnitude) {\n  return magnitude * (1 - 2 * " +
+      out += three + ' ' + dialect_.with_sign + '(' + three + " n, " + three +
+             " magnitude) {\n  return magnitude * (1 - 2 * " +
              (language_ == PixelLanguage::hlsl ? "(int3)(n < 0)" : "ivec3(lessThan(n, ivec3(0)))") + ");\n}\n";
     }
     if (called_.count(dialect_.sum_of_components) != 0) {

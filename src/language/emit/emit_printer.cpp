@@ -63,7 +63,8 @@ void Printer::declare(int index, const std::string& name_of_parts) {
   std::string name = node.named ? base : base + "_part";
   for (int i = 2; taken_.count(name) != 0; ++i) name = base + "_part" + std::to_string(i);
   taken_.insert(name);
-  out_ += wrapped("  " + (node.vector ? dialect_.vector_type : dialect_.type) + ' ' + name + " = " + operation(node).text + ';');
+  out_ += wrapped("  " + (node.vector ? dialect_.vector_type : dialect_.type) + ' ' + name + " = " +
+                  operation(node).text + ';');
   names_[static_cast<std::size_t>(index)] = name;
 }
 
@@ -121,9 +122,7 @@ Printer::Text Printer::operation(const Node& node) {
     case Opcode::negate_where_negative:
       return {call(dialect_.with_sign, {a, b}), kAtom};
     case Opcode::select_where_at_least: {
-      const auto branch = [&](const V& v) {
-        return node.vector && !v.is_vector() ? vector(v) : text(v, kSum);
-      };
+      const auto branch = [&](const V& v) { return node.vector && !v.is_vector() ? vector(v) : text(v, kSum); };
       return {text(a, kSum) + " >= " + text(b, kSum) + " ? " + branch(c) + " : " + branch(d), kConditional};
     }
     case Opcode::sum_of_components:

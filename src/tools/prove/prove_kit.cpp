@@ -119,9 +119,10 @@ void add_prove_kit(CLI::App& prove, int& exit_code) {
   verb->add_flag("--quiet", flags->quiet, "Do not print progress or the names of written files");
   add_family_flag(*verb, flags->family);
   verb->add_option("-o,--output", flags->folder, "Write the files to this folder")->required()->type_name("DIR");
-  verb->add_option("--target", flags->target,
-                   "What kit.c runs on: gl for OpenGL on Linux or Windows, xbox for a real Xbox with the free SDK nxdk; "
-                   "the latter has the programs of the family nv2a and those of a pack's first groups")
+  verb->add_option(
+          "--target", flags->target,
+          "What kit.c runs on: gl for OpenGL on Linux or Windows, xbox for a real Xbox with the free SDK nxdk; "
+          "the latter has the programs of the family nv2a and those of a pack's first groups")
       ->capture_default_str()
       ->check(CLI::IsMember({"gl", "xbox"}));
   verb->callback([flags, verb, &exit_code] {

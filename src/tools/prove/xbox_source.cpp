@@ -178,7 +178,8 @@ Result<std::string> xbox_source(const ChipKit& kit, const VectorPack& pack) {
   std::string text(kXboxKitText);
   const std::size_t begin = text.find("/* ROWS"), end = text.find('\n', begin);
   text.replace(begin, end - begin, tables.text(methods_of(pack), pack.id));
-  return "/* Made by `ninebit prove kit --family nv2a --target xbox`; README.md beside it says how to use it. */\n" + text;
+  return "/* Made by `ninebit prove kit --family nv2a --target xbox`; README.md beside it says how to use it. */\n" +
+         text;
 }
 
 std::string xbox_makefile() {

@@ -1,3 +1,3 @@
 /* Of nxdk: what the kit uses. */
 #pragma once
-void debugPrint(const char *format, ...);
+void debugPrint(const char* format, ...);

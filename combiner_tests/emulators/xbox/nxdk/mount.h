@@ -2,4 +2,4 @@
 #pragma once
 #include <stdbool.h>
 bool nxIsDriveMounted(char letter);
-bool nxMountDrive(char letter, const char *path);
+bool nxMountDrive(char letter, const char* path);
