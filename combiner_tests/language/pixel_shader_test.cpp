@@ -132,9 +132,9 @@ TEST(PixelShader, AConstantWithMixedSignsIsTheDifferenceOfTwo) {
                       "  alpha { discard = spare0; discard = -spare1; spare0 = sum(); } }\n"},
                {"mov r1, c1\nmul r0, t0, r1",
                 "{ const0 = (1, 0, 0, 1); const1 = (0, 0.498, 1, 0);\n"
-                "  rgb { discard = unsigned(const0); discard = -const1; col1 = sum(); }\n"
-                "  alpha { discard = unsigned(const0); discard = -const1; col1 = sum(); } }\n"
-                "{ rgb { spare1 = col1; } alpha { spare1 = col1; } }\n"
+                "  rgb { discard = unsigned(const0); discard = -const1; tex3 = sum(); }\n"
+                "  alpha { discard = unsigned(const0); discard = -const1; tex3 = sum(); } }\n"
+                "{ rgb { spare1 = tex3; } alpha { spare1 = tex3; } }\n"
                 "{ rgb { spare0 = tex0 * spare1; } alpha { spare0 = tex0 * spare1; } }\n"}},
               "ps.1.1\ndef c0, 1, 1, 1, 1\ndef c1, 1.25, -0.5, -1.5, 1\ntex t0\n", profiles::nv2a);
 }

@@ -140,8 +140,9 @@ bool ShaderRegisters::is_named(Register reg) const {
 }
 
 std::optional<Register> ShaderRegisters::take_free() {
-  for (const Register reg : {Register::spare1, Register::secondary, Register::primary, Register::texture3,
-                             Register::texture2, Register::texture1, Register::texture0}) {
+  // Colours last: ps.1.1 cannot write them.
+  for (const Register reg : {Register::spare1, Register::texture3, Register::texture2, Register::texture1,
+                             Register::texture0, Register::secondary, Register::primary}) {
     const bool exists = !is_texture(reg) || texture_unit_of(reg) < profile_.texture_units;
     const bool is_taken = std::find(taken_.begin(), taken_.end(), reg) != taken_.end();
     if (!exists || is_taken || is_named(reg)) continue;
