@@ -4,7 +4,7 @@
 
 #include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/trace.h"
-#include "src/combiner/request_registers.h"
+#include "src/combiner/given_registers.h"
 #include "src/effect/traced_pixel.h"
 #include "src/playground/texts.h"
 
