@@ -73,7 +73,7 @@ Status load_compared(const CompareFlags& flags, Comparison& out, std::optional<S
     }
     out.compared = std::move(*points);
   }
-  out.light = light_in_words(light) + as_point_in_words(out.compared);
+  out.light = light_in_words(light) + (out.spot_holds_picture ? as_point_in_words(out.compared) : "");
   out.triangles = drawn->scene.triangles.size();
   out.ignored = ignored_by_points(out.compared, drawn->scene, std::move(drawn->ignored));
   warn_of_ignored(flags.scene.file, out.ignored);
