@@ -165,7 +165,8 @@ TEST_F(TerminalText, MessagesDoNotRunIntoTheProgressLine) {
   room.insert(room.find(begin) + begin.size(), "\"EXT_unknown\", ");
   const std::string file = folder_ / "room.gltf";
   write_bytes(file, room);
-  const std::string seen = shown_on(80, {"render", file, "-o", folder_ / "out", "--size", "64x48", "--map-size", "32"}, true);
+  const std::string seen =
+      shown_on(80, {"render", file, "-o", folder_ / "out", "--size", "64x48", "--map-size", "32"}, true);
   if (seen == "no terminal") GTEST_SKIP() << "no pseudo-terminal";
   const std::size_t warning = seen.find("ninebit: warning: ");
   ASSERT_NE(warning, std::string::npos) << seen;

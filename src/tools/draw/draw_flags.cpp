@@ -234,7 +234,8 @@ void set_sampler(const DrawFlags& flags, std::size_t unit, Sampler& sampler) {
 }
 
 void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
-  verb.add_option("--size", flags.size, "Picture size in pixels (default: that of the first picture that the rectangle shows; else 512x512)")
+  verb.add_option("--size", flags.size,
+                  "Picture size in pixels (default: that of the first picture that the rectangle shows; else 512x512)")
       ->type_name("WxH")
       ->check(text_check(&check_size));
   std::vector<std::string> color_formats;
