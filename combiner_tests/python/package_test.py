@@ -16,7 +16,7 @@ import ninebit
 import numpy as np
 
 top = pathlib.Path(__file__).resolve().parents[2]
-PAGES = [top / f"docs/{name}.md" for name in ("library", "python", "draw")]
+PAGES = [top / f"docs/{name}.md" for name in ("library", "python", "draw", "evaluate")]
 package = pathlib.Path(ninebit.__file__).parent
 VERBS = {"render": ["render"], "draw": ["draw"], "compare": ["compare"], "trace": ["trace"], "explain": ["explain"],
          "convert": ["convert"], "vectors": ["vectors"],
@@ -123,7 +123,7 @@ ninebit.Program(invert.encode())
 picture = np.zeros((4, 8, 3), np.uint8)
 ninebit.draw(invert, tex0=picture, const0=np.ones(4), camera=np.array([0, 0, 3]), size=[8, 4])
 ninebit.draw(program, tex0=[picture[:, :4]] * 6, coord0="normal", size=np.array([8, 4]), alpha_test=["greater", 127])
-ninebit.draw(invert.encode(), tex0=picture, fov=np.float64(50), size="8x4")
+ninebit.draw(invert.encode(), tex0=picture, fov=50, size="8x4")
 ninebit.trace(invert, set="tex0=1,2,3,4")
 ninebit.trace(invert, set={"tex0": np.array([1, 2, 3, 4])})
 ninebit.trace(invert, set=["tex0=1,2,3,4"])

@@ -84,7 +84,7 @@ class States(unittest.TestCase):
             self.assertEqual(ninebit.State.parse(one_line).print("json"), ninebit.convert(one_line, "json"))
             with self.assertRaisesRegex(ninebit.Error, "wrong.rc1: .*2:11: .*spare2"):
                 ninebit.State.parse(wrong)
-        with self.assertRaisesRegex(ninebit.Error, "^program:2:11: .*spare2"):
+        with self.assertRaisesRegex(ninebit.Error, "^program:2: .*spare2"):
             ninebit.draw("!!RC1.0\nout.rgb = spare2;")
 
     def test_a_shader_is_given_what_its_conditions_need(self):

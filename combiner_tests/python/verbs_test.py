@@ -208,7 +208,7 @@ class Draw(Folder):
                               (lambda: ninebit.draw(compare_gl, output="x.jpg"), "output x.jpg: expected a file whose name ends in .png")):
             with self.assertRaisesRegex(ninebit.Error, message):
                 call()
-        with self.assertRaisesRegex(TypeError, "program is float; expected a path, a State or a Program"):
+        with self.assertRaisesRegex(TypeError, "program is float; expected a State, a Program, the path of a file, or the text"):
             ninebit.draw(1.5)
 
     def test_files_outside_are_read_only_if_allowed(self):

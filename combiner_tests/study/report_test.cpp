@@ -262,9 +262,10 @@ TEST(Report, FilesAreTheSameEachTime) {
   const auto second = write_report(folder.path() / "2", made.question, "1.2.3", made.report, made.rows);
   ASSERT_TRUE(first.ok()) << first.error().text();
   ASSERT_TRUE(second.ok());
-  const std::vector<std::string> names{
-      "report.html",        "rows.json",          "rows.csv",    "worst.csv",   "false-matches.svg", "errors-by-stage.svg",
-      "product-errors.png", "product-errors.svg", "by-step.png", "by-step.svg", "wrong-pixels.png"};
+  const std::vector<std::string> names{"report.html",        "rows.json",          "rows.csv",
+                                       "worst.csv",          "false-matches.svg",  "errors-by-stage.svg",
+                                       "product-errors.png", "product-errors.svg", "by-step.png",
+                                       "by-step.svg",        "wrong-pixels.png"};
   ASSERT_EQ(first->size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ((*first)[i], folder.path() / "1" / names[i]);

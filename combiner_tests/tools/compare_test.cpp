@@ -48,16 +48,19 @@ TEST(Compare, ASpotThatHoldsThePictureIsAPointLight) {
   const ManyWords view{"--camera", "0.5,1,0.9", "--look-at", "0.2,0.2,0", "--fov", "30"};
   const auto with_view = [&](const ManyWords& flags) { return plus(flags, view); };
   const ManyWords spot{"--json", "--light-type", "spot", "--light", "0.3,2,0.2", "--light-target", "0.2,0.2,0"};
-  const Json narrow = json_of(ninebit(small_compare(kRoom, folder / "narrow", with_view(plus(spot, {"--spot-angle", "20"})))));
+  const Json narrow =
+      json_of(ninebit(small_compare(kRoom, folder / "narrow", with_view(plus(spot, {"--spot-angle", "20"})))));
   EXPECT_EQ(names_of_rows(narrow), (ManyWords{"shadow-map", "shadow-volume", "reflective"}));
   EXPECT_EQ(narrow["left_out"][0]["reason"], "no support for a spot light that does not reach all of the picture");
-  const Json wide = json_of(ninebit(small_compare(kRoom, folder / "wide", with_view(plus(spot, {"--spot-angle", "150"})))));
+  const Json wide =
+      json_of(ninebit(small_compare(kRoom, folder / "wide", with_view(plus(spot, {"--spot-angle", "150"})))));
   EXPECT_EQ(names_of_rows(wide), (ManyWords{"index-cube", "depth-cube", "shadow-map", "shadow-volume", "reflective"}));
-  EXPECT_EQ(wide["light"], "spot light at 0.3, 2, 0.2; it reaches all of the picture: a point light for index-cube, depth-cube");
+  EXPECT_EQ(wide["light"],
+            "spot light at 0.3, 2, 0.2; it reaches all of the picture: a point light for index-cube, depth-cube");
   EXPECT_EQ(wide["rows"][0]["light"], "point");
   EXPECT_EQ(wide["rows"][2]["light"], "spot");
-  const ManyWords alone{"render", kRoom, "-o", folder / "render", "--size", "64x48", "--map-size", "32", "--json", "--quiet",
-                        "--ground-truth", "--light", "0.3,2,0.2"};
+  const ManyWords alone{"render", kRoom,    "-o",      folder / "render", "--size",  "64x48",    "--map-size",
+                        "32",     "--json", "--quiet", "--ground-truth",  "--light", "0.3,2,0.2"};
   const Json rendered = json_of(ninebit(with_view(alone)));
   EXPECT_EQ(wide["rows"][0]["hash"]["color"], rendered["hash"]["color"]);
   EXPECT_EQ(wide["rows"][0]["errors"]["by_cause"], rendered["errors"]["by_cause"]);
@@ -67,10 +70,12 @@ TEST(Compare, ASpotThatHoldsThePictureIsAPointLight) {
     EXPECT_EQ(command.find("spot"), std::string::npos) << command;
   }
   const ManyWords mixed{"--vary", "technique=index-cube,shadow-map"};
-  const Json both = json_of(ninebit(small_compare(kRoom, folder / "both", with_view(plus(plus(spot, {"--spot-angle", "150"}), mixed)))));
+  const Json both = json_of(
+      ninebit(small_compare(kRoom, folder / "both", with_view(plus(plus(spot, {"--spot-angle", "150"}), mixed)))));
   EXPECT_EQ(both["rows"][0]["hash"]["color"], rendered["hash"]["color"]);
   EXPECT_EQ(both["rows"][1]["hash"]["color"], wide["rows"][2]["hash"]["color"]);
-  const Json refused = json_of(ninebit(small_compare(kRoom, folder / "no", with_view(plus(plus(spot, {"--spot-angle", "20"}), mixed)))));
+  const Json refused =
+      json_of(ninebit(small_compare(kRoom, folder / "no", with_view(plus(plus(spot, {"--spot-angle", "20"}), mixed)))));
   EXPECT_EQ(refused["rows"][0]["refused"], "no support for a spot light that does not reach all of the picture");
   EXPECT_TRUE(refused["rows"][1].contains("hash"));
 }

@@ -310,7 +310,8 @@ TEST(Draw, APictureOfAnySizeIsDrawnTexelByTexel) {
   const Image8 twice = ninebit::test::read_png(out);
   for (int y = 0; y < 22; ++y) {
     for (int x = 0; x < 74; ++x) {
-      const auto at = static_cast<std::size_t>(4 * (y * 74 + x)), from = static_cast<std::size_t>(4 * (y / 2 * 37 + x / 2));
+      const auto at = static_cast<std::size_t>(4 * (y * 74 + x)),
+                 from = static_cast<std::size_t>(4 * (y / 2 * 37 + x / 2));
       ASSERT_EQ(twice.pixels[at], 255 - odd.pixels[from]) << x << ' ' << y;
     }
   }

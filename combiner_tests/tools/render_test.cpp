@@ -153,7 +153,9 @@ TEST(Render, TellsPeopleOnStderrAndIsQuietWhenAsked) {
 
   const Outcome quiet = ninebit(small_render(kRoom, folder / "out", {"--quiet"}));
   EXPECT_EQ(quiet.code, 0);
-  EXPECT_EQ(quiet.out + quiet.err, "");
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_EQ(lines_of(quiet.err).size(), 1U) << quiet.err;  // the result, and no names of files
+  EXPECT_TRUE(quiet.err.starts_with("2096 triangles; pixels: ")) << quiet.err;
 }
 
 TEST(Render, IndexSaysFormatScopeAndCapacity) {

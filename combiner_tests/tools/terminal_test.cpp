@@ -49,15 +49,15 @@ std::size_t expect_fit(const Outcome& outcome, std::size_t columns) {
   return lines.size();
 }
 
-// The program's stdout on a terminal of this width.
-std::string shown_on(unsigned short columns, const std::vector<std::string>& arguments) {
+// The program's stdout on a terminal of this width, or its stderr.
+std::string shown_on(unsigned short columns, const std::vector<std::string>& arguments, bool errors = false) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
   if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";
   const std::string name = ::ptsname(terminal);
   const int held = ::open(name.c_str(), O_RDWR | O_NOCTTY);
   const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
   (void)::ioctl(terminal, TIOCSWINSZ, &size);
-  Child child(arguments, {.out = name});
+  Child child(arguments, {.out = errors ? "" : name, .err = errors ? name : ""});
   std::string seen;
   for (bool last = false;;) {
     pollfd wait{terminal, POLLIN, 0};
@@ -155,6 +155,23 @@ TEST_F(TerminalText, ColumnsDecides) {
   ::setenv("COLUMNS", "50", 1);
   const std::string program = kEffects + "/programs/dot3_specular.rc1";
   expect_fit(ninebit({"explain", program, "--profile", "nv2a"}), 50);
+}
+
+// A message that comes while there is a progress line has a line of its own.
+TEST_F(TerminalText, MessagesDoNotRunIntoTheProgressLine) {
+  std::string room = read_bytes(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
+  const std::string begin = "\"extensionsUsed\": [";
+  ASSERT_NE(room.find(begin), std::string::npos);
+  room.insert(room.find(begin) + begin.size(), "\"EXT_unknown\", ");
+  const std::string file = folder_ / "room.gltf";
+  write_bytes(file, room);
+  const std::string seen =
+      shown_on(80, {"render", file, "-o", folder_ / "out", "--size", "64x48", "--map-size", "32"}, true);
+  if (seen == "no terminal") GTEST_SKIP() << "no pseudo-terminal";
+  const std::size_t warning = seen.find("ninebit: warning: ");
+  ASSERT_NE(warning, std::string::npos) << seen;
+  EXPECT_NE(seen.find("] loading"), std::string::npos) << seen;  // there was a line
+  EXPECT_TRUE(warning == 0 || seen[warning - 1] == '\n' || seen.substr(0, warning).ends_with("\x1b[K")) << seen;
 }
 
 TEST_F(TerminalText, ATerminalsWidthAndColours) {

@@ -1,6 +1,7 @@
-/* Everything: to C the C interface; to C++ the whole library but its JSON forms (language/json.h,
-   language/profile_json.h, language/trace_json.h). C++ that wants the C interface includes capi/combiner.h and links
-   with ninebit_capi. */
+/* To C the C interface. To C++ all that runs, draws and judges programs; not the studies, proofs and packs of vectors
+   (study/), and of the languages not language/json.h, language/profile_json.h, language/trace_json.h,
+   language/smt_lib.h and language/xbox_pixel_shader.h. C++ that wants the C interface includes capi/combiner.h and
+   links with ninebit_capi. */
 #pragma once
 
 #ifndef __cplusplus

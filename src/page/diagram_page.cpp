@@ -35,7 +35,7 @@ std::string diagram_script() {
 std::string facts_of(const DiagramPage& page) {
   std::string out = "<dl>\n";
   for (const auto& [name, value] : page.facts) {
-    out += "<dt>" + escaped_markup(name) + "</dt><dd>" + escaped_markup(value) + "</dd>\n";
+    out += "<div><dt>" + escaped_markup(name) + "</dt><dd>" + escaped_markup(value) + "</dd></div>\n";
   }
   return out + "</dl>\n";
 }

@@ -24,7 +24,8 @@ std::string light_in_words(const Light& light) {
                      light.kind == LightKind::directional ? "along" : "at", at.x, at.y, at.z);
 }
 
-// "; it reaches all of the picture: a point light for index-cube, depth-cube", of techniques without support for a spot.
+// "; it reaches all of the picture: a point light for index-cube, depth-cube", of techniques without support for a
+// spot.
 std::string as_point_in_words(const ComparedPoints& compared) {
   std::vector<std::string> names;
   for (const ComparedPoint& point : compared.points) {
@@ -52,14 +53,16 @@ std::vector<std::string> ignored_by_points(const ComparedPoints& compared, const
 Status load_compared(const CompareFlags& flags, Comparison& out, std::optional<Scene>& scene, bool& usage) {
   SceneFlags first = out.compared.points.empty() ? flags.scene : out.compared.points[0].scene;
   if (out.compared.points.empty()) first.light_kinds = light_kinds_of(flags);
-  first.light_type = flags.scene.light_type;  // those of a spot light are not read by techniques that draw a point light
+  first.light_type =
+      flags.scene.light_type;  // those of a spot light are not read by techniques that draw a point light
   first.light_target = flags.scene.light_target;
   first.spot_angle = flags.scene.spot_angle;
   auto drawn = load_drawn_scene(first, settings_of(first, flags.common));
   if (!drawn) return drawn.error();
   const Light& light = drawn->scene.lights[0];
   const auto& given = out.compared.points;
-  const bool asks = flags.vary.empty() || std::any_of(given.begin(), given.end(), [](const auto& p) { return p.as_point; });
+  const bool asks =
+      flags.vary.empty() || std::any_of(given.begin(), given.end(), [](const auto& p) { return p.as_point; });
   if (light.kind == LightKind::spot && asks) {
     const auto holds = spot_holds_picture(flags, drawn->scene);
     if (!holds) return holds.error();
@@ -73,7 +76,7 @@ Status load_compared(const CompareFlags& flags, Comparison& out, std::optional<S
     }
     out.compared = std::move(*points);
   }
-  out.light = light_in_words(light) + as_point_in_words(out.compared);
+  out.light = light_in_words(light) + (out.spot_holds_picture ? as_point_in_words(out.compared) : "");
   out.triangles = drawn->scene.triangles.size();
   out.ignored = ignored_by_points(out.compared, drawn->scene, std::move(drawn->ignored));
   warn_of_ignored(flags.scene.file, out.ignored);

@@ -10,7 +10,7 @@ _IN_A_FRAME = """<style>main { display: flex; flex-direction: column } main > he
 <script>{
   const made = document.querySelector("header > .made");
   if (made) document.querySelector("main").append(made);
-  const say = () => parent.postMessage({ ninebitHeight: Math.ceil(document.body.offsetHeight) + 2 }, "*");
+  const say = () => parent.postMessage({ ninebitHeight: Math.ceil(document.documentElement.getBoundingClientRect().height) + 2 }, "*");
   new ResizeObserver(say).observe(document.body);
 }</script>
 """

@@ -98,7 +98,8 @@ std::vector<Tick> round_ticks(double low, double high, int count, bool whole) {
 
 ChartAxis axis_of(std::span<const double> values, bool logarithmic, bool from_zero) {
   constexpr int kTicks = 7;
-  if (values.empty()) return logarithmic ? log_axis(1.0, 10.0) : ChartAxis{.ticks = round_ticks(0.0, 1.0, kTicks, false)};
+  if (values.empty())
+    return logarithmic ? log_axis(1.0, 10.0) : ChartAxis{.ticks = round_ticks(0.0, 1.0, kTicks, false)};
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (logarithmic) return log_axis(*least, *most);
   double low = *least, high = *most;

@@ -359,7 +359,8 @@ void draw_color_bar(Svg& svg, const HeatMap& map, const Box& bar, const std::str
   std::vector<Tick> ticks = round_ticks(axis.low, axis.high, kTicks, false);
   // The ends of the scale are always named; round numbers close to them are not.
   constexpr double kClose = 0.06;
-  std::erase_if(ticks, [&](const Tick& t) { return std::fabs(std::fabs(axis.share_of(t.value) - 0.5) - 0.5) < kClose; });
+  std::erase_if(ticks,
+                [&](const Tick& t) { return std::fabs(std::fabs(axis.share_of(t.value) - 0.5) - 0.5) < kClose; });
   for (const double end : {axis.low, axis.high}) ticks.push_back({end, readable(end)});
   for (const Tick& tick : ticks) {
     const double y = bar.bottom - axis.share_of(tick.value) * bar.height();

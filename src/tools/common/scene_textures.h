@@ -21,8 +21,8 @@ struct DrawnScene {
 };
 
 // load_scene, with the textures of the materials that triangles use, each picture once; none with settings.cartoon and
-// without texture coordinates; prints nothing. Reports also, naming the scene's file and the picture, one that is missing, damaged, outside of the scene's folder (unless --allow-outside is
-// given) or beyond the limits.
+// without texture coordinates; prints nothing. Reports also, naming the scene's file and the picture, one that is
+// missing, damaged, outside of the scene's folder (unless --allow-outside is given) or beyond the limits.
 [[nodiscard]] Result<DrawnScene> load_drawn_scene(const SceneFlags& flags, const RenderSettings& settings);
 
 // Parts of the scene's materials that a technique ignores, one entry each kind.

@@ -143,7 +143,8 @@ ComparedPoint varied_point(const CompareFlags& flags, const LightKinds& kinds, c
     words.push_back(flag == "technique" ? value : fmt::format("{} {}", flag, value));
   }
   const std::string name = fmt::format("{}", fmt::join(words, ", "));
-  const bool as_point = !kinds.has(LightKind::point) && takes_only_point(technique_of(arguments));
+  const bool may_be_spot = flags.scene.light_type.empty() || flags.scene.light_type == "spot";
+  const bool as_point = may_be_spot && !kinds.point && takes_only_point(technique_of(arguments));
   if (as_point) std::erase_if(arguments, is_of_beam);
   try {
     ComparedPoint point = parse_point(std::move(arguments));

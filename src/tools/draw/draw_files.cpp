@@ -112,7 +112,8 @@ EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>&
     return read_texture_files(files, profile, warnings);
   };
   readers.rectangle = [known = std::map<std::filesystem::path, Texture>()](
-                          const std::filesystem::path& file, const HardwareProfile& profile) mutable -> Result<Texture> {
+                          const std::filesystem::path& file,
+                          const HardwareProfile& profile) mutable -> Result<Texture> {
     if (const auto found = known.find(file); found != known.end()) return found->second;
     TextureReadOptions options{.rectangle = true, .isolated = true, .go_on = &go_on};
     auto texture = image_detail::read_texture(profile, file, options, image_detail::kPictureModule);

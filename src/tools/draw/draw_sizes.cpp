@@ -21,7 +21,7 @@ struct Sides {
 
 // A PNG file says it in its first bytes; other files are read.
 std::optional<Sides> size_of(const std::filesystem::path& file, const HardwareProfile& profile,
-                            const EffectReaders& readers) {
+                             const EffectReaders& readers) {
   constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
   constexpr std::size_t kWidth = 16, kHeight = 20, kHeader = 24;
   std::error_code error;

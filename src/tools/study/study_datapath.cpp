@@ -220,7 +220,8 @@ void add_study_datapath(CLI::App& verbs, StudyRequest& request) {
   auto flags = std::make_shared<DatapathFlags>();
   add_study_flags(*verb, flags->study);
   flags->study.profile->description(
-      "Hardware profile to emulate: a name from `ninebit profiles`, or a .json file; several names, separated by commas, "
+      "Hardware profile to emulate: a name from `ninebit profiles`, or a .json file; several names, separated by "
+      "commas, "
       "share a report (default: all with integer arithmetic; of --program and --exhaustive-sum geforce2)");
   CLI::Option* program = verb->add_option("--program", flags->program, "Measure this program and each of its stages")
                              ->type_name("FILE")
