@@ -107,7 +107,7 @@ export class Page {
       },
     });
     this.sweep = new SweepPanel(byId('panel-sweep'), store, live, { profiles: this.profileNames, choosePixel: () => this.chooseBright('sweep'), changed });
-    this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, live.pixel));
+    this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, live.pixel, live.moment));
     this.save = new SavePanel(byId('panel-save'), store, shelf, engine, picture);
     this.showPanel = tabs(/** @type {HTMLElement} */ (document.querySelector('#panels [role=tablist]')), (name) => this.panelShown(name));
     /** The picture follows each change; panels and the trace follow a pause. */
