@@ -141,7 +141,7 @@ test('a sweep has the codes of the native program, and the exact value', async (
     const found = native(folder, 'trace', state.effect.passes[0].program, '--profile', state.profile, '--set', `tex0=${byte},${g},${b},${a}`);
     assert.equal(codes[byte], found.out.codes[0], `${byte} of ${one}`);
   }
-  await page.focus('.plot');
+  await page.$eval('.plot', (plot) => plot.focus());
   await page.keyboard.press('ArrowRight');
   assert.match(await page.$eval('#sweep-value', ({ textContent }) => textContent), new RegExp(`^tex0.r = ${at + 1}: `));
   await page.close();
