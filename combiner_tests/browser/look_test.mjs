@@ -276,6 +276,23 @@ test('pictures, effects and animations are saved', async () => {
   await page.close();
 });
 
+test('the editor completes an effect by its schema', async () => {
+  const page = await openPage(browser);
+  await page.select('#file-choice select', 'effect.json');
+  await page.focus('.cm-content');
+  await page.evaluate(() => {
+    const { view } = globalThis.ninebit.page.program.editor;
+    const at = view.state.doc.toString().indexOf('"name"');
+    view.dispatch({ selection: { anchor: at } });
+  });
+  await page.keyboard.type('"polygon_m');
+  await page.waitForFunction(() => document.querySelector('.cm-tooltip-autocomplete')?.textContent.includes('polygon_mode'));
+  await page.keyboard.press('Enter');
+  const text = await page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString());
+  assert.ok(text.includes('"polygon_mode": "name"'), text.slice(0, 600));
+  await page.close();
+});
+
 // axe-core: the rules of WCAG 2.1, A and AA.
 test('axe finds no fault', async (context) => {
   const axe = readFileSync(`${root}/build/playground/npm/node_modules/axe-core/axe.min.js`, 'utf8');
