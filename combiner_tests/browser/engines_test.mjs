@@ -45,7 +45,7 @@ async function checkPage(run) {
   await run('globalThis.ninebit.page.live.hash = true; return globalThis.ninebit.page.live.draw()');
   assert.equal(await hash(), expectedHashes().dot3_specular);
   // Alpha below 255, a mesh with a normal map, two passes with a depth texture.
-  for (const name of ['sepia', 'sprites', 'index_cube', 'dot3_specular']) {
+  for (const name of ['sepia', 'sprites', 'dot3_specular', 'index_cube']) {
     await run(`document.getElementById('picture').removeAttribute('data-hash'); document.querySelector('[data-effect="${name}"]').click()`);
     assert.equal(await patiently(hash), expectedHashes()[name], name);
   }

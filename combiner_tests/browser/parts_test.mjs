@@ -45,7 +45,7 @@ test('what is wrong with an effect is one sentence', () => {
     [{ passes: [] }, 'passes has 0 values; expected 1 to 256'],
     [{ passes: 'x' }, 'passes must be a list'],
     [{ passes: [{ constants: { const0: 5 } }] }, 'passes[0].constants.const0 must be a list'],
-    [{ passes: [{ constants: { const0: [1, 2, '3', 4] } }] }, 'passes[0].constants.const0[2] must be a number'],
+    [{ passes: [{ constants: { const0: [1, 2, true, 4] } }] }, 'passes[0].constants.const0[2] must be a number or a string'],
     [{ passes: [{ constants: { const0: [1] } }] }, 'passes[0].constants.const0 has 1 values; expected 4'],
     [{ passes: [{ program: {} }] }, 'passes[0].program must be a string'],
     [{ passes: [{ units: [{ texture: {} }] }] }, 'passes[0].units[0].texture must be null or a string'],
@@ -98,7 +98,7 @@ test('the script writes no file outside its folder, and the programs stay with t
   try {
     const folder = join(top, 'folder');
     mkdirSync(folder);
-    const script = commandsOf(state, { x: 1, y: 2 }).replace(/^ninebit .*$/gm, '');
+    const script = commandsOf(state, { x: 1, y: 2 }, { time: 0, frame: 0 }).replace(/^ninebit .*$/gm, '');
     execFileSync('bash', ['-e', '-c', script], { cwd: folder });
     assert.deepEqual(readdirSync(top), ['folder']);
     const effect = JSON.parse(readFileSync(join(folder, 'effect.json'), 'utf8'));

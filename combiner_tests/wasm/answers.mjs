@@ -3,7 +3,9 @@ import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 
-const engine = await createRequire(import.meta.url)(resolve(process.argv[2]))();
+const script = resolve(process.argv[2]);
+// With the bytes, as this Emscripten's script would ask Node's fetch for a path.
+const engine = await createRequire(import.meta.url)(script)({ wasmBinary: readFileSync(script.replace(/js$/, "wasm")) });
 
 function ask(line) {
   const size = engine.lengthBytesUTF8(line) + 1;

@@ -28,9 +28,10 @@ export function inOneFolder({ effect, files }) {
 /**
  * @param {import('./state.js').State} state
  * @param {{x: number, y: number}|null} pixel the last traced pixel
+ * @param {import('./live.js').Moment} [moment] of the picture
  * @returns {string}
  */
-export function commandsOf(state, pixel) {
+export function commandsOf(state, pixel, { time, frame } = { time: 0, frame: 0 }) {
   const { profile } = state;
   const { effect, texts } = inOneFolder(state);
   const name = 'effect.json';
@@ -44,7 +45,7 @@ export function commandsOf(state, pixel) {
   const pictures = sources.filter((source) => /\.\w+$/.test(source)).map(fileIn);
   if (effect.scene?.mesh && /\.\w+$/.test(effect.scene.mesh)) pictures.push(effect.scene.mesh);
   for (const picture of pictures) lines.push(`# Needs ${picture.replaceAll('\n', ' ')}; the gallery's files are in scenes/effects.\n`);
-  const flags = `--profile ${typeof profile === 'string' ? quoted(profile) : 'profile.json'}`;
+  const flags = `--profile ${typeof profile === 'string' ? quoted(profile) : 'profile.json'}${time ? ` --time ${time}` : ''}${frame ? ` --frame ${frame}` : ''}`;
   lines.push(`ninebit draw ${name} ${flags} -o picture.png\n`);
   if (pixel) lines.push(`ninebit trace --effect ${name} ${flags} --pixel ${pixel.x},${pixel.y}\n`);
   return lines.join('');

@@ -10,7 +10,9 @@ import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
 import { Compartment, EditorState, StateEffect, StateField } from '@codemirror/state';
 import { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { effectOffers } from './effect_completion.js';
 import { programLanguage } from './language.js';
+import { effectFile } from './state.js';
 
 /** Marks lines, by their numbers from 1. */
 const markLines = /** @type {import('@codemirror/state').StateEffectType<number[]>} */ (StateEffect.define());
@@ -54,7 +56,7 @@ export class Editor {
     // Tab leaves the editor, so that the keyboard alone suffices: Control-] and Control-[ indent.
     this.extensions = () => [
       lineNumbers(), history(), drawSelection(), bracketMatching(), closeBrackets(), highlightActiveLine(),
-      highlightSelectionMatches(), autocompletion(), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
+      highlightSelectionMatches(), autocompletion(), EditorState.languageData.of(() => [{ autocomplete: (/** @type {import('@codemirror/autocomplete').CompletionContext} */ context) => this.completeEffect(context) }]), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
       keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...completionKeymap, ...lintKeymap]),
       this.language.of(this.words), markedLines, EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
     ];
@@ -95,6 +97,19 @@ export class Editor {
     this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text } });
     this.silent = false;
     this.show([]);
+  }
+
+  /** Completes the effect's JSON, where that is shown. @param {import('@codemirror/autocomplete').CompletionContext} context */
+  completeEffect(context) {
+    if (this.file !== effectFile || !(context.explicit || context.matchBefore(/["\w]/))) return null;
+    const found = effectOffers(context.state.sliceDoc(0, context.pos));
+    if (!found?.offers.length) return null;
+    // A closing quotation mark that was put there goes with the word.
+    const after = context.state.sliceDoc(context.pos, context.pos + 1) === '"' ? 1 : 0;
+    return { from: found.from, to: context.pos, filter: true, options: found.offers.map(({ label, apply, detail }) => ({
+      label: `"${label}"`, displayLabel: label, info: detail, type: 'property',
+      apply: (/** @type {EditorView} */ view) => view.dispatch({ changes: { from: found.from, to: view.state.selection.main.head + after, insert: apply }, selection: { anchor: found.from + apply.length } }),
+    })) };
   }
 
   /** Lights lines, by their numbers from 1. @param {number[]} lines */

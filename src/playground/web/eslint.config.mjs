@@ -5,7 +5,7 @@ const browser = ['AbortController', 'Blob', 'CompressionStream', 'DataTransfer',
   'File', 'FileReader', 'HTMLElement', 'Image', 'ImageData', 'KeyboardEvent', 'OffscreenCanvas', 'PointerEvent', 'ResizeObserver', 'Response', 'Storage',
   'TextDecoder', 'TextEncoder', 'URL', 'URLSearchParams', 'WheelEvent', 'Worker', 'atob', 'btoa', 'cancelAnimationFrame', 'clearTimeout', 'console',
   'createImageBitmap', 'document', 'fetch', 'getComputedStyle', 'history', 'indexedDB', 'localStorage', 'location', 'navigator', 'performance',
-  'requestAnimationFrame', 'self', 'setTimeout', 'structuredClone', 'window', 'Element', 'Buffer', 'process', 'MouseEvent', 'IDBObjectStore'];
+  'requestAnimationFrame', 'self', 'setTimeout', 'structuredClone', 'window', 'Element', 'Buffer', 'process', 'MouseEvent', 'IDBObjectStore', 'innerHeight'];
 
 export default [
   js.configs.recommended,

@@ -55,7 +55,7 @@ export class Flip {
       const part = answer.width * answer.height * 4;
       this.picture.show(bytes.slice(part, 2 * part), answer.width, answer.height);
       const { pixels, max } = answer.difference;
-      badge.textContent = `${titleOfOther(other)}: ${pixels.toLocaleString('en')} pixels differ, by ${max} of 255 at most`;
+      badge.textContent = `${titleOfOther(other)}: ${pixels.toLocaleString('en')} pixels differ, by ${max} at most`;
     } catch (error) {
       if (error instanceof Replaced || !this.on) return;
       badge.textContent = `${titleOfOther(other)}: ${error instanceof Error ? error.message : error}`;

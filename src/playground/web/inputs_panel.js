@@ -101,7 +101,9 @@ export class InputsPanel {
       this.view = null;
       this.show();
     });
-    const { camera: position = this.view?.position, look_at: target = this.view?.target } = effect.scene ?? {};
+    // A point that moves is where the last picture had it.
+    const still = (/** @type {any} */ point, /** @type {any} */ drawn) => (point?.every(Number.isFinite) ? point : drawn);
+    const position = still(effect.scene?.camera, this.view?.position), target = still(effect.scene?.look_at, this.view?.target);
     if (now === rectangle || !position || !target) return mesh;
     const rounded = target.map((/** @type {number} */ value) => Math.round(value * 1000) / 1000);
     const camera = cameraSliders({ camera: position, look_at: rounded }, (place) => this.edit((pass, edited) => {
@@ -168,6 +170,7 @@ export class InputsPanel {
   constant(name) {
     const pass = passOf(this.store.state);
     const set = pass.constants?.[name];
+    if (set && !set.every(Number.isFinite)) return element('p', { class: 'quiet' }, element('code', {}, name), ' moves: ', set.join(', '));
     const value = set ?? this.ofProgram[name] ?? [0, 0, 0, 0];
     const write = (/** @type {number[]} */ edited) => {
       this.edit((now) => { now.constants = { ...now.constants, [name]: edited }; });

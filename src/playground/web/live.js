@@ -2,7 +2,7 @@
  * Keeps the page in step with the state: reads the program, draws the picture, traces the chosen pixel.
  */
 import { Replaced } from './engine_client.js';
-import { passOf, programOf } from './state.js';
+import { programOf } from './state.js';
 
 /** When the picture is drawn. @typedef {{time: number, frame: number}} Moment */
 
@@ -110,11 +110,5 @@ export class Live {
     const text = programOf(this.store.state);
     if (text === undefined) return Promise.reject(new Error('This pass has no program.'));
     return this.engine.ask({ do: 'convert', text, profile: this.store.state.profile, to }, { key: 'convert' });
-  }
-
-  /** The name of the pass as one reads it. */
-  passTitle() {
-    const pass = passOf(this.store.state);
-    return pass.name ?? `pass ${this.store.state.pass}`;
   }
 }

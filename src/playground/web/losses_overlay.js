@@ -10,7 +10,7 @@ import { Replaced } from './engine_client.js';
 const kinds = new Map([
   ['truncated', { title: 'truncated', color: [255, 186, 51], of: (byte) => byte & 1 }],
   ['clamped', { title: 'clamped', color: [255, 77, 77], of: (byte) => byte >> 1 & 1 }],
-  ['differs', { title: 'half a code or more from exact', color: [120, 190, 255], of: (byte) => byte >> 2 }],
+  ['differs', { title: 'off by ½ code or more', color: [120, 190, 255], of: (byte) => byte >> 2 }],
 ]);
 
 /** @param {number} stage @param {number} combiners */

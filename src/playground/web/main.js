@@ -8,15 +8,16 @@ import { Page, say } from './page.js';
 import { opened } from './permalink.js';
 import { bare, passOf, stateOf, Store } from './state.js';
 
+const asked = new URLSearchParams(location.search);
 /** In a frame of another page: picture, editor and trace alone, and nothing is kept. */
-const embedded = new URLSearchParams(location.search).has('embed');
+const embedded = asked.has('embed');
 
 const content = bare(JSON.parse(byId('content').textContent));
 
-/** The effect that is there at first; the tests have their own. */
+/** The effect that is there at first: the one that the address names; the tests have their own. */
 function first() {
-  const name = /** @type {any} */ (globalThis).ninebitFirst ?? 'dot3_specular';
-  return stateOf(content.effects[name] ?? Object.values(content.effects)[0], content.programs);
+  const name = asked.get('effect') ?? /** @type {any} */ (globalThis).ninebitFirst ?? 'dot3_specular';
+  return stateOf(content.effects[name] ?? content.effects.dot3_specular, content.programs);
 }
 
 /** The engine: its scripts, and its WebAssembly, packed. */
@@ -45,7 +46,9 @@ async function firstStore() {
   const past = kept?.past ?? [];
   // A link does not take the place of one's work.
   if (linked && kept && JSON.stringify(linked.state) !== JSON.stringify(kept.state)) past.push(kept.state);
-  return { store: new Store(linked?.state ?? kept?.state ?? first(), past), view: linked?.view ?? {} };
+  const named = Object.hasOwn(content.effects, asked.get('effect') ?? '') ? first() : null;
+  if (!linked && named && kept) past.push(kept.state);
+  return { store: new Store(linked?.state ?? named ?? kept?.state ?? first(), past), view: linked?.view ?? {} };
 }
 
 /**

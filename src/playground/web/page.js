@@ -101,10 +101,13 @@ export class Page {
     this.convert = new ConvertPanel(byId('panel-convert'), about.converts_to ?? [], (to) => live.convert(to));
     this.shadow = new ShadowPanel(byId('panel-shadow'), store, shelf, {
       engine, newEngine, meshes: about.meshes ?? [], picture, changed,
-      drawn: (pixels, width, height) => this.keepPicture('shadow', pixels, width, height),
+      drawn: (pixels, width, height) => {
+        this.keepPicture('shadow', pixels, width, height);
+        byId('drawing').textContent = `${width} x ${height}`;
+      },
     });
     this.sweep = new SweepPanel(byId('panel-sweep'), store, live, { profiles: this.profileNames, choosePixel: () => this.chooseBright('sweep'), changed });
-    this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, live.pixel));
+    this.command = new CommandPanel(byId('panel-command'), () => commandsOf(store.state, live.pixel, live.moment));
     this.save = new SavePanel(byId('panel-save'), store, shelf, engine, picture);
     this.showPanel = tabs(/** @type {HTMLElement} */ (document.querySelector('#panels [role=tablist]')), (name) => this.panelShown(name));
     /** The picture follows each change; panels and the trace follow a pause. */
@@ -466,7 +469,7 @@ export class Page {
     });
     byId('strip').addEventListener('click', () => byId('panels').scrollIntoView({ block: 'nearest' }));
     const whole = element('a', { id: 'whole', target: '_blank', rel: 'noopener', href: location.pathname }, 'Open in the playground');
-    whole.addEventListener('click', () => { whole.href = location.href.replace('?embed', ''); });
+    whole.addEventListener('click', () => { whole.href = `${location.pathname}${location.hash}`; });
     byId('strip').after(whole);
   }
 }

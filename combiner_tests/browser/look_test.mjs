@@ -1,0 +1,316 @@
+/** What the page says it is: the first look, the layout, the strip, flip, marks of losses, links of what is looked at, embed. */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { clickPixel, expectedHashes, folderOf, hashOf, launch, native, nativeTrace, openEffect, openPage, root, stateOf, waitForHash, waitForReady } from './support.mjs';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+const boxOf = (page, selector) => page.$eval(selector, (node) => {
+  const { left, top, right, bottom } = node.getBoundingClientRect();
+  return { left, top, right, bottom };
+});
+const traced = (page) => page.waitForFunction(() => globalThis.ninebit.page.trace.trace?.stages && document.querySelector('#strip .strip-item'));
+
+test('it opens with the bump-mapped torus, one sentence and three things to try', async () => {
+  const page = await openPage(browser, { first: null });
+  assert.equal(await hashOf(page), expectedHashes().dot3_specular);
+  assert.match(await page.$eval('#purpose', ({ textContent }) => textContent), /^[A-Z][^.]*[.]?[^.]*\.$/);
+  await page.click('#try-trace');
+  await traced(page);
+  await page.click('#try-flip');
+  await page.waitForFunction(() => !document.querySelector('.badge').hidden);
+  assert.match(await page.$eval('.badge', ({ textContent }) => textContent), /^exact combiners: 18,677 pixels differ, by 6/);
+  await page.click('#try-sweep');
+  await page.waitForSelector('#panel-sweep .curve');
+  await page.click('#hide-tries');
+  await page.reload();
+  await waitForReady(page);
+  assert.equal(await page.$eval('#tries', ({ hidden }) => hidden), true);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('editor, picture and inspector are side by side from 1200 pixels, and a click shows the trace where one looks', async () => {
+  for (const [width, height] of [[1200, 700], [1280, 720], [1600, 1000]]) {
+    const page = await openPage(browser, { width, height });
+    const [editor, picture, panels] = await Promise.all(['#editor-pane', '#picture-pane', '#panels'].map((selector) => boxOf(page, selector)));
+    assert.ok(editor.right < picture.left && picture.right < panels.left, `${width}`);
+    assert.ok(Math.max(editor.bottom, picture.bottom, panels.bottom) <= height, `${width} x ${height}`);
+    await clickPixel(page, 128, 128);
+    await traced(page);
+    for (const selector of ['#strip', '#trace .nb-box']) {
+      const box = await boxOf(page, selector);
+      assert.ok(box.top >= 0 && box.bottom <= height && box.left < width - 100, `${selector} at ${width} x ${height}: ${JSON.stringify(box)}`);
+    }
+    assert.ok(await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight), `${width} scrolls`);
+    await page.close();
+  }
+});
+
+test('on a phone a click brings the strip and the trace into view', async () => {
+  const page = await openPage(browser, { width: 390, height: 844 });
+  await page.evaluate(() => globalThis.ninebit.page.picture.take({ x: 100, y: 100 }));
+  await traced(page);
+  const [picture, strip, diagram] = await Promise.all(['#picture canvas', '#strip', '#trace .nb-diagram'].map((selector) => boxOf(page, selector)));
+  assert.ok(picture.top >= 0 && strip.bottom < 844 && diagram.top < 800, JSON.stringify({ picture, strip, diagram }));
+  const columns = await page.evaluate(() => {
+    document.getElementById('open-gallery').click();
+    return getComputedStyle(document.querySelector('.gallery')).gridTemplateColumns.split(' ').length;
+  });
+  assert.equal(columns, 2);
+  await page.close();
+});
+
+test('the strip has the values of the native trace', async () => {
+  const page = await openPage(browser);
+  await page.evaluate(() => globalThis.ninebit.page.picture.take({ x: 60, y: 70 }));
+  await traced(page);
+  const expected = nativeTrace(await stateOf(page), 60, 70);
+  const text = await page.$eval('#strip', ({ textContent }) => textContent);
+  assert.ok(text.includes(`tex0 ${expected.before.tex0.codes.join(' ')}`) && text.includes(`out ${expected.out.codes.join(' ')}`), text);
+  await page.close();
+});
+
+test('F flips between the profiles, and the picture is the other profile’s', async () => {
+  const page = await openPage(browser);
+  const sums = () => page.evaluate(() => globalThis.ninebit.page.picture.pixels.reduce((sum, value, at) => (sum * 31 + value * (at % 97)) % 1_000_003, 7));
+  const usual = await sums();
+  await page.evaluate(() => globalThis.ninebit.store.change('other', (state) => { state.other = 'nv2a'; }));
+  await page.focus('.picture-scroll');
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => document.querySelector('.badge').textContent.startsWith('nv2a'));
+  const flipped = await sums();
+  assert.notEqual(flipped, usual);
+  const difference = native(folderOf(await stateOf(page)), 'draw', 'effect.json', '--profile', (await stateOf(page)).profile, '--difference', 'nv2a', '-o', 'a.png').difference;
+  assert.ok((await page.$eval('.badge', ({ textContent }) => textContent)).includes(`${difference.pixels.toLocaleString('en')} pixels differ`));
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => document.querySelector('.badge').hidden);
+  assert.equal(await sums(), usual);
+  // Not where one types.
+  await page.focus('.cm-content');
+  await page.keyboard.press('f');
+  assert.equal(await page.$eval('#flip', (button) => button.getAttribute('aria-pressed')), 'false');
+  await page.close();
+});
+
+test('marks of losses are those of the traces, by stage', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'dot3_specular');
+  await page.select('#mark-losses', 'clamped');
+  await page.waitForFunction(() => document.getElementById('losses-result').dataset.marked);
+  const all = Number(await page.$eval('#losses-result', ({ dataset }) => dataset.marked));
+  await page.select('#mark-stage', '0');
+  const first = Number(await page.$eval('#losses-result', ({ dataset }) => dataset.marked));
+  assert.ok(first <= all && all > 100, `${first} of ${all}`);
+  const layer = await page.evaluate(() => {
+    const { layer: canvas } = globalThis.ninebit.page.losses;
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const marked = [];
+    for (let at = 3; at < data.length; at += 4) if (data[at]) marked.push((at - 3) / 4);
+    return marked;
+  });
+  assert.equal(layer.length, first);
+  const state = await stateOf(page);
+  const cut = (pixel) => nativeTrace(state, pixel % 256, Math.floor(pixel / 256)).stages[0].rgb.channels.some(({ outputs }) => outputs.some((output) => output.cut.code !== 0));
+  for (const pixel of [layer[0], layer[Math.floor(layer.length / 2)]].filter((found) => found !== undefined)) assert.ok(cut(pixel), `${pixel}`);
+  await page.select('#mark-losses', '');
+  await page.waitForFunction(() => globalThis.ninebit.page.losses.layer.hidden);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('a sweep has the codes of the native program, and the exact value', async () => {
+  const page = await openPage(browser);
+  await page.evaluate(() => globalThis.ninebit.page.picture.take({ x: 40, y: 50 }));
+  await traced(page);
+  await page.click('#tab-sweep');
+  await page.waitForSelector('#sweep-input');
+  await page.select('#sweep-input', 'tex0.r');
+  await page.waitForFunction(() => globalThis.ninebit.page.sweep.input === 'tex0.r' && document.getElementById('sweep-place').textContent.endsWith(' tex0.r:'));
+  const { codes, exact, at, one } = await page.evaluate(() => globalThis.ninebit.page.sweep.curves[0]);
+  const state = await stateOf(page);
+  const trace = nativeTrace(state, 40, 50);
+  assert.equal(codes[at], trace.out.codes[0]);
+  assert.equal(exact[at], trace.final.rgb[0].written.ideal);
+  const folder = folderOf(state);
+  for (const byte of [0, 100, 255]) {
+    const [, g, b, a] = trace.before.tex0.codes;
+    const found = native(folder, 'trace', state.effect.passes[0].program, '--profile', state.profile, '--set', `tex0=${byte},${g},${b},${a}`);
+    assert.equal(codes[byte], found.out.codes[0], `${byte} of ${one}`);
+  }
+  await page.$eval('.plot', (plot) => plot.focus());
+  await page.keyboard.press('ArrowRight');
+  assert.match(await page.$eval('#sweep-value', ({ textContent }) => textContent), new RegExp(`^tex0.r = ${at + 1}: `));
+  await page.close();
+});
+
+test('a link keeps the pixel, the tab, the sweep, the marks and the settings of index shadows', async () => {
+  const page = await openPage(browser);
+  await page.evaluate(() => {
+    const { page: shown } = globalThis.ninebit;
+    shown.picture.take({ x: 33, y: 44 });
+    shown.shadow.ask({ step: 3, map_size: 128 });
+    shown.losses.take('truncated', '0');
+  });
+  await page.click('#tab-sweep');
+  await page.waitForSelector('#sweep-output');
+  await page.evaluate(() => globalThis.ninebit.page.keep());
+  const hash = await page.evaluate(() => location.hash);
+  const other = await openPage(browser, { hash });
+  await other.waitForSelector('#sweep-output');
+  const found = await other.evaluate(() => {
+    const { page: shown } = globalThis.ninebit;
+    return { pixel: shown.live.pixel, tab: shown.panel(), shadow: shown.shadow.asked, losses: [shown.losses.kind, shown.losses.stage], marked: !shown.picture.mark.hidden };
+  });
+  assert.deepEqual(found, { pixel: { x: 33, y: 44 }, tab: 'sweep', shadow: { scene: 'room', step: 3, map_size: 128, order: 'neighbour' }, losses: ['truncated', '0'], marked: true });
+  assert.deepEqual(other.complaints, []);
+  await other.close();
+  await page.close();
+});
+
+test('what a link says to look at may be anything', async () => {
+  const { addressOf } = await import('../../src/playground/web/permalink.js');
+  const { newState } = await import('../../src/playground/web/state.js');
+  for (const view of [{ pixel: 'x', tab: 3, shadow: 7, sweep: [], losses: {}, flip: 'yes' }, { pixel: [1e9, -1], tab: 'nothing', shadow: { step: 'x', map_size: 1e9 }, losses: ['__proto__', '9'] },
+    { pixel: [5000, 5000], tab: 'sweep', sweep: { input: '<b>', output: 'x.y', stage: '7' } }, { tab: 'shadow', shadow: { nonsense: 1 } }]) {
+    const page = await openPage(browser, { hash: await addressOf(newState(), view) });
+    assert.notEqual(await hashOf(page), '', JSON.stringify(view));
+    assert.deepEqual(page.complaints, [], JSON.stringify(view));
+    await page.close();
+  }
+});
+
+test('index shadows are a mode of the picture, the neighbour order first', async () => {
+  const page = await openPage(browser);
+  await page.click('#mode-shadow');
+  await page.waitForFunction(() => document.getElementById('shadow-result').textContent.includes('pixels in shadow'));
+  const { width, height, order } = await page.evaluate(() => ({ ...globalThis.ninebit.page.shadow.asked, width: globalThis.ninebit.page.picture.width, height: globalThis.ninebit.page.picture.height }));
+  assert.deepEqual([width, height, order], [480, 360, 'neighbour']);
+  await page.click('#mode-effect');
+  await page.waitForFunction(() => globalThis.ninebit.page.picture.width === 256);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('a line of the program lights its boxes, and a box its lines', async () => {
+  const page = await openPage(browser);
+  await page.evaluate(() => globalThis.ninebit.page.picture.take({ x: 60, y: 70 }));
+  await traced(page);
+  const lines = await page.evaluate(() => globalThis.ninebit.page.trace.lines);
+  const line = lines.findIndex((boxes) => boxes.some((box) => box.startsWith('stage0/rgb-'))) + 1;
+  await page.evaluate((number) => globalThis.ninebit.page.trace.lightLine(number), line);
+  assert.ok(await page.$$eval('#trace .nb-box.nb-lit', (boxes) => boxes.length) > 0);
+  const lit = await page.evaluate((box) => {
+    globalThis.ninebit.page.trace.chosen(box);
+    return [...document.querySelectorAll('.cm-lit')].map(({ textContent }) => textContent);
+  }, lines[line - 1].find((box) => box.endsWith('-ab') || box.endsWith('-third')));
+  assert.ok(lit.length >= 1);
+  await page.close();
+});
+
+test('in a frame of another page there are picture, editor and trace, and nothing is kept', async () => {
+  const page = await openPage(browser, { query: '?embed&effect=emboss', width: 900, height: 600 });
+  assert.equal(await hashOf(page), expectedHashes().emboss);
+  const shown = await page.evaluate(() => [...document.querySelectorAll('header, footer, #tries, [role=tab]')].filter((node) => node.checkVisibility()).map(({ id, tagName }) => id || tagName));
+  assert.deepEqual(shown, ['tab-trace', 'tab-sweep', 'tab-explain']);
+  await page.evaluate(() => globalThis.ninebit.page.keep());
+  assert.equal(await page.evaluate(() => localStorage.length), 0);
+  assert.match(await page.$eval('#whole', ({ textContent }) => textContent), /Open in the playground/);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('an effect that moves plays and pauses, and each picture is that of its time', async (context) => {
+  const page = await openPage(browser);
+  await openEffect(page, 'sepia');
+  assert.equal(await page.$eval('.clock', ({ hidden }) => hidden), true);
+  await openEffect(page, 'dot3_specular');
+  assert.equal(await page.$eval('.clock', ({ hidden }) => hidden), false);
+  await page.click('#play');
+  await page.waitForFunction(() => globalThis.ninebit.page.live.moment.frame >= 8);
+  context.diagnostic(`${(await page.evaluate(() => globalThis.ninebit.page.clock.rate)).toFixed(1)} pictures a second`);
+  await page.click('#play');
+  const { time, frame } = await page.evaluate(async () => {
+    const { page: shown } = globalThis.ninebit;
+    shown.live.moment = { time: 1.25, frame: 30 };
+    await shown.live.draw();
+    return shown.live.moment;
+  });
+  const state = await stateOf(page);
+  await waitForHash(page, native(folderOf(state), 'draw', 'effect.json', '--profile', state.profile, '--time', String(time), '--frame', String(frame), '-o', 'a.png').hash.color);
+  await page.click('#rewind');
+  await waitForHash(page, expectedHashes().dot3_specular);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('pictures, effects and animations are saved', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'night_vision');
+  const saved = (selector) => page.evaluate(async (where) => {
+    const kept = URL.createObjectURL;
+    const blob = new Promise((resolve) => {
+      URL.createObjectURL = (content) => {
+        resolve(content);
+        return kept.call(URL, content);
+      };
+    });
+    document.querySelector(where).click();
+    const bytes = new Uint8Array(await (await blob).arrayBuffer());
+    URL.createObjectURL = kept;
+    return { size: bytes.length, head: [...bytes.slice(0, 8)], names: new TextDecoder('latin1').decode(bytes).match(/(effect\.json|programs\/\w+\.rc1|textures\/\w+\.png|acTL|fcTL)/g) };
+  }, selector);
+  await page.click('#tab-save');
+  const picture = await saved('#save-png'), large = await saved('#save-large'), archive = await saved('#save-zip');
+  assert.deepEqual(picture.head, [137, 80, 78, 71, 13, 10, 26, 10]);
+  assert.ok(large.size > picture.size);
+  assert.deepEqual(new Set(archive.names), new Set(['effect.json', 'programs/night_vision.rc1', 'textures/photograph.png', 'textures/detail.png']));
+  await page.evaluate(() => { globalThis.ninebit.page.save.seconds = 1; });
+  const animation = await saved('#save-animation');
+  assert.equal(animation.names.filter((name) => name === 'fcTL').length, 30);
+  await page.waitForFunction(() => document.getElementById('save-result').textContent === '30 frames were saved.');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('the editor completes an effect by its schema', async () => {
+  const page = await openPage(browser);
+  await page.select('#file-choice select', 'effect.json');
+  await page.focus('.cm-content');
+  await page.evaluate(() => {
+    const { view } = globalThis.ninebit.page.program.editor;
+    const at = view.state.doc.toString().indexOf('"name"');
+    view.dispatch({ selection: { anchor: at } });
+  });
+  await page.keyboard.type('"polygon_m');
+  await page.waitForFunction(() => document.querySelector('.cm-tooltip-autocomplete')?.textContent.includes('polygon_mode'));
+  await page.keyboard.press('Enter');
+  const text = await page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString());
+  assert.ok(text.includes('"polygon_mode": "name"'), text.slice(0, 600));
+  await page.close();
+});
+
+// axe-core: the rules of WCAG 2.1, A and AA.
+test('axe finds no fault', async (context) => {
+  const axe = readFileSync(`${root}/build/playground/npm/node_modules/axe-core/axe.min.js`, 'utf8');
+  for (const scheme of ['light', 'dark']) {
+    const page = await openPage(browser, { width: 1280, height: 720 });
+    await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+    await page.evaluate(() => globalThis.ninebit.page.picture.take({ x: 60, y: 70 }));
+    await traced(page);
+    for (const tab of ['inputs', 'sweep', 'profiles', 'shadow', 'save', 'trace']) {
+      await page.evaluate((name) => document.getElementById(`tab-${name}`).click(), tab);
+      await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 300); }));
+      // The page's policy forbids scripts from elsewhere, so this one is evaluated by the debugger.
+      const faults = await page.evaluate(`${axe}; axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'] })
+        .then(({ violations }) => violations.map(({ id, impact, nodes }) => id + ' (' + impact + '): ' + nodes.map(({ target }) => target.join(' ')).slice(0, 3).join(', ')))`);
+      context.diagnostic(`${scheme}, ${tab}: ${faults.length} faults`);
+      assert.deepEqual(faults, [], `${scheme}, ${tab}`);
+    }
+    await page.close();
+  }
+});
+
