@@ -51,10 +51,6 @@ bool is_pixel_transfer(GLenum pname) {
   return pname >= GL_HI_SCALE_NV && pname <= GL_VIBRANCE_BIAS_NV;
 }
 
-bool is_attribute_array(GLenum pname) {
-  return pname >= GL_VERTEX_ATTRIB_ARRAY0_NV && pname <= GL_VERTEX_ATTRIB_ARRAY15_NV;
-}
-
 // The value of GL_NV_vertex_program's state.
 GLint vertex_program_value(const VertexProgramState& state, GLenum pname) {
   switch (pname) {
@@ -103,7 +99,7 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_PROGRAM_ERROR_POSITION_NV:
       return context.vertex.has_error_position ? 1 : 0;
     default:
-      if (is_attribute_array(pname)) return has_vertex_programs(&context) ? 1 : 0;
+      if (is_attribute_array(&context, pname)) return 1;
       return is_pixel_transfer(pname) && context.combiners.profile().texture_shaders ? 1 : 0;
   }
 }
@@ -138,7 +134,7 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
   } else if (pname == GL_CURRENT_PROGRAM) {
     *integers = static_cast<GLint>(context.app_program);
   } else if (pname == GL_VERTEX_PROGRAM_BINDING_NV || pname == GL_PROGRAM_ERROR_POSITION_NV ||
-             pname == GL_MATRIX_MODE || is_attribute_array(pname)) {
+             pname == GL_MATRIX_MODE || is_attribute_array(&context, pname)) {
     *integers = vertex_program_value(context.vertex, pname);
   } else if (pname == GL_NUM_EXTENSIONS) {
     *integers = number_of_driver_extensions() + static_cast<GLint>(added_extensions(context).size());

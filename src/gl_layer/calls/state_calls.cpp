@@ -116,7 +116,7 @@ GLAPI GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
       context->features.extras.have(Extra::vertex_array_range)) {
     return context->outside_begin() && context->vertex_range.enabled ? GL_TRUE : GL_FALSE;
   }
-  if (has_vertex_programs(context) && cap >= GL_VERTEX_ATTRIB_ARRAY0_NV && cap <= GL_VERTEX_ATTRIB_ARRAY15_NV) {
+  if (is_attribute_array(context, cap)) {
     const unsigned bit = context->vertex.arrays >> (cap - GL_VERTEX_ATTRIB_ARRAY0_NV) & 1;
     return context->outside_begin() && bit != 0 ? GL_TRUE : GL_FALSE;
   }

@@ -145,6 +145,24 @@ void bind_vertex_program(Context& context, unsigned arrays) {
   state.driver_name = name;
 }
 
+void find_attribute_array(Context& context, unsigned index) {
+  const auto get = [index](GLenum pname) {
+    GLint value = 0;
+    found_driver.GetVertexAttribivARB(index, pname, &value);
+    return value;
+  };
+  void* pointer = nullptr;
+  found_driver.GetVertexAttribPointervARB(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+  const unsigned bit = 1U << index;
+  const bool enabled = get(GL_VERTEX_ATTRIB_ARRAY_ENABLED) != 0;
+  context.vertex.arrays = enabled ? context.vertex.arrays | bit : context.vertex.arrays & ~bit;
+  context.vertex.array[index] = {.type = static_cast<unsigned>(get(GL_VERTEX_ATTRIB_ARRAY_TYPE)),
+                                 .size = get(GL_VERTEX_ATTRIB_ARRAY_SIZE),
+                                 .stride = get(GL_VERTEX_ATTRIB_ARRAY_STRIDE),
+                                 .pointer = pointer,
+                                 .in_buffer = get(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING) != 0};
+}
+
 std::array<VertexVector, 4> rows_of(const TrackedMatrix& matrix) {
   Matrix values = source_matrix(matrix);
   const bool inverts = matrix.transform == MatrixTransform::inverse || matrix.transform == MatrixTransform::inverse_transpose;
