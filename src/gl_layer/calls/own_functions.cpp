@@ -5,6 +5,7 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/extra_extensions.h"
+#include "src/gl_layer/driver/lookups.h"
 #include "src/gl_layer/driver/symbols.h"
 
 extern "C" {
@@ -137,6 +138,7 @@ AnyFunction own_function(std::string_view name) {
     if (makes_unseen_images(name)) unseen_images.store(true, std::memory_order_relaxed);
     return nullptr;
   }
+  note_lookup(name);
   if (name.ends_with("NV") && belongs_to_unwanted(name)) return nullptr;
   if (name.starts_with("glCombiner")) combiners_wanted.store(true, std::memory_order_relaxed);
   return found->function;

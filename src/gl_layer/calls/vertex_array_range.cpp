@@ -5,6 +5,7 @@
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/lookups.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 
@@ -43,6 +44,7 @@ GLAPI void GLAPIENTRY glVertexArrayRangeNV(GLsizei length, const void* pointer) 
   }
   if (!context->outside_begin()) return;
   if (length < 0) return context->raise(GL_INVALID_VALUE);
+  note_use(Asked::vertex_array_range);
   context->vertex_range.length = length;
   context->vertex_range.pointer = pointer;
 }

@@ -6,6 +6,7 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
+#include "src/gl_layer/driver/lookups.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -27,6 +28,7 @@ unsigned name_without_text(SharedVertexPrograms& shared) {
 
 // Leaves the new program bound. 0: the driver refuses it.
 unsigned make_variant(SharedVertexPrograms& shared, const std::string& text) {
+  note_use(Asked::vertex_program);
   const unsigned name = unused_name(shared);
   found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, name);
   const GLenum before = found_driver.GetError();
