@@ -93,6 +93,8 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_VERTEX_ARRAY_RANGE_VALID_NV:
     case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
       return context.features.extras.have(Extra::vertex_array_range) ? 1 : 0;
+    case GL_SHARED_TEXTURE_PALETTE_EXT:
+      return context.features.extras.have(Extra::shared_texture_palette) ? 1 : 0;
     case GL_VERTEX_PROGRAM_BINDING_NV:
     case GL_MATRIX_MODE:
       return has_vertex_programs(&context) ? 1 : 0;
@@ -129,6 +131,8 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
     *integers = context.combiners.texture_shader().enabled ? 1 : 0;
   } else if (pname >= GL_VERTEX_ARRAY_RANGE_NV && pname <= GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV) {
     *integers = range_value(context.vertex_range, pname);
+  } else if (pname == GL_SHARED_TEXTURE_PALETTE_EXT) {
+    *integers = context.shared_palette.enabled ? 1 : 0;
   } else if (pname == GL_LIST_INDEX) {
     *integers = static_cast<GLint>(context.open_list->number);
   } else if (pname == GL_CURRENT_PROGRAM) {

@@ -21,6 +21,9 @@ std::optional<Extra> extra_of(std::string_view function) {
   if (is_fence) return Extra::fence;
   const bool is_range = function.ends_with("VertexArrayRangeNV") || function.ends_with("MemoryNV");
   if (is_range) return Extra::vertex_array_range;
+  const bool is_palette = function.ends_with("EXT") && (function.find("ColorTable") != function.npos ||
+                                                        function.find("ColorSubTable") != function.npos);
+  if (is_palette) return Extra::paletted_texture;
   const bool is_vertex_program =
       function.ends_with("NV") && (function.find("Program") != function.npos ||
                                    function.find("VertexAttrib") != function.npos || function == "glTrackMatrixNV");

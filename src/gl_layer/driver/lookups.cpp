@@ -22,7 +22,8 @@ constexpr std::array kAsked{
     AskedExtension{Asked::combiners, "GL_NV_register_combiners", std::nullopt},
     AskedExtension{Asked::fence, "GL_NV_fence", Extra::fence},
     AskedExtension{Asked::vertex_array_range, "GL_NV_vertex_array_range", Extra::vertex_array_range},
-    AskedExtension{Asked::vertex_program, "GL_NV_vertex_program", Extra::vertex_program}};
+    AskedExtension{Asked::vertex_program, "GL_NV_vertex_program", Extra::vertex_program},
+    AskedExtension{Asked::paletted_texture, "GL_EXT_paletted_texture", Extra::paletted_texture}};
 
 constinit std::atomic<unsigned> looked_up_bits{0}, used_bits{0}, drivers_bits{0};
 

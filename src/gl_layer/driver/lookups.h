@@ -13,6 +13,7 @@ enum class Asked : unsigned {
   fence = 2,
   vertex_array_range = 4,
   vertex_program = 8,
+  paletted_texture = 16,
 };
 
 // The program has looked up a function of the layer's, whether it gets it or not.
