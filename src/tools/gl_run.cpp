@@ -50,13 +50,18 @@ bool has_32_bits(const std::string& program) {
   return false;
 }
 
+// The names of further extensions, each with a comma behind it.
+std::string extension_names() {
+  std::string names;
+  for (const ExtraExtension& one : kExtraExtensions) names += std::string(one.name.substr(3)) + ", ";
+  return names;
+}
+
 // The first error in a list of further extensions; empty: none.
 std::string fault_of_extensions(const std::string& list) {
   std::string unknown;
   if (parse_extras(list, unknown)) return "";
-  std::string expected;
-  for (const ExtraExtension& one : kExtraExtensions) expected += std::string(one.name.substr(3)) + ", ";
-  return printable(unknown) + ": expected " + expected + "all or none";
+  return printable(unknown) + ": expected " + extension_names() + "all or none";
 }
 
 // The program may change its folder before it draws.
@@ -130,8 +135,8 @@ void add_gl_run(CLI::App& app, int& exit_code) {
   verb->add_option("--log", flags->log, "Append the layer's messages to this file instead of standard error")
       ->type_name("FILE");
   verb->add_option("--extensions", flags->extensions,
-                   "Further extensions to add where the driver lacks them: NV_fence, NV_vertex_array_range, "
-                   "SGIX_depth_texture, SGIX_shadow, separated by commas; all or none")
+                   "Further extensions to add where the driver lacks them: " + extension_names() +
+                       "separated by commas; all or none")
       ->type_name("LIST|all|none")
       ->check(fault_of_extensions)
       ->capture_default_str();

@@ -1,5 +1,5 @@
 /* Draws a green window by combiners, its functions found as the argument says, and prints the pixel in the middle. A second
- * argument is an extension's name: it says whether it is listed. */
+ * argument is an extension's name: it says whether it is listed; a third one is a function to look up. */
 #define _GNU_SOURCE
 #define GL_GLEXT_PROTOTYPES
 #include <GL/freeglut.h>
@@ -31,6 +31,7 @@ int main(int argc, char **argv) {
   void (*input)(unsigned, unsigned, unsigned, unsigned) = find("glFinalCombinerInputNV");
   if (dlsym(library, "glNobodyHasThisFunction") || !dlerror()) puts("a function that nobody has is found");
   const char *listed = (const char *)glGetString(GL_EXTENSIONS);
+  if (argc > 3) glutGetProcAddress(argv[3]);
   if (extension) printf("%s is%s listed\n", extension, strstr(listed, extension) ? "" : " not");
   const float green[] = {0, 1, 0, 1}, red[] = {1, 0, 0, 1};
   glColor4fv(red);

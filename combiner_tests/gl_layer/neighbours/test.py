@@ -18,6 +18,20 @@ def compiled(kit, name, options, libraries=(), output=None):
     return program
 
 
+def logs(kit, draws, environment):
+    """The last lines of the log file: what was looked up in vain, and what was not used."""
+    unused = "ninebit: functions looked up and never used: those of GL_NV_vertex_program\n"
+    addable = "ninebit: functions looked up of extensions that --extensions can add: NV_vertex_program\n"
+    for function, added, expected in (("glEnable", "all", ""), ("glLoadProgramNV", "all", unused),
+                                      ("glLoadProgramNV", "none", addable)):
+        log = kit.output / "neighbours/log.txt"
+        log.unlink(missing_ok=True)
+        kit.run([draws, "library", "GL_NV_fence", function], environment, layer=True,
+                options=("--extensions", added, "--log", log))
+        written = log.read_text() if log.exists() else ""
+        kit.check(written == expected, f"{function} with --extensions {added}: the log has {written.strip() or 'no line'!r}")
+
+
 def run(kit):
     require(PACKAGES, ["gcc", "Xvfb", "apitrace"], ["/usr/include/GL/freeglut.h", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8"])
     folder = kit.folder("neighbours")
@@ -35,6 +49,7 @@ def run(kit):
             done = kit.run([draws, "library", "GL_NV_fence"], environment, layer=True, options=options)
             kit.check(done.stdout == f"GL_NV_fence is{word} listed\n{expected}",
                       f"--extensions {wanted}: {done.stdout.splitlines()[0]}")
+        logs(kit, draws, environment)
         for name, preloaded in (("before", f"{interposer}:{layer}"), ("after", f"{layer}:{interposer}")):
             done = kit.run(["env", f"LD_PRELOAD={preloaded}", draws, "default"], environment)
             kit.check(done.returncode == 0 and done.stdout == counted,

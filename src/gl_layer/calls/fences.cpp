@@ -3,6 +3,7 @@
 #include "src/gl_layer/calls/display_lists.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/lookups.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 
@@ -43,6 +44,7 @@ void set_fence(GLuint fence, GLenum condition) {
   if (!context->outside_begin()) return;
   if (condition != GL_ALL_COMPLETED_NV) return context->raise(GL_INVALID_ENUM);
   context->fences[fence] = true;
+  note_use(Asked::fence);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Commands that change what a shader of the layer depends on: bound and enabled textures, fog, lighting, shaders. They
 // go to the driver as they are; texture_images.cpp has those with pixels.
 #include "src/gl_layer/calls/display_lists.h"
+#include "src/gl_layer/calls/paletted_textures.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
 
@@ -111,7 +112,8 @@ void get_sgix_shadow(GLenum target, GLenum pname, T* params) {
   NINEBIT_CALL_THAT_MARKS(name, parameters, arguments, if (!changes_no_shader(pname)) mark_stale())
 
 NINEBIT_INPUT_CALL(BindTexture, (GLenum target, GLuint texture), (target, texture))
-NINEBIT_IMAGE_CALL(DeleteTextures, (GLsizei n, const GLuint* textures), (n, textures))
+NINEBIT_CALL_THAT_MARKS(DeleteTextures, (GLsizei n, const GLuint* textures), (n, textures),
+                        (forget_paletted_textures(n, textures), mark_images_changed()))
 #define NINEBIT_TEXTURE_PARAMETER(name, type, value)                        \
   GLAPI void GLAPIENTRY gl##name(GLenum target, GLenum pname, type param) { \
     if (find_driver().name != nullptr && is_sgix_shadow(pname)) {           \

@@ -5,6 +5,7 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/extra_extensions.h"
+#include "src/gl_layer/driver/lookups.h"
 #include "src/gl_layer/driver/symbols.h"
 
 extern "C" {
@@ -45,9 +46,9 @@ struct Entry {
   X(eglSwapBuffers) X(glAreProgramsResidentNV) X(glArrayElement) A(glArrayElementEXT, glArrayElement) \
   A(glAttachObjectARB, glAttachShader) X(glAttachShader) X(glBegin) X(glBindAttribLocation) \
   A(glBindAttribLocationARB, glBindAttribLocation) X(glBindProgramARB) X(glBindProgramNV) X(glBindTexture) \
-  A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) A(glCombinerInput, glCombinerInputNV) \
-  X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) X(glCombinerOutputNV) \
-  A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
+  A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) X(glColorSubTableEXT) X(glColorTableEXT) \
+  A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
+  X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
   A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
   A(glCombinerParameteri, glCombinerParameteriNV) X(glCombinerParameteriNV) \
   A(glCombinerParameteriv, glCombinerParameterivNV) X(glCombinerParameterivNV) \
@@ -71,7 +72,8 @@ struct Entry {
   X(glGenerateMipmap) A(glGenerateMipmapEXT, glGenerateMipmap) X(glGetActiveAttrib) \
   A(glGetActiveAttribARB, glGetActiveAttrib) X(glGetActiveUniform) A(glGetActiveUniformARB, glGetActiveUniform) \
   A(glGetAttachedObjectsARB, glGetAttachedShaders) X(glGetAttachedShaders) X(glGetAttribLocation) \
-  A(glGetAttribLocationARB, glGetAttribLocation) X(glGetBooleanv) \
+  A(glGetAttribLocationARB, glGetAttribLocation) X(glGetBooleanv) X(glGetColorTableEXT) \
+  X(glGetColorTableParameterfvEXT) X(glGetColorTableParameterivEXT) \
   A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) X(glGetCombinerInputParameterfvNV) \
   A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) X(glGetCombinerInputParameterivNV) \
   A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) X(glGetCombinerOutputParameterfvNV) \
@@ -82,8 +84,9 @@ struct Entry {
   X(glGetFinalCombinerInputParameterivNV) X(glGetFloatv) X(glGetHandleARB) X(glGetInfoLogARB) X(glGetIntegerv) \
   X(glGetObjectParameterivARB) X(glGetPointerv) X(glGetProgramInfoLog) X(glGetProgramParameterdvNV) \
   X(glGetProgramParameterfvNV) X(glGetProgramStringNV) X(glGetProgramiv) X(glGetProgramivARB) X(glGetProgramivNV) \
-  X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) X(glGetTexParameterfv) X(glGetTexParameteriv) \
-  X(glGetTrackMatrixivNV) X(glGetUniformLocation) A(glGetUniformLocationARB, glGetUniformLocation) X(glGetUniformfv) \
+  X(glGetString) X(glGetStringi) X(glGetTexEnvfv) X(glGetTexEnviv) X(glGetTexLevelParameterfv) \
+  X(glGetTexLevelParameteriv) X(glGetTexParameterfv) X(glGetTexParameteriv) X(glGetTrackMatrixivNV) \
+  X(glGetUniformLocation) A(glGetUniformLocationARB, glGetUniformLocation) X(glGetUniformfv) \
   A(glGetUniformfvARB, glGetUniformfv) X(glGetUniformiv) A(glGetUniformivARB, glGetUniformiv) \
   X(glGetVertexAttribPointervNV) X(glGetVertexAttribdvNV) X(glGetVertexAttribfvNV) X(glGetVertexAttribivNV) \
   X(glIsEnabled) X(glIsFenceNV) X(glIsList) X(glIsProgram) X(glIsProgramARB) X(glIsProgramNV) X(glLightModelf) \
@@ -137,7 +140,8 @@ AnyFunction own_function(std::string_view name) {
     if (makes_unseen_images(name)) unseen_images.store(true, std::memory_order_relaxed);
     return nullptr;
   }
-  if (name.ends_with("NV") && belongs_to_unwanted(name)) return nullptr;
+  note_lookup(name);
+  if (belongs_to_unwanted(name)) return nullptr;
   if (name.starts_with("glCombiner")) combiners_wanted.store(true, std::memory_order_relaxed);
   return found->function;
 }

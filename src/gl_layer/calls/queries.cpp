@@ -51,10 +51,6 @@ bool is_pixel_transfer(GLenum pname) {
   return pname >= GL_HI_SCALE_NV && pname <= GL_VIBRANCE_BIAS_NV;
 }
 
-bool is_attribute_array(GLenum pname) {
-  return pname >= GL_VERTEX_ATTRIB_ARRAY0_NV && pname <= GL_VERTEX_ATTRIB_ARRAY15_NV;
-}
-
 // The value of GL_NV_vertex_program's state.
 GLint vertex_program_value(const VertexProgramState& state, GLenum pname) {
   switch (pname) {
@@ -97,13 +93,15 @@ int number_of_values(const Context& context, GLenum pname) {
     case GL_VERTEX_ARRAY_RANGE_VALID_NV:
     case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
       return context.features.extras.have(Extra::vertex_array_range) ? 1 : 0;
+    case GL_SHARED_TEXTURE_PALETTE_EXT:
+      return context.features.extras.have(Extra::shared_texture_palette) ? 1 : 0;
     case GL_VERTEX_PROGRAM_BINDING_NV:
     case GL_MATRIX_MODE:
       return has_vertex_programs(&context) ? 1 : 0;
     case GL_PROGRAM_ERROR_POSITION_NV:
       return context.vertex.has_error_position ? 1 : 0;
     default:
-      if (is_attribute_array(pname)) return has_vertex_programs(&context) ? 1 : 0;
+      if (is_attribute_array(&context, pname)) return 1;
       return is_pixel_transfer(pname) && context.combiners.profile().texture_shaders ? 1 : 0;
   }
 }
@@ -133,12 +131,14 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
     *integers = context.combiners.texture_shader().enabled ? 1 : 0;
   } else if (pname >= GL_VERTEX_ARRAY_RANGE_NV && pname <= GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV) {
     *integers = range_value(context.vertex_range, pname);
+  } else if (pname == GL_SHARED_TEXTURE_PALETTE_EXT) {
+    *integers = context.shared_palette.enabled ? 1 : 0;
   } else if (pname == GL_LIST_INDEX) {
     *integers = static_cast<GLint>(context.open_list->number);
   } else if (pname == GL_CURRENT_PROGRAM) {
     *integers = static_cast<GLint>(context.app_program);
   } else if (pname == GL_VERTEX_PROGRAM_BINDING_NV || pname == GL_PROGRAM_ERROR_POSITION_NV ||
-             pname == GL_MATRIX_MODE || is_attribute_array(pname)) {
+             pname == GL_MATRIX_MODE || is_attribute_array(&context, pname)) {
     *integers = vertex_program_value(context.vertex, pname);
   } else if (pname == GL_NUM_EXTENSIONS) {
     *integers = number_of_driver_extensions() + static_cast<GLint>(added_extensions(context).size());

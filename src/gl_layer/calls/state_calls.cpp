@@ -1,5 +1,6 @@
 // glEnable and its like, errors, and the attribute stack.
 #include "src/gl_layer/calls/display_lists.h"
+#include "src/gl_layer/calls/paletted_textures.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
@@ -13,6 +14,10 @@ bool is_the_layers(const Context& context, GLenum cap) {
   const ninebit::HardwareProfile& profile = context.combiners.profile();
   return cap == GL_REGISTER_COMBINERS_NV || (cap == GL_PER_STAGE_CONSTANTS_NV && profile.per_stage_constants) ||
          (cap == GL_TEXTURE_SHADER_NV && profile.texture_shaders);
+}
+
+bool is_shared_palette(const Context& context, GLenum cap) {
+  return cap == GL_SHARED_TEXTURE_PALETTE_EXT && context.features.extras.have(Extra::shared_texture_palette);
 }
 
 bool changes_inputs(GLenum cap) {
@@ -37,6 +42,7 @@ void set_enabled(GLenum cap, bool enabled) {
   Context* const context = current();
   const auto by_driver = enabled ? find_driver().Enable : find_driver().Disable;
   if (context == nullptr) return by_driver(cap);
+  if (is_shared_palette(*context, cap)) return enable_shared_palette(enabled);
   if (!is_the_layers(*context, cap)) {
     by_driver(cap);
     if (!changes_inputs(cap)) return;
@@ -66,7 +72,8 @@ void push(Context& context, GLbitfield mask) {
   const int depth = stack_depth();
   if (depth == before || (mask & kGroups) == 0) return;
   SavedState saved{
-      .mask = mask, .depth = depth, .no_environment = context.no_environment, .pixel_transfer = context.pixel_transfer};
+      .mask = mask, .depth = depth, .no_environment = context.no_environment, .pixel_transfer = context.pixel_transfer,
+                   .shared_palette = context.shared_palette.enabled};
   if (context.touched) saved.combiners = std::make_unique<front::Context>(context.combiners);
   context.attribute_stack.push_back(std::move(saved));
 }
@@ -74,6 +81,8 @@ void push(Context& context, GLbitfield mask) {
 void restore(Context& context, const SavedState& saved) {
   if ((saved.mask & GL_PIXEL_MODE_BIT) != 0) context.pixel_transfer = saved.pixel_transfer;
   if ((saved.mask & (GL_ENABLE_BIT | GL_TEXTURE_BIT)) == 0) return;
+  if (saved.shared_palette != context.shared_palette.enabled) enable_shared_palette(saved.shared_palette);
+  if (!context.touched) return;
   // Saved before the program used combiners: the defaults.
   const front::Context combiners =
       saved.combiners != nullptr ? *saved.combiners : front::Context(context.combiners.profile());
@@ -94,7 +103,7 @@ void pop(Context& context) {
   auto& stack = context.attribute_stack;
   while (!stack.empty() && stack.back().depth > depth) stack.pop_back();  // popped where the layer did not see it
   if (!stack.empty() && stack.back().depth == depth) {
-    if (context.touched) restore(context, stack.back());
+    restore(context, stack.back());
     stack.pop_back();
   }
   context.forget();
@@ -116,7 +125,10 @@ GLAPI GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
       context->features.extras.have(Extra::vertex_array_range)) {
     return context->outside_begin() && context->vertex_range.enabled ? GL_TRUE : GL_FALSE;
   }
-  if (has_vertex_programs(context) && cap >= GL_VERTEX_ATTRIB_ARRAY0_NV && cap <= GL_VERTEX_ATTRIB_ARRAY15_NV) {
+  if (context != nullptr && is_shared_palette(*context, cap)) {
+    return context->outside_begin() && context->shared_palette.enabled ? GL_TRUE : GL_FALSE;
+  }
+  if (is_attribute_array(context, cap)) {
     const unsigned bit = context->vertex.arrays >> (cap - GL_VERTEX_ATTRIB_ARRAY0_NV) & 1;
     return context->outside_begin() && bit != 0 ? GL_TRUE : GL_FALSE;
   }

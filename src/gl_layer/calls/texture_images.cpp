@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/gl_layer/calls/display_lists.h"
+#include "src/gl_layer/calls/paletted_textures.h"
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
@@ -162,6 +163,10 @@ GLAPI void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param) {
 GLAPI void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internal, GLsizei width, GLint border,
                                    GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexImage1D;
+  const GivenPixels given{.target = target, .level = level, .dimensions = 1, .size = {width, 1, 1}, .border = border,
+                          .format = format, .type = type, .pixels = pixels};
+  if (is_index_format(internal)) return define_index_image(static_cast<GLenum>(internal), given);
+  forget_index_image(target, level);
   const Pixels stored(format, type, pixels, {width, 1, 1});
   call(target, level, stored_format(internal), width, border, stored.format, stored.type, stored.data);
   mark_images_changed();
@@ -170,6 +175,10 @@ GLAPI void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internal, G
 GLAPI void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
                                    GLint border, GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexImage2D;
+  const GivenPixels given{.target = target, .level = level, .dimensions = 2, .size = {width, height, 1}, .border = border,
+                          .format = format, .type = type, .pixels = pixels};
+  if (is_index_format(internal)) return define_index_image(static_cast<GLenum>(internal), given);
+  forget_index_image(target, level);
   const Pixels stored(format, type, pixels, {width, height, 1});
   call(target, level, stored_format(internal), width, height, border, stored.format, stored.type, stored.data);
   mark_images_changed();
@@ -179,6 +188,10 @@ GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internal, G
                                    GLsizei depth, GLint border, GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexImage3D;
   if (call == nullptr) return;
+  const GivenPixels given{.target = target, .level = level, .dimensions = 3, .size = {width, height, depth}, .border = border,
+                          .format = format, .type = type, .pixels = pixels};
+  if (is_index_format(internal)) return define_index_image(static_cast<GLenum>(internal), given);
+  forget_index_image(target, level);
   const Pixels stored(format, type, pixels, {width, height, depth});
   call(target, level, stored_format(internal), width, height, depth, border, stored.format, stored.type, stored.data);
   mark_images_changed();
@@ -187,6 +200,9 @@ GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internal, G
 GLAPI void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
                                       const GLvoid* pixels) {
   const auto call = find_driver().TexSubImage1D;
+  const GivenPixels given{.target = target, .level = level, .dimensions = 1, .offset = {x, 0, 0}, .size = {width, 1, 1},
+                          .format = format, .type = type, .pixels = pixels};
+  if (replace_indices(given)) return;
   const Pixels stored(format, type, pixels, {width, 1, 1});
   call(target, level, x, width, stored.format, stored.type, stored.data);
   mark_stale();
@@ -195,6 +211,9 @@ GLAPI void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint x, GLsiz
 GLAPI void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
                                       GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexSubImage2D;
+  const GivenPixels given{.target = target, .level = level, .dimensions = 2, .offset = {x, y, 0}, .size = {width, height, 1},
+                          .format = format, .type = type, .pixels = pixels};
+  if (replace_indices(given)) return;
   const Pixels stored(format, type, pixels, {width, height, 1});
   call(target, level, x, y, width, height, stored.format, stored.type, stored.data);
   mark_stale();
@@ -204,6 +223,9 @@ GLAPI void GLAPIENTRY glTexSubImage3D(GLenum target, GLint level, GLint x, GLint
                                       GLsizei height, GLsizei depth, GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexSubImage3D;
   if (call == nullptr) return;
+  const GivenPixels given{.target = target, .level = level, .dimensions = 3, .offset = {x, y, z}, .size = {width, height, depth},
+                          .format = format, .type = type, .pixels = pixels};
+  if (replace_indices(given)) return;
   const Pixels stored(format, type, pixels, {width, height, depth});
   call(target, level, x, y, z, width, height, depth, stored.format, stored.type, stored.data);
   mark_stale();

@@ -5,6 +5,7 @@
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/lookups.h"
 
 using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): these are OpenGL's names
 
@@ -15,30 +16,17 @@ Context* range_context() {
   return context != nullptr && context->features.extras.have(Extra::vertex_array_range) ? context : nullptr;
 }
 
-bool is_attribute_array(GLenum array) {
-  return array >= GL_VERTEX_ATTRIB_ARRAY0_NV && array <= GL_VERTEX_ATTRIB_ARRAY15_NV && has_vertex_programs(current());
-}
-
 void set_attribute_array(Context& context, GLuint index, bool enabled) {
   context.vertex.used = true;
   if (!context.outside_begin()) return;
   enabled ? found_driver.EnableVertexAttribArrayARB(index) : found_driver.DisableVertexAttribArrayARB(index);
-  const unsigned bit = 1U << index;
-  context.vertex.arrays = enabled ? context.vertex.arrays | bit : context.vertex.arrays & ~bit;
-}
-
-// After the driver has restored them.
-void find_attribute_arrays(Context& context) {
-  context.vertex.arrays = 0;
-  for (GLuint i = 0; i < static_cast<GLuint>(kVertexAttributes); ++i) {
-    GLint enabled = 0;
-    found_driver.GetVertexAttribivARB(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
-    if (enabled != 0) context.vertex.arrays |= 1U << i;
-  }
+  find_attribute_array(context, index);
 }
 
 void set_client_state(GLenum array, bool enabled) {
-  if (is_attribute_array(array)) return set_attribute_array(*current(), array - GL_VERTEX_ATTRIB_ARRAY0_NV, enabled);
+  if (is_attribute_array(current(), array)) {
+    return set_attribute_array(*current(), array - GL_VERTEX_ATTRIB_ARRAY0_NV, enabled);
+  }
   Context* const context = range_context();
   if (context == nullptr || array != GL_VERTEX_ARRAY_RANGE_NV) {
     return enabled ? find_driver().EnableClientState(array) : find_driver().DisableClientState(array);
@@ -56,6 +44,7 @@ GLAPI void GLAPIENTRY glVertexArrayRangeNV(GLsizei length, const void* pointer) 
   }
   if (!context->outside_begin()) return;
   if (length < 0) return context->raise(GL_INVALID_VALUE);
+  note_use(Asked::vertex_array_range);
   context->vertex_range.length = length;
   context->vertex_range.pointer = pointer;
 }
@@ -94,7 +83,9 @@ GLAPI void GLAPIENTRY glPushClientAttrib(GLbitfield mask) {
 GLAPI void GLAPIENTRY glPopClientAttrib() {
   Context* const context = range_context();
   find_driver().PopClientAttrib();
-  if (has_vertex_programs(current()) && current()->vertex.used && !current()->in_begin) find_attribute_arrays(*current());
+  if (has_vertex_programs(current()) && current()->vertex.used && !current()->in_begin) {
+    for (unsigned i = 0; i < static_cast<unsigned>(kVertexAttributes); ++i) find_attribute_array(*current(), i);
+  }
   if (context == nullptr || context->in_begin || context->saved_ranges.empty()) return;
   if (context->saved_ranges.back()) context->vertex_range = *context->saved_ranges.back();
   context->saved_ranges.pop_back();

@@ -101,6 +101,7 @@ void attribute_pointer(GLuint index, GLint size, GLenum type, GLsizei stride, co
   if (!is_type) return context.raise(GL_INVALID_ENUM);
   if (type == GL_UNSIGNED_BYTE && size != 4) return context.raise(GL_INVALID_VALUE);
   found_driver.VertexAttribPointerARB(index, size, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, stride, pointer);
+  find_attribute_array(context, index);
 }
 
 VertexVector current_attribute(GLuint index) {
@@ -171,38 +172,23 @@ void get_attribute_pointer(GLuint index, GLenum pname, void** pointer) {
   found_driver.GetVertexAttribPointervARB(index, pname, pointer);
 }
 
-// The attribute of an array's element, from the program's memory or a buffer.
-VertexVector element(GLuint index, GLint number) {
-  const auto get = [index](GLenum pname) {
-    GLint value = 0;
-    found_driver.GetVertexAttribivARB(index, pname, &value);
-    return value;
-  };
-  const auto type = static_cast<GLenum>(get(GL_ATTRIB_ARRAY_TYPE_NV));
-  const auto size = static_cast<std::size_t>(get(GL_ATTRIB_ARRAY_SIZE_NV));
-  const std::size_t bytes = type == GL_UNSIGNED_BYTE ? 1 : type == GL_SHORT ? 2 : type == GL_FLOAT ? 4 : 8;
-  GLint stride = get(GL_ATTRIB_ARRAY_STRIDE_NV);
-  if (stride == 0) stride = static_cast<GLint>(size * bytes);
-  void* begin = nullptr;
-  found_driver.GetVertexAttribPointervARB(index, GL_ATTRIB_ARRAY_POINTER_NV, &begin);
-  std::array<unsigned char, 32> memory{};
-  const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(stride) * number;
-  if (get(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING) == 0) {
-    std::memcpy(memory.data(), static_cast<const unsigned char*>(begin) + offset, size * bytes);
-  } else {
-    log_once("glArrayElement with an attribute array of a buffer: the attribute stays as it is");
-    return current_attribute(index);
-  }
+// An element of an attribute array in the program's memory.
+VertexVector element(const AttributeArray& array, GLint number) {
+  const auto size = static_cast<std::size_t>(array.size);
+  const std::size_t bytes =
+      array.type == GL_UNSIGNED_BYTE ? 1 : array.type == GL_SHORT ? 2 : array.type == GL_FLOAT ? 4 : 8;
+  const std::ptrdiff_t stride = array.stride != 0 ? array.stride : static_cast<std::ptrdiff_t>(size * bytes);
+  const auto* const begin = static_cast<const unsigned char*>(array.pointer) + stride * number;
   VertexVector out{0, 0, 0, 1};
   for (std::size_t i = 0; i < size; ++i) {
     const auto read = [&](auto value) {
-      std::memcpy(&value, &memory[i * bytes], sizeof(value));
+      std::memcpy(&value, begin + i * bytes, sizeof(value));
       return static_cast<float>(value);
     };
-    out[i] = type == GL_UNSIGNED_BYTE ? read(GLubyte{}) / 255
-             : type == GL_SHORT       ? read(GLshort{})
-             : type == GL_FLOAT       ? read(GLfloat{})
-                                      : read(GLdouble{});
+    if (array.type == GL_UNSIGNED_BYTE) out[i] = read(GLubyte{}) / 255;
+    if (array.type == GL_SHORT) out[i] = read(GLshort{});
+    if (array.type == GL_FLOAT) out[i] = read(GLfloat{});
+    if (array.type == GL_DOUBLE) out[i] = read(GLdouble{});
   }
   return out;
 }
@@ -216,7 +202,13 @@ GLAPI void GLAPIENTRY glArrayElement(GLint i) {
   if (context != nullptr && context->vertex.is_bound) {
     const unsigned arrays = context->vertex.arrays & ~(kGenericAttributes | 1U);
     for (GLuint k = 0; k < kAttributes; ++k) {
-      if ((arrays >> k & 1) != 0) set_conventional(k, element(k, i));
+      if ((arrays >> k & 1) == 0) continue;
+      const AttributeArray& array = context->vertex.array[k];
+      if (array.in_buffer) {
+        log_once("glArrayElement with an attribute array in a buffer: the attribute stays as it is");
+      } else {
+        set_conventional(k, element(array, i));
+      }
     }
   }
   const auto call = find_driver().ArrayElement;

@@ -198,6 +198,7 @@ void get_program_text(GLuint name, GLenum pname, GLubyte* text) {
 void set_parameters(GLenum target, GLuint index, GLsizei count, const GLfloat* values) {
   Context& context = *current();
   context.vertex.used = true;
+  if (!context.outside_begin()) return;
   if (target != GL_VERTEX_PROGRAM_NV) return context.raise(GL_INVALID_ENUM);
   const auto end = static_cast<GLuint>(kVertexParameters);
   if (count < 0 || index >= end || static_cast<GLuint>(count) > end - index) return context.raise(GL_INVALID_VALUE);

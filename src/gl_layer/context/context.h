@@ -15,6 +15,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_nv.h"
+#include "src/gl_layer/context/palettes.h"
 #include "src/gl_layer/driver/driver_features.h"
 #include "src/gl_layer/driver/symbols.h"
 #include "src/gl_layer/shader/own_programs.h"
@@ -41,6 +42,7 @@ struct ShareGroup {
   std::set<unsigned> step_lists{};  // the driver's lists between their commands, whose numbers the program never got
   OwnPrograms own_programs{};
   SharedVertexPrograms vertex_programs{};
+  PalettedTextures paletted{};
   std::atomic<std::uint64_t> images_changed = 0;  // how often images of textures may have been made or deleted
 };
 
@@ -75,6 +77,7 @@ struct SavedState {
   std::unique_ptr<gl::Context> combiners{};        // for the texture group, and for the enables
   std::array<bool, kLayerUnits> no_environment{};  // for the texture group
   StagePixelTransfer pixel_transfer{};             // for the pixel mode group
+  bool shared_palette = false;                     // for the texture group, and for the enables
 };
 
 // The set-up that the last draw's texture shaders were compiled for, and the textures that have all levels they need.
@@ -132,6 +135,7 @@ class Context {
   std::map<unsigned, bool> fences{};  // GL_NV_fence, by name: whether it was set
   VertexRange vertex_range{};
   std::vector<std::optional<VertexRange>> saved_ranges{};  // for each glPushClientAttrib
+  SharedPalette shared_palette{};
   VertexProgramState vertex{};                             // GL_NV_vertex_program
   Program shown{};  // the combiners' program, normalized, as of the last draw with a shader of the layer
 

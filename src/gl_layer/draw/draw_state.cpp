@@ -4,6 +4,7 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
+#include "src/gl_layer/driver/lookups.h"
 #include "src/gl_layer/shader/environment.h"
 #include "src/gl_layer/shader/program_cache.h"
 #include "src/gl_layer/shader/texture_formats.h"
@@ -264,6 +265,7 @@ void draw_without_combiners(Context& context) {
 }
 
 void use(Context& context, CachedProgram& cached) {
+  note_use(Asked::combiners);
   if (!context.bound || context.program != &cached) found_driver.UseProgram(cached.driver_program);
   context.program = &cached;
   context.bound = true;

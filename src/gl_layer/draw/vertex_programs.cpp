@@ -6,6 +6,7 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
+#include "src/gl_layer/driver/lookups.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -27,6 +28,7 @@ unsigned name_without_text(SharedVertexPrograms& shared) {
 
 // Leaves the new program bound. 0: the driver refuses it.
 unsigned make_variant(SharedVertexPrograms& shared, const std::string& text) {
+  note_use(Asked::vertex_program);
   const unsigned name = unused_name(shared);
   found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, name);
   const GLenum before = found_driver.GetError();
@@ -143,6 +145,24 @@ void bind_vertex_program(Context& context, unsigned arrays) {
   if (name == 0) name = name_without_text(shared);
   if (name != state.driver_name) found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, name);
   state.driver_name = name;
+}
+
+void find_attribute_array(Context& context, unsigned index) {
+  const auto get = [index](GLenum pname) {
+    GLint value = 0;
+    found_driver.GetVertexAttribivARB(index, pname, &value);
+    return value;
+  };
+  void* pointer = nullptr;
+  found_driver.GetVertexAttribPointervARB(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+  const unsigned bit = 1U << index;
+  const bool enabled = get(GL_VERTEX_ATTRIB_ARRAY_ENABLED) != 0;
+  context.vertex.arrays = enabled ? context.vertex.arrays | bit : context.vertex.arrays & ~bit;
+  context.vertex.array[index] = {.type = static_cast<unsigned>(get(GL_VERTEX_ATTRIB_ARRAY_TYPE)),
+                                 .size = get(GL_VERTEX_ATTRIB_ARRAY_SIZE),
+                                 .stride = get(GL_VERTEX_ATTRIB_ARRAY_STRIDE),
+                                 .pointer = pointer,
+                                 .in_buffer = get(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING) != 0};
 }
 
 std::array<VertexVector, 4> rows_of(const TrackedMatrix& matrix) {

@@ -10,6 +10,11 @@ namespace ninebit::gl_layer {
   return context != nullptr && context->features.extras.have(Extra::vertex_program);
 }
 
+// Whether a name is GL_VERTEX_ATTRIB_ARRAY0_NV to GL_VERTEX_ATTRIB_ARRAY15_NV, of a context that has them.
+[[nodiscard]] inline bool is_attribute_array(const Context* context, unsigned name) {
+  return name - 0x8650U < static_cast<unsigned>(kVertexAttributes) && has_vertex_programs(context);
+}
+
 // Binds the driver's program for the extension's state, with these attributes from arrays. Not between glBegin and glEnd,
 // nor while a list of the driver is open.
 void bind_vertex_program(Context& context, unsigned arrays);
@@ -23,6 +28,9 @@ void bind_vertex_program(Context& context, unsigned arrays);
 inline void prepare_vertices(Context& context, unsigned arrays) {
   if (arrays != context.vertex.drawn_arrays) bind_vertex_program(context, arrays);
 }
+
+// Reads the driver's record of an attribute array. Not between glBegin and glEnd.
+void find_attribute_array(Context& context, unsigned index);
 
 // The four rows of a matrix as it is now.
 [[nodiscard]] std::array<VertexVector, 4> rows_of(const TrackedMatrix& matrix);

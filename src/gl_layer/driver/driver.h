@@ -16,7 +16,7 @@ namespace ninebit::gl_layer {
   X(Begin) X(BindTexture) X(Bitmap) X(CallList) X(CallLists) X(ColorMask) X(CopyPixels) X(CopyTexImage1D) X(CopyTexImage2D) \
   X(DeleteLists) X(DeleteTextures) X(Disable) X(DisableClientState) X(DrawArrays) X(DrawElements) X(DrawPixels) X(Enable) X(EnableClientState) X(End) X(EndList) X(GenTextures) \
   X(EvalMesh1) X(EvalMesh2) X(Fogf) X(Fogfv) X(Fogi) X(Fogiv) X(GetBooleanv) X(GetDoublev) X(GetError) X(GetFloatv) \
-  X(GetIntegerv) X(GetPointerv) X(GetString) X(GetTexEnvfv) X(GetTexEnviv) X(GetTexImage) X(GetTexLevelParameteriv) X(GetTexParameterfv) X(GetTexParameteriv) \
+  X(GetIntegerv) X(GetPointerv) X(GetString) X(GetTexEnvfv) X(GetTexEnviv) X(GetTexImage) X(GetTexLevelParameterfv) X(GetTexLevelParameteriv) X(GetTexParameterfv) X(GetTexParameteriv) \
   X(IsEnabled) X(IsList) X(LightModelf) X(LightModelfv) X(LightModeli) X(LightModeliv) X(NewList) X(PixelStorei) X(PixelTransferf) X(PixelTransferi) \
   X(PopAttrib) X(PopClientAttrib) X(PushAttrib) X(PushClientAttrib) X(ReadBuffer) X(ReadPixels) X(Rectd) X(Rectdv) X(Rectf) X(Rectfv) X(Recti) \
   X(Rectiv) X(Rects) X(Rectsv) X(TexEnvf) X(TexEnvfv) X(TexEnvi) X(TexEnviv) X(TexImage1D) X(TexImage2D) \

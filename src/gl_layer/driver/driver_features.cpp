@@ -6,6 +6,7 @@
 
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/log.h"
+#include "src/gl_layer/driver/lookups.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -122,6 +123,7 @@ DriverFeatures find_features() {
                                     has_word(extensions, "GL_ARB_texture_rg") &&
                                     has_word(extensions, "GL_ARB_texture_float");
   for (const ExtraExtension& one : kExtraExtensions) {
+    if (has_word(extensions, one.name.data())) note_drivers_own(one.extra);
     const bool is_vertex_program = one.extra == Extra::vertex_program || one.extra == Extra::vertex_program1_1;
     if (!wanted_extras().have(one.extra) || has_word(extensions, one.name.data())) continue;
     if (!is_vertex_program || (features.vertex_program && holds_vertex_programs())) {

@@ -16,14 +16,23 @@ Extras wanted_extras() {
   return extras.value_or(Extras{});
 }
 
-bool belongs_to_unwanted(std::string_view function) {
+std::optional<Extra> extra_of(std::string_view function) {
   const bool is_fence = function.ends_with("FenceNV") || function.ends_with("FencesNV") || function == "glGetFenceivNV";
-  if (is_fence) return !wanted_extras().have(Extra::fence);
-  const bool is_vertex_program = function.find("Program") != function.npos ||
-                                 function.find("VertexAttrib") != function.npos || function == "glTrackMatrixNV";
-  if (is_vertex_program) return !wanted_extras().have(Extra::vertex_program);
-  const bool is_range = function.ends_with("ArrayRangeNV") || function.ends_with("MemoryNV");
-  return is_range && !wanted_extras().have(Extra::vertex_array_range);
+  if (is_fence) return Extra::fence;
+  const bool is_range = function.ends_with("VertexArrayRangeNV") || function.ends_with("MemoryNV");
+  if (is_range) return Extra::vertex_array_range;
+  const bool is_palette = function.ends_with("EXT") && (function.find("ColorTable") != function.npos ||
+                                                        function.find("ColorSubTable") != function.npos);
+  if (is_palette) return Extra::paletted_texture;
+  const bool is_vertex_program =
+      function.ends_with("NV") && (function.find("Program") != function.npos ||
+                                   function.find("VertexAttrib") != function.npos || function == "glTrackMatrixNV");
+  return is_vertex_program ? std::optional(Extra::vertex_program) : std::nullopt;
+}
+
+bool belongs_to_unwanted(std::string_view function) {
+  const auto extra = extra_of(function);
+  return extra && !wanted_extras().have(*extra);
 }
 
 }  // namespace ninebit::gl_layer

@@ -13,6 +13,9 @@ using ninebit::kExtraExtensions;
 // Those that the user wants; none is the default. A list with another word counts as none, and is reported once.
 [[nodiscard]] Extras wanted_extras();
 
+// The one that a function of the layer's belongs to; empty: none.
+[[nodiscard]] std::optional<Extra> extra_of(std::string_view function);
+
 // Whether a function belongs to one that is not wanted: then the driver's is the program's.
 [[nodiscard]] bool belongs_to_unwanted(std::string_view function);
 

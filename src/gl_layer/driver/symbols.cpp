@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/lookups.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -59,10 +60,12 @@ bool is_the_drivers(void* handle, const char* name, void* symbol) {
 
 AnyFunction proc_address(const char* name, const char* lookup, GetProcAddress loaded) {
   if (name == nullptr) return nullptr;
-  if (const AnyFunction own = own_function(name)) return own;
+  const AnyFunction own = own_function(name);
   const auto next = next_function_as<GetProcAddress>(lookup);
   const GetProcAddress get = next != nullptr ? next : loaded;
-  return get != nullptr ? get(name) : nullptr;
+  const AnyFunction found = own != nullptr ? own : get != nullptr ? get(name) : nullptr;
+  if (found == nullptr) note_missing(name);
+  return found;
 }
 
 }  // namespace

@@ -28,6 +28,14 @@ struct SharedVertexPrograms {
   unsigned without_text = 0;          // the driver's program that draws nothing, with its error
 };
 
+// Where an attribute array is, for glArrayElement: between glBegin and glEnd the driver does not say.
+struct AttributeArray {
+  unsigned type = 0;
+  int size = 4, stride = 0;  // in components and bytes; the stride 0 is that of elements without a gap
+  const void* pointer = nullptr;
+  bool in_buffer = false;
+};
+
 struct VertexProgramState {
   bool used = false;    // whether the program has called a function of the extension
   bool is_bound = false;  // whether the last program was bound by the extension, and not by ARB_vertex_program
@@ -36,6 +44,7 @@ struct VertexProgramState {
   unsigned driver_name = 0;  // of the driver's program that stands for it
   unsigned arrays = 0;       // the attribute arrays that are enabled
   unsigned drawn_arrays = 0;  // those that the driver's program reads: immediate mode has none
+  std::array<AttributeArray, kVertexAttributes> array{};
   TrackedMatrices matrices{};
   std::array<std::pair<unsigned, unsigned>, kVertexParameters / 4> tracked{};  // the same in OpenGL's words
   int error_position = -1;

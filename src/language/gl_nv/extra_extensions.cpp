@@ -14,6 +14,7 @@ std::optional<Extras> parse_extras(std::string_view list, std::string& unknown) 
       known = true;
     }
     if (extras.have(Extra::vertex_program1_1)) extras.add(Extra::vertex_program);
+    if (extras.have(Extra::shared_texture_palette)) extras.add(Extra::paletted_texture);
     if (known) continue;
     unknown = word;
     return std::nullopt;

@@ -15,6 +15,8 @@ enum class Extra : unsigned {
   shadow = 8,
   vertex_program = 16,
   vertex_program1_1 = 32,  // which has the functions of the one before
+  paletted_texture = 64,
+  shared_texture_palette = 128,  // the same
 };
 
 struct ExtraExtension {
@@ -25,7 +27,9 @@ inline constexpr std::array kExtraExtensions{
     ExtraExtension{Extra::fence, "GL_NV_fence"}, ExtraExtension{Extra::vertex_array_range, "GL_NV_vertex_array_range"},
     ExtraExtension{Extra::depth_texture, "GL_SGIX_depth_texture"}, ExtraExtension{Extra::shadow, "GL_SGIX_shadow"},
     ExtraExtension{Extra::vertex_program, "GL_NV_vertex_program"},
-    ExtraExtension{Extra::vertex_program1_1, "GL_NV_vertex_program1_1"}};
+    ExtraExtension{Extra::vertex_program1_1, "GL_NV_vertex_program1_1"},
+    ExtraExtension{Extra::paletted_texture, "GL_EXT_paletted_texture"},
+    ExtraExtension{Extra::shared_texture_palette, "GL_EXT_shared_texture_palette"}};
 
 // Some of them.
 struct Extras {
