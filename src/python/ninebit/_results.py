@@ -15,13 +15,15 @@ _IN_A_FRAME = """<style>main { display: flex; flex-direction: column } main > he
 }</script>
 """
 
-# Of the notebook: a frame takes the height of its page, where the notebook runs scripts.
+# For the notebook's page: a frame takes the height of its page, where the notebook runs scripts, until it is removed.
 _BESIDE_A_FRAME = """<script>{
   const frame = document.getElementById("NAME");
-  addEventListener("message", (event) => {
+  const hear = (event) => {
+    if (!frame?.isConnected) return removeEventListener("message", hear);
     const height = event.source === frame.contentWindow ? Number(event.data?.ninebitHeight) : 0;
     if (height > 0) frame.style.height = `${Math.min(height, 20000)}px`;
-  });
+  };
+  addEventListener("message", hear);
 }</script>"""
 
 

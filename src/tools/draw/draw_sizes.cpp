@@ -53,7 +53,8 @@ bool repeats(Wrap wrap) {
 
 // Whether a rectangle texture can be read so.
 bool suits_rectangle(const Sampler& sampler) {
-  return !needs_mipmaps(sampler) && !repeats(sampler.wrap_s) && !repeats(sampler.wrap_t) && !sampler.border_texels;
+  return !needs_mipmaps(sampler) && !repeats(sampler.wrap_s) && !repeats(sampler.wrap_t) && !sampler.border_texels &&
+         !sampler.cylinder_wrap[0] && !sampler.cylinder_wrap[1];
 }
 
 // A picture that is seen as it lies in its file.

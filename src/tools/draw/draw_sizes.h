@@ -6,12 +6,13 @@
 
 namespace ninebit::tools {
 
-// Of the effect that effect_of() made, if it draws the rectangle: gives the drawing the size of the first picture that
-// a unit reads, unless --size is given. A picture whose sides are not powers of two becomes a rectangle texture, and
-// its unit's coordinates count texels; in a drawing of its size the nearest ones are read by default. That is so unless
-// the program has texture-shader stages, whose operations name their target, or a flag asks for what rectangle textures
-// do not have: mip-maps, repeating, borders of texels. Then it stays a 2D texture, which the readers resample. Pictures
-// that cannot be read are left to the drawing, which reports them.
+// Changes an effect that effect_of() made and that draws the rectangle.
+// - Unless --size is given, the drawing gets the size of the first picture that a unit reads.
+// - A picture whose sides are not powers of two becomes a rectangle texture, and its unit's coordinates count texels. In
+//   a drawing of its size the nearest texels are read by default.
+// - It stays a 2D texture, which the readers resample, if the program has texture-shader stages, whose operations name
+//   their target, or if a flag asks for what rectangle textures do not have: mip-maps, repeating, cylinders, borders.
+// Pictures that cannot be read are left to the drawing, which reports them.
 void keep_sizes(const DrawFlags& flags, const HardwareProfile& profile, const EffectReaders& readers, Effect& effect);
 
 }  // namespace ninebit::tools
