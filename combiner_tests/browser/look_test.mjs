@@ -287,6 +287,8 @@ test('the editor completes an effect by its schema', async () => {
   });
   await page.keyboard.type('"polygon_m');
   await page.waitForFunction(() => document.querySelector('.cm-tooltip-autocomplete')?.textContent.includes('polygon_mode'));
+  // What has just come into view is not taken yet.
+  await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 300); }));
   await page.keyboard.press('Enter');
   const text = await page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString());
   assert.ok(text.includes('"polygon_mode": "name"'), text.slice(0, 600));

@@ -214,9 +214,9 @@ int draw(const DrawFlags& flags) {
       return wrong_usage("draw", changed.error().message);
   } else {
     for (const CLI::Option* const option : flags.moment_options) {
-      if (option->count() != 0)
-        return wrong_usage("draw",
-                           fmt::format("{} has no effect with a program; expected an effect file", option->get_name()));
+      if (option->count() == 0) continue;
+      return wrong_usage("draw", fmt::format("{} {} has no effect with a program; expected an effect file",
+                                             option->get_name(), option->results()[0]));
     }
     auto effect = effect_of(flags);
     if (!effect) return wrong_usage("draw", effect.error().message);

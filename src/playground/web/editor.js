@@ -53,10 +53,12 @@ export class Editor {
       if (update.selectionSet && update.view.hasFocus && line(update.state) !== line(update.startState)) this.onmove(line(update.state));
       if (update.docChanged && !this.silent) changed(update.state.doc.toString());
     });
+    // One list for all calls: the editor compares them.
+    const effectWords = [{ autocomplete: (/** @type {import('@codemirror/autocomplete').CompletionContext} */ context) => this.completeEffect(context) }];
     // Tab leaves the editor, so that the keyboard alone suffices: Control-] and Control-[ indent.
     this.extensions = () => [
       lineNumbers(), history(), drawSelection(), bracketMatching(), closeBrackets(), highlightActiveLine(),
-      highlightSelectionMatches(), autocompletion(), EditorState.languageData.of(() => [{ autocomplete: (/** @type {import('@codemirror/autocomplete').CompletionContext} */ context) => this.completeEffect(context) }]), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
+      highlightSelectionMatches(), autocompletion(), EditorState.languageData.of(() => effectWords), lintGutter(), EditorView.lineWrapping, EditorState.tabSize.of(2),
       keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...completionKeymap, ...lintKeymap]),
       this.language.of(this.words), markedLines, EditorView.contentAttributes.of({ 'aria-label': 'Program' }), listener,
     ];
