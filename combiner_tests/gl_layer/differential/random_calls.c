@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 24, CALLS = 400, TEXTURES = 4, LISTS = 6 };
+enum { SIDE = 24, CALLS = 240, TEXTURES = 4, LISTS = 6 };
 #define COUNT(a) (sizeof(a) / sizeof *(a))
 #define ANY(a) ((a)[below(COUNT(a))])
 
@@ -26,9 +26,9 @@ static unsigned below(unsigned end) {
 static float fraction(void) { return (float)below(1025) / 1024; }
 static float position(void) { return 2 * fraction() - 1; }
 
-/* One in sixteen is of another list than the right one. */
+/* One in sixteen is of another list than the right one; none is of an extension that the layer adds. */
 static GLenum mostly(GLenum right) {
-  static const GLenum others[] = {0, GL_TEXTURE_2D, GL_FLOAT, GL_LIGHT0, 0x8522, 0xFFFF, GL_RGBA, GL_CLAMP, GL_VERTEX_ARRAY};
+  static const GLenum others[] = {1, GL_TEXTURE_2D, GL_FLOAT, GL_LIGHT0, 0x1235, 0xFFFF, GL_RGBA, GL_CLAMP, GL_VERTEX_ARRAY};
   return below(16) ? right : ANY(others);
 }
 
@@ -75,7 +75,7 @@ static void set_state(void) {
 
 static void set_textures(void) {
   static const GLenum targets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
-  static const GLint formats[] = {GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY8, GL_RGBA8, GL_LUMINANCE_ALPHA, 0x86F4, 0x80E5};
+  static const GLint formats[] = {GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY8, GL_RGBA8, GL_LUMINANCE_ALPHA, 0x1236};
   static const GLint filters[] = {GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST};
   static GLubyte texels[4 * 8 * 8 * 8];
   for (size_t i = 0; i < sizeof texels; i += 1 + below(9)) texels[i] = (GLubyte)below(256);
@@ -97,14 +97,16 @@ static void draw(void) {
   const GLenum mode = mostly(ANY(modes));
   const GLsizei count = (GLsizei)below(16);
   static GLubyte indices[16], bitmap[8] = {0xF0, 0x0F, 0xAA, 0x55, 0xFF, 1, 2, 3};
+  /* Mesa 22.3 crashes at the end of a list in which only later vertices of a primitive have an attribute. */
+  const unsigned attributes = below(8), unit = below(4);
   for (int i = 0; i < 16; ++i) indices[i] = (GLubyte)below(32);
   switch (below(10)) {
     case 0: case 1: case 2:
       glBegin(mode);
       for (unsigned i = below(12); i > 0; --i) {
-        if (below(2)) glColor4f(fraction(), fraction(), fraction(), fraction());
-        if (!below(3)) glMultiTexCoord2f(GL_TEXTURE0 + below(4), position(), position());
-        if (!below(4)) glSecondaryColor3f(fraction(), fraction(), fraction());
+        if (attributes & 1) glColor4f(fraction(), fraction(), fraction(), fraction());
+        if (attributes & 2) glMultiTexCoord2f(GL_TEXTURE0 + unit, position(), position());
+        if (attributes & 4) glSecondaryColor3f(fraction(), fraction(), fraction());
         if (!below(40)) glEnable(GL_BLEND); /* an error */
         glVertex2f(position(), position());
       }
@@ -198,7 +200,7 @@ int main(int argc, char **argv) {
     else read_back();
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) printf("%d: error 0x%04x\n", i, error);
-    if (i % 40 == 39) print_picture();
+    if (i % 24 == 23) print_picture();
   }
   GLint open = 0;
   glGetIntegerv(GL_LIST_INDEX, &open);

@@ -11,7 +11,5 @@ def run(kit):
     program = folder / "random_calls"
     build(["gcc", "-std=gnu99", "-O2", HERE / "differential/random_calls.c", "-o", program, "-lEGL", "-lGL"])
     count = int(os.environ.get("NINEBIT_GL_PROCESSES", "500"))
-    by_layer, by_driver, pictures, errors = compare(program, kit.ninebit_path.parent / "libninebit_gl.so", count)
-    kit.check(not by_layer and pictures > count and errors > count,
-              f"{count} processes of random calls: {len(by_layer)} differ by the layer, {len(by_driver)} by the driver; "
-              f"{pictures} pictures, {errors} errors")
+    found = compare(program, kit.ninebit_path.parent / "libninebit_gl.so", count)
+    kit.check(found.good(), found.text())
