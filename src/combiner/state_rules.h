@@ -15,7 +15,7 @@
 
 namespace ninebit::rules {
 
-// What is wrong, in the order of kFaultTexts.
+// What is wrong; kFaultTexts has a sentence for each, in this order.
 enum class StateFault : std::uint8_t {
   wrong_combiner_count,
   no_stage_constants,

@@ -259,7 +259,7 @@ enum {
   NBC_PARAMETER_COLOR_SUM_INVERTS
 };
 
-/* What is wrong, in the order of kFaultTexts. */
+/* What is wrong; nbc_fault_text has a sentence for each. */
 typedef uint8_t nbc_fault_kind;
 enum {
   NBC_FAULT_WRONG_COMBINER_COUNT,
