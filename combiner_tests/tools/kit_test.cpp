@@ -137,9 +137,9 @@ TEST_F(Kit, TheFamilysOwnColoursDecideForItsValues) {
 // A card with other values: the profile that is written shows its colours.
 TEST_F(Kit, WritesTheProfileOfACard) {
   const Json kit = write_kit("geforce2");
-  const std::string card = write_bytes(
-      folder_ / "played.json",
-      R"({"base": "geforce2", "name": "played", "half": 127, "final_narrowing": "toward-zero", "secondary_alpha": "as-given"})");
+  const std::string card =
+      write_bytes(folder_ / "played.json", R"({"base": "geforce2", "name": "played", "half": 127, )"
+                                           R"("final_narrowing": "toward-zero", "secondary_alpha": "as-given"})");
   std::vector<int> shown = expected_of(kit);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const std::string file = folder_ / ("geforce2/" + std::string(kit["programs"][i]["name"]) + ".rc1");
@@ -274,7 +274,12 @@ TEST_F(Kit, TheXboxsStreamGivesTheColorsOfThePack) {
   ASSERT_EQ(code, 0) << said;
 
   // What it wrote, as ninebit reads it.
-  EXPECT_EQ(ninebit({"verify", "--decide", folder_ / "ninebit_kit.csv", "--family", "nv2a"}).code, 0);
+  const Json decided =
+      json_of(ninebit({"verify", "--decide", folder_ / "ninebit_kit.csv", "--family", "nv2a", "--json"}));
+  // Nothing but names: the four fields have the values of the family.
+  EXPECT_EQ(decided["profile"], Json({{"base", "nv2a"}, {"name", "nv2a-card"}, {"chip", "NV2A of an Xbox"}}));
+  ASSERT_EQ(decided["fields"].size(), 4U);
+  for (const Json& field : decided["fields"]) EXPECT_EQ(field["fits"].size(), 1U) << field;
   ASSERT_EQ(ninebit({"vectors", "--profile", "nv2a", "-o", folder_ / "pack", "--quiet"}).code, 0);
   const Json verified =
       json_of(ninebit({"verify", folder_ / "ninebit_pack.txt", "--vectors", folder_ / "pack", "--json"}));
