@@ -20,6 +20,8 @@ HTML comments in prose:
   <!-- picture: FILE -->   the next line's picture looks like FILE, which a command above or below writes: the means of
       its blocks are the same within a few codes, as it may have been made smaller
 
+A word such as OPS_GLSL, which stands for a figure that is still to be put in, is a fault.
+
 Exits with 1 if a command failed or printed something else, with 77 if every command was left out.
 """
 import json
@@ -41,6 +43,7 @@ COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ', 'cc ', './check ')
 SHOWN = ('$ ninebit ', '$ ./check ')
 VALUE = re.compile(r'([-−]?\d[\d,.\u202f]*)(?: %)?<!-- value: (.*?) of (ninebit .*?) -->')
 PICTURE = re.compile(r'<!-- picture: (\S+) -->\n!\[.*?\]\((.*?)\)')
+MISSING = re.compile(r'\b(?:STEPS|OPS)_[A-Z]+\b')  # stands for a figure that nobody has put in
 LIMIT_S = 300
 LIKE = 9  # codes by which the means of blocks of two pictures may differ
 
@@ -198,6 +201,7 @@ def check_prose(program, page, folder):
         checked, failed = 1, 1
         print(f'FAILED {os.path.relpath(page, ROOT)}: a comment is not "<!-- value: EXPRESSION of ninebit ... -->" behind a '
               'figure or "<!-- picture: FILE -->" above a picture')
+    checks += [(found, lambda m: 'a figure is missing') for found in MISSING.finditer(text)]
     for found, check in checks:
         fault = check(found)
         checked += 1

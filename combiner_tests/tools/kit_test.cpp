@@ -220,12 +220,15 @@ TEST_F(Kit, FlagsOfOtherTables) {
   expect_error(ninebit({"prove", "kit", "--family", "ideal", "-o", folder_ / "kit"}), 2, {"--family", "geforce2"});
 }
 
-// The words of a pack's programs before its combinations, by program and name. Words that are 0 are not there.
-std::vector<std::map<std::string, unsigned long>> words_of_first_programs(const std::string& pack) {
+// By name. Words that are 0 are not there.
+using WordsOfProgram = std::map<std::string, unsigned long>;
+
+// The words of a pack's programs before its combinations.
+std::vector<WordsOfProgram> words_of_first_programs(const std::string& pack) {
   std::ifstream file(pack);
   std::map<unsigned long, std::string> names;
   std::map<unsigned long, unsigned long> base;
-  std::vector<std::map<std::string, unsigned long>> programs;
+  std::vector<WordsOfProgram> programs;
   const auto read = [](std::istringstream& words, std::map<unsigned long, unsigned long>& to) {
     for (std::string word; words >> word;) {
       to[std::stoul(word)] = std::stoul(word.substr(word.find('=') + 1), nullptr, 16);
@@ -292,7 +295,7 @@ TEST_F(Kit, TheXboxsStreamGivesTheColorsOfThePack) {
   const auto programs = words_of_first_programs(folder_ / "pack/vectors.txt");
   std::size_t found = 0;
   for (const Json& row : listed["rows"]) {
-    const bool is_there = std::any_of(programs.begin(), programs.end(), [&](const auto& words) {
+    const bool is_there = std::any_of(programs.begin(), programs.end(), [&](const WordsOfProgram& words) {
       for (const auto& [name, value] : row["words"].items()) {
         const auto word = words.find(name);
         if (std::stoul(value.get<std::string>(), nullptr, 16) != (word == words.end() ? 0 : word->second)) return false;
