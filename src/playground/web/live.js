@@ -63,7 +63,7 @@ export class Live {
     }
   }
 
-  /** Draws the state, so that the engine's next answers are about it, whoever asked for the last drawing. */
+  /** Draws the state, so that the engine's next answer is about it, whoever asked for the last drawing: that is asked `last`. */
   prepare() {
     this.engine.ask(Live.request(this.store.state, this.moment)).catch(() => {});
   }
@@ -89,13 +89,13 @@ export class Live {
    */
   async sweep(what) {
     this.prepare();
-    return (await this.engine.ask({ do: 'sweep', ...this.pixel, ...what }, { key: 'sweep' })).answer;
+    return (await this.engine.ask({ do: 'sweep', ...this.pixel, ...what }, { key: 'sweep', last: true })).answer;
   }
 
   /** Where the combiners of the pass that is edited lost something. */
   async losses() {
     this.prepare();
-    return this.engine.ask({ do: 'losses', pass: this.store.state.pass }, { key: 'losses' });
+    return this.engine.ask({ do: 'losses', pass: this.store.state.pass }, { key: 'losses', last: true });
   }
 
   /** @param {any[]} profiles */
