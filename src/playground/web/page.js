@@ -86,7 +86,8 @@ export class Page {
     this.pictures = new Map();
     this.flip = new Flip(this.store, this.live, this.picture, () => this.showPicture());
     this.losses = new LossesOverlay(this.store, this.live, this.picture, () => this.link());
-    this.clock = new Clock(this.live, { draw: () => this.live.draw(), stopped: () => this.updatePanels() });
+    this.clock = new Clock(this.live, { draw: () => this.live.draw(), started: () => this.started(), stopped: () => this.stopped() });
+    this.flip.onshow = () => this.clock.pause();
     this.picture.bar.append(this.flip.button, this.losses.element);
     byId('below').prepend(this.clock.element, this.picture.status);
     this.strip = new Strip(byId('strip'), (name) => this.showPanel(name));
@@ -231,6 +232,17 @@ export class Page {
   async draw() {
     if (this.program.shows === 'program') this.live.read();
     await this.live.draw();
+  }
+
+  /** While an effect plays, neither the other profile's picture nor the marks would be those of its moment. */
+  started() {
+    this.flip.set(false);
+    this.losses.hold();
+  }
+
+  stopped() {
+    this.losses.held = false;
+    this.updatePanels();
   }
 
   updatePanels() {
