@@ -31,10 +31,12 @@ TEST(MovingNumber, HasTheUsualPrecedence) {
 }
 
 TEST(MovingNumber, TakesNumbersBelowTheSmallestAsZero) {
-  for (const std::string& tiny : std::vector<std::string>{"2e-400", "123456e-500", "0.5e-99999999999", "0." + std::string(400, '0') + "1"}) {
+  for (const std::string& tiny :
+       std::vector<std::string>{"2e-400", "123456e-500", "0.5e-99999999999", "0." + std::string(400, '0') + "1"}) {
     EXPECT_EQ(number(tiny), 0.0) << tiny;
   }
-  for (const std::string& huge : std::vector<std::string>{"1e400", "0.5e+99999999999", "0.0001e400", std::string(400, '9')}) {
+  for (const std::string& huge :
+       std::vector<std::string>{"1e400", "0.5e+99999999999", "0.0001e400", std::string(400, '9')}) {
     EXPECT_FALSE(moving_number(huge, {})) << huge;
   }
 }

@@ -93,7 +93,8 @@ class Expression {
  private:
   // The next character that is not a blank; '\0' at the end and after a fault.
   char next() {
-    while (!rest_.empty() && std::string_view(" \t\r\n").find(rest_[0]) != std::string_view::npos) rest_.remove_prefix(1);
+    while (!rest_.empty() && std::string_view(" \t\r\n").find(rest_[0]) != std::string_view::npos)
+      rest_.remove_prefix(1);
     return rest_.empty() || !fault_.empty() ? '\0' : rest_[0];
   }
 

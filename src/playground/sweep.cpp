@@ -57,11 +57,11 @@ Rgba9& constant_of(auto& holder, Register reg) {
   return reg == Register::constant0 ? holder.constant0 : holder.constant1;
 }
 
-// Gives the input a code; a constant in all combiners. The hardware loads spare0's alpha from texture 0's, so it has the
-// code, too, if it was loaded here.
+// Gives the input a code; a constant in all combiners. The hardware loads spare0's alpha from texture 0's, so it has
+// the code, too, if it was loaded here.
 void set_input(const Place& input, s9 code, Program& program, RegisterFile& registers) {
-  const bool is_loaded = input.reg == Register::texture0 &&
-                         registers[Register::spare0][kAlpha] == registers[Register::texture0][kAlpha];
+  const bool is_loaded =
+      input.reg == Register::texture0 && registers[Register::spare0][kAlpha] == registers[Register::texture0][kAlpha];
   for (const std::size_t c : input.components) {
     if (!is_constant(*input.reg)) {
       if (is_loaded && c == kAlpha) registers[Register::spare0][c] = code;

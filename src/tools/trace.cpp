@@ -143,7 +143,8 @@ int trace_effect(const TraceFlags& flags) {
       draw_pixel(flags.effect, flags.pixel, {.allow_outside = flags.scene.allow_outside, .moment = flags.moment},
                  flags.common, given, flags.program.defines);
   if (!traced) return report(traced.error());
-  for (const std::string& warning : unused_moment(flags.moment_options, traced->moves, flags.effect)) say_warning(warning);
+  for (const std::string& warning : unused_moment(flags.moment_options, traced->moves, flags.effect))
+    say_warning(warning);
   const TracedPixel& pixel = traced->pixel;
   const Drawn drawn{&pixel, traced->profile};
   if (!pixel.fragment) return print(flags, drawn, nullptr, {});

@@ -1,13 +1,14 @@
 /** The clock of effects that move, with a browser that the test turns. */
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
+import { setImmediate } from 'node:timers/promises';
 import { Clock } from '../../../src/playground/web/clock.js';
 
 const names = ['document', 'requestAnimationFrame', 'performance'];
 let kept, now, frames, live, drawings;
 
 /** Lets everything go on that can. */
-const settle = () => new Promise((resolve) => { setImmediate(resolve); });
+const settle = () => setImmediate();
 
 beforeEach(() => {
   kept = names.map((name) => Object.getOwnPropertyDescriptor(globalThis, name));

@@ -243,13 +243,12 @@ std::vector<CLI::Option*> add_moment_flags(CLI::App& verb, EffectMoment& moment)
               ->check(text_check(&check_frame))};
 }
 
-std::vector<std::string> unused_moment(const std::vector<CLI::Option*>& options, bool moves,
-                                       const std::string& file) {
+std::vector<std::string> unused_moment(const std::vector<CLI::Option*>& options, bool moves, const std::string& file) {
   std::vector<std::string> warnings;
   for (const CLI::Option* const option : options) {
     if (moves || option->count() == 0) continue;
-    warnings.push_back(fmt::format("{} has no effect: no number of {} depends on time or frame", option->get_name(),
-                                   printable(file)));
+    warnings.push_back(
+        fmt::format("{} has no effect: no number of {} depends on time or frame", option->get_name(), printable(file)));
   }
   return warnings;
 }
