@@ -98,6 +98,19 @@ TEST(PixelShaderRoundTrip, RandomShadersMeanTheSame) {
   EXPECT_EQ(printed, read);
 }
 
+TEST(PixelShaderRoundTrip, ConstantsWithMixedSignsNormalizeToTheSame) {
+  for (const HardwareProfile& profile : {profiles::nv2a, profiles::geforce2}) {
+    const std::string shader = "ps.1.1\ndef c0, 1, -0.5, 0, 0.25\ntex t0\nmul r0, t0, c0\n";
+    const auto parsed = parse_pixel_shader({shader, ""}, profile);
+    ASSERT_TRUE(parsed) << test::all_faults(parsed);
+    const auto text = print_pixel_shader(*parsed, profile);
+    ASSERT_TRUE(text) << text.error().message;
+    const auto back = parse_pixel_shader({*text, ""}, profile);
+    ASSERT_TRUE(back) << *text << test::all_faults(back);
+    EXPECT_EQ(normalize(*back, profile), normalize(*parsed, profile)) << *text;
+  }
+}
+
 // Makes much of a random state expressible.
 void simplify_for_shaders(Random& random, CombinerState& state) {
   state.mux_by_lowest_bit = false;

@@ -123,8 +123,8 @@ TEST(PixelShader, ConstantsBelongToAStageWhereThereAreMoreThanTwo) {
 TEST(PixelShader, AConstantWithMixedSignsIsTheDifferenceOfTwo) {
   const std::string two =
       "{ const0 = (1, 0, 0, 1); const1 = (0, 0.498, 1, 0);\n"
-      "  rgb { discard = unsigned(const0); discard = -const1; spare1 = sum(); }\n"
-      "  alpha { discard = unsigned(const0); discard = -const1; spare1 = sum(); } }\n";
+      "  rgb { discard = const0; discard = -const1; spare1 = sum(); }\n"
+      "  alpha { discard = const0; discard = -const1; spare1 = sum(); } }\n";
   // The register keeps the constant for later instructions; one that is negated is read as its negative.
   expect_same({{"mul r0, t0, c1\nadd r0, r0, -c1",
                 two + "{ rgb { spare0 = tex0 * spare1; } alpha { spare0 = tex0 * spare1; } }\n"
@@ -132,8 +132,8 @@ TEST(PixelShader, AConstantWithMixedSignsIsTheDifferenceOfTwo) {
                       "  alpha { discard = spare0; discard = -spare1; spare0 = sum(); } }\n"},
                {"mov r1, c1\nmul r0, t0, r1",
                 "{ const0 = (1, 0, 0, 1); const1 = (0, 0.498, 1, 0);\n"
-                "  rgb { discard = unsigned(const0); discard = -const1; tex3 = sum(); }\n"
-                "  alpha { discard = unsigned(const0); discard = -const1; tex3 = sum(); } }\n"
+                "  rgb { discard = const0; discard = -const1; tex3 = sum(); }\n"
+                "  alpha { discard = const0; discard = -const1; tex3 = sum(); } }\n"
                 "{ rgb { spare1 = tex3; } alpha { spare1 = tex3; } }\n"
                 "{ rgb { spare0 = tex0 * spare1; } alpha { spare0 = tex0 * spare1; } }\n"}},
               "ps.1.1\ndef c0, 1, 1, 1, 1\ndef c1, 1.25, -0.5, -1.5, 1\ntex t0\n", profiles::nv2a);
@@ -144,6 +144,23 @@ TEST(PixelShader, ConstantsWithMixedSignsGiveTheColorsOfDirect3DsReferenceDriver
   const Program program = program_of_shader(
       "ps.1.1\ndef c1, 1.25, -0.5, -1.5, 1\ndef c2, -0.5, 1.25, 2, 1\nmov r0, c1\nadd r0, r0, c2\n", profiles::nv2a);
   EXPECT_EQ(evaluate(program, {}), (Rgba9{128, 128, 0, 255}));
+}
+
+TEST(PixelShader, AConstantWithMixedSignsKeepsThemWhereASaturatedDotProductWas) {
+  RegisterFile in;
+  in[Register::texture0] = {200, 200, 200, 200};
+  for (const Register reg : {Register::primary, Register::secondary, Register::texture1, Register::texture2}) {
+    in[reg] = {255, 255, 255, 255};
+  }
+  in[Register::texture3] = in[Register::primary];
+  const std::string begin =
+      "ps.1.1\ndef c0, 1, -0.5, 0, 0\ntex t0\ntex t1\ntex t2\ntex t3\nmov r0, t0\ndp3_sat r0.a, t0, v0\n";
+  // With the second shader, no register is free but the one that holds the dot product.
+  for (const std::string& rest : std::vector<std::string>{
+           "add r0.rgb, r0, c0\n", "add r0.rgb, r0, c0\nlrp r0.rgb, t1, r0, t2\nlrp r0.rgb, t3, r0, v1\n"}) {
+    const Program program = program_of_shader(begin + rest, profiles::nv2a);
+    EXPECT_EQ(evaluate(program, in), (Rgba9{255, 73, 200, 255})) << rest;
+  }
 }
 
 TEST(PixelShader, ADotProductOfAllComponentsReachesAlpha) {

@@ -139,17 +139,21 @@ bool ShaderRegisters::is_named(Register reg) const {
   });
 }
 
-std::optional<Register> ShaderRegisters::take_free() {
+std::optional<Register> ShaderRegisters::take_free(const ShaderValues& values) {
+  const auto& lent = values.alpha_is_blue_of;
+  std::optional<Register> found;
   // Colours last: ps.1.1 cannot write them.
   for (const Register reg : {Register::spare1, Register::texture3, Register::texture2, Register::texture1,
                              Register::texture0, Register::secondary, Register::primary}) {
     const bool exists = !is_texture(reg) || texture_unit_of(reg) < profile_.texture_units;
     const bool is_taken = std::find(taken_.begin(), taken_.end(), reg) != taken_.end();
     if (!exists || is_taken || is_named(reg)) continue;
-    taken_.push_back(reg);
-    return reg;
+    const bool is_lent = std::find(lent.begin(), lent.end(), std::optional(reg)) != lent.end();
+    if (!found || !is_lent) found = reg;
+    if (!is_lent) break;
   }
-  return std::nullopt;
+  if (found) taken_.push_back(*found);
+  return found;
 }
 
 bool ShaderRegisters::needs(Register reg, std::size_t first, bool alpha) const {

@@ -37,8 +37,9 @@ class ShaderRegisters {
   // Whether an instruction from `first` on reads a register's alpha (or colour) before another one writes it.
   [[nodiscard]] bool needs_alpha(Register reg, std::size_t first) const { return needs(reg, first, true); }
   [[nodiscard]] bool needs_rgb(Register reg, std::size_t first) const { return needs(reg, first, false); }
-  // Takes a register that no instruction reads or writes, for the rest of the shader. Empty: there is none.
-  [[nodiscard]] std::optional<Register> take_free();
+  // Takes a register that no instruction reads or writes, for the rest of the shader, if possible one whose blue is no
+  // other register's alpha. Empty: there is none.
+  [[nodiscard]] std::optional<Register> take_free(const ShaderValues& values);
   // Whether a source's alpha is read by an instruction, and whether its colour is.
   [[nodiscard]] static bool reads_alpha(const ShaderInstruction& by, std::size_t operand);
   [[nodiscard]] static bool reads_rgb(const ShaderInstruction& by, std::size_t operand);

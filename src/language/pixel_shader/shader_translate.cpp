@@ -224,7 +224,7 @@ class ShaderTranslator {
       stages_.begin();
       const auto above = context_.constants.place(from.index, ConstantPart::positive);
       const auto below = context_.constants.place(from.index, ConstantPart::negative);
-      const auto reg = above && below ? context_.registers.take_free() : std::nullopt;
+      const auto reg = above && below ? context_.registers.take_free(context_.values) : std::nullopt;
       if (!reg) {
         const std::string missing = above && below ? "a register that the shader does not use, and there is none"
                                                    : "two constants of the combiners, which read no more than two";
@@ -235,12 +235,14 @@ class ShaderTranslator {
       GeneralCombiner stage = empty_shader_stage();
       for (const PortionName which : {PortionName::rgb, PortionName::alpha}) {
         Portion& portion = which == PortionName::rgb ? stage.rgb : stage.alpha;
-        portion.a = {*above, InputMapping::unsigned_identity, shader_usage(which)};
+        portion.a = {*above, InputMapping::signed_identity, shader_usage(which)};
         portion.b = portion.d = shader_one(which);
         portion.c = {*below, InputMapping::signed_negate, shader_usage(which)};
         portion.out.sum = *reg;
       }
       stages_.end(stage);
+      // A saturated dot product may have been there before.
+      context_.values.saturated_rgb[index_of(*reg)] = context_.values.saturated_alpha[index_of(*reg)] = false;
       context_.mixed.at(index) = reg;
     }
     return true;
