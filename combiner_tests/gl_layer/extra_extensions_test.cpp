@@ -36,7 +36,8 @@ GLenum taken_error() {
 }
 
 TEST(LayerExtras, AreListedIfTheyAreWanted) {
-  const char* const names[]{"GL_NV_fence", "GL_NV_vertex_array_range", "GL_SGIX_depth_texture", "GL_SGIX_shadow"};  // vertex_program_state_test.cpp has its own
+  const char* const names[]{"GL_NV_fence", "GL_NV_vertex_array_range", "GL_SGIX_depth_texture",
+                            "GL_SGIX_shadow"};  // vertex_program_state_test.cpp has its own
   const std::pair<const char*, int> lists[]{
       {"none", 0}, {"all", 15}, {"NV_fence,GL_SGIX_shadow", 9}, {"GL_NV_fences,SGIX_depth_texture", 0}, {"", 0}};
   for (const auto& [list, expected] : lists) {

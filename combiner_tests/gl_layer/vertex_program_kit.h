@@ -22,7 +22,7 @@ class WithVertexPrograms {
 };
 
 // Begins a test with a context that has vertex programs.
-#define NINEBIT_VERTEX_CONTEXT(name)       \
+#define NINEBIT_VERTEX_CONTEXT(name)        \
   const WithVertexPrograms with_programs{}; \
   NINEBIT_GL_CONTEXT(name)
 
@@ -48,7 +48,8 @@ inline void show_coordinates() {
   const std::string text = "!!ARBfp1.0\nMOV result.color, fragment.texcoord[0];\nEND\n";
   glGenProgramsARB(1, &program);
   glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
-  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()), text.data());
+  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()),
+                     text.data());
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
 }
 

@@ -185,11 +185,13 @@ TEST(LayerVertexProgramState, BesideProgramsOfArb) {
   show_coordinates();
   ASSERT_EQ(use_vertex_program(1, showing("MOV o[TEX0], c[0];")), kOk);
   glProgramParameter4fNV(GL_VERTEX_PROGRAM_NV, 0, 1, 2, 3, 4);
-  const std::string text = "!!ARBvp1.0\nMOV result.position, vertex.position;\nMOV result.texcoord[0], vertex.color;\nEND";
+  const std::string text =
+      "!!ARBvp1.0\nMOV result.position, vertex.position;\nMOV result.texcoord[0], vertex.color;\nEND";
   GLint bound = -1;
   glGetProgramivARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
   EXPECT_EQ(bound, 1);
-  glProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()), text.data());
+  glProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()),
+                     text.data());
   EXPECT_EQ(glGetError(), kOperation);
   for (GLuint name = 0x3FFFFF00; name < 0x40000000; ++name) {
     EXPECT_EQ(glIsProgramARB(name), GL_FALSE) << name;
@@ -197,7 +199,8 @@ TEST(LayerVertexProgramState, BesideProgramsOfArb) {
   }
   EXPECT_EQ(drawn_point(), (Floats{1, 2, 3, 4}));
   glBindProgramARB(GL_VERTEX_PROGRAM_ARB, 9);
-  glProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()), text.data());
+  glProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()),
+                     text.data());
   EXPECT_EQ(glGetError(), kOk);
   glColor4f(8, 7, 6, 5);
   EXPECT_EQ(drawn_point(), (Floats{8, 7, 6, 5}));

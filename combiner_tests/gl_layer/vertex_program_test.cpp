@@ -123,12 +123,12 @@ TEST(LayerVertexPrograms, OperandsAndRegisters) {
       {"MOV R11.y, c[1]; MOV o[TEX0], R11;", {0, 2, 0, 0}},
       {"MOV o[TEX0], R7;", {0, 0, 0, 0}},
       {"MOV o[TEX0], c[A0.x + 1];", {1, 2, 3, 4}},
-      {"ARL A0.x, c[2].x; MOV o[TEX0], c[A0.x];", {5, 5, 5, 5}},          // 3.9: c[3]
-      {"ARL A0.x, c[2].y; MOV o[TEX0], c[A0.x + 4];", {5, 5, 5, 5}},      // -0.5: c[3]
-      {"ARL A0.x, c[2].x; MOV o[TEX0], c[A0.x - 3];", {7, 7, 7, 7}},      // c[0]
-      {"ARL A0.x, c[2].x; MOV o[TEX0], c[A0.x - 4];", {0, 0, 0, 0}},      // c[-1]
-      {"ARL A0.x, c[2].z; MOV o[TEX0], c[A0.x + 63];", {9, 9, 9, 9}},     // c[95]
-      {"ARL A0.x, c[2].w; MOV o[TEX0], c[A0.x];", {0, 0, 0, 0}},          // c[1e9]
+      {"ARL A0.x, c[2].x; MOV o[TEX0], c[A0.x];", {5, 5, 5, 5}},       // 3.9: c[3]
+      {"ARL A0.x, c[2].y; MOV o[TEX0], c[A0.x + 4];", {5, 5, 5, 5}},   // -0.5: c[3]
+      {"ARL A0.x, c[2].x; MOV o[TEX0], c[A0.x - 3];", {7, 7, 7, 7}},   // c[0]
+      {"ARL A0.x, c[2].x; MOV o[TEX0], c[A0.x - 4];", {0, 0, 0, 0}},   // c[-1]
+      {"ARL A0.x, c[2].z; MOV o[TEX0], c[A0.x + 63];", {9, 9, 9, 9}},  // c[95]
+      {"ARL A0.x, c[2].w; MOV o[TEX0], c[A0.x];", {0, 0, 0, 0}},       // c[1e9]
       {"ARL A0.x, -c[2].w; MOV o[TEX0], c[A0.x - 64];", {0, 0, 0, 0}},
       {"ARL A0.x, c[2].x; ADD R0, c[A0.x], -c[A0.x].y; MOV R1, c[1]; MAD o[TEX0], R1, c[A0.x - 2], R0;", {1, 4, 9, 16}},
   };
@@ -147,8 +147,9 @@ TEST(LayerVertexPrograms, ClampedReciprocals) {
   NINEBIT_VERTEX_CONTEXT(context);
   show_coordinates();
   ASSERT_EQ(use_vertex_program(1, showing("RCC o[TEX0], c[0].x;")), kNone);
-  const std::pair<GLfloat, GLfloat> cases[]{{0.0F, 0x1p64F},   {-0.0F, -0x1p64F}, {INFINITY, 0x1p-64F}, {-INFINITY, -0x1p-64F},
-                                            {0x1p70F, 0x1p-64F}, {0x1p-70F, 0x1p64F}, {-4.0F, -0.25F}};
+  const std::pair<GLfloat, GLfloat> cases[]{{0.0F, 0x1p64F},        {-0.0F, -0x1p64F},   {INFINITY, 0x1p-64F},
+                                            {-INFINITY, -0x1p-64F}, {0x1p70F, 0x1p-64F}, {0x1p-70F, 0x1p64F},
+                                            {-4.0F, -0.25F}};
   for (const auto& [x, expected] : cases) {
     glProgramParameter4fNV(GL_VERTEX_PROGRAM_NV, 0, x, 0, 0, 0);
     EXPECT_EQ(drawn_point()[0], expected) << x;
@@ -167,8 +168,11 @@ TEST(LayerVertexPrograms, TrackedMatrices) {
   struct Tracked {
     GLenum mode, unit, matrix;
   };
-  const Tracked all[]{{GL_MODELVIEW, 0, GL_MODELVIEW}, {GL_PROJECTION, 0, GL_PROJECTION}, {GL_TEXTURE, 2, GL_TEXTURE2},
-                      {GL_MATRIX0_NV, 0, GL_MATRIX0_NV}, {GL_MATRIX7_NV, 0, GL_MATRIX7_NV}};
+  const Tracked all[]{{GL_MODELVIEW, 0, GL_MODELVIEW},
+                      {GL_PROJECTION, 0, GL_PROJECTION},
+                      {GL_TEXTURE, 2, GL_TEXTURE2},
+                      {GL_MATRIX0_NV, 0, GL_MATRIX0_NV},
+                      {GL_MATRIX7_NV, 0, GL_MATRIX7_NV}};
   constexpr GLfloat kMatrix[16]{2, 0, 0, 0, 0, 4, 0, 0, 0, 0, 8, 0, 3, 5, 7, 1};
   constexpr GLfloat kInverse[16]{0.5F, 0, 0, 0, 0, 0.25F, 0, 0, 0, 0, 0.125F, 0, -1.5F, -1.25F, -0.875F, 1};
   const auto transposed = [](const GLfloat* m, std::size_t row) {

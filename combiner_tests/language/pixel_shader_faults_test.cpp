@@ -147,15 +147,6 @@ TEST(PixelShaderFaults, OfWhatCombinersDoNotHave) {
        "2:26: GL_INVALID_OPERATION: 'prod' can be read as A, B, C or D of xfc alone\n"
        "2:38: registers of xfc take no modifier but 1-x, found 'r0_bx2'\n"},
       {"ps.1.1\nmov r0, v0.b\n", "2:9: 'v0'.b: combiners read blue alone only where .a is written\n"},
-      {"ps.1.1\ndef c0, 1, -1, 0, 0\ndef c1, 1, 1, 1, 1\nmul r0, c0, c1\n",
-       "4:9: 'c1' is a third constant: a general combiner reads two, and with profile geforce2 all read the same "
-       "two\n"},
-      {"ps.1.1\ndef c0, 1, -1, 0, 0\ndef c1, 1, -1, 1, 1\nmul r0, c0, c1\n",
-       "4:13: 'c1' has values below 0 and above 0, which takes two constants of the combiners, which read no more than "
-       "two; expected (x + 1) / 2, read as c1_bx2\n"},
-      {"ps.1.1\ndef c0, 1, -1, 0, 0\ntex t0\ntex t1\nmov r1, v0\nadd r1, r1, v1\nmad r0, t0, t1, c0\n",
-       "7:17: 'c0' has values below 0 and above 0, which takes a register that the shader does not use, and there is "
-       "none; expected (x + 1) / 2, read as c0_bx2\n"},
       {"ps.1.1\ndef c0, 1, -1, 0, 0\nmov r0, c0_bias\n",
        "3:9: 'c0_bias' is below 0, where combiners can only read it or its negative\n"},
       {"ps.1.1\ndef c0, 1, -1, 0, 0\nlrp r0, c0, v0, v1\n",
@@ -181,6 +172,17 @@ TEST(PixelShaderFaults, OfWhatCombinersDoNotHave) {
       {
           {"ps.1.1\ntex t2\nmov r0, t2\n",
            "3:9: GL_INVALID_ENUM: 't2' is beyond the 2 texture units of profile geforce2\n"},
+          {"ps.1.1\ndef c0, 1, -1, 0, 0\ndef c1, 1, 1, 1, 1\nmul r0, c0, c1\n",
+           "4:13: 'c1' is a third constant: a general combiner reads two, and with profile geforce2 all read the same "
+           "two\n"},
+          {"ps.1.1\ndef c0, 1, -1, 0, 0\ndef c1, 1, -1, 1, 1\nmul r0, c0, c1\n",
+           "4:13: 'c1' has values below 0 and above 0, which takes two constants of the combiners, which read no more "
+           "than "
+           "two; expected (x + 1) / 2, read as c1_bx2\n"},
+          {"ps.1.1\ndef c0, 1, -1, 0, 0\ntex t0\ntex t1\nmov r1, v0\nadd r1, r1, v1\nmad r0, t0, t1, c0\n",
+           "7:17: 'c0' has values below 0 and above 0, which takes a register that the shader does not use, and there "
+           "is "
+           "none; expected (x + 1) / 2, read as c0_bx2\n"},
           {"ps.1.1\nmul r0, v0, c0\nmul r0, r0, c1\nmul r0, r0, c2\n",
            "4:1: GL_INVALID_VALUE: too many general combiners; profile geforce2 has 2, and this instruction needs "
            "another\n4:13: 'c2' is a third constant: a general combiner reads two, and with profile geforce2 all read "

@@ -17,7 +17,7 @@ constexpr double kFarthest = 1e6;
 constexpr int kMaxShadowMap = 2048;
 
 // The request, besides the profile.
-struct ShadowRequest {
+struct RequestedShadow {
   std::string scene{};
   SceneSetup setup{};
   RenderSettings settings{};
@@ -84,8 +84,8 @@ void read_setting(Request& request, const std::string& key, const TechniqueSetti
   request.reader().fault(value->offset, key + " is not valid; expected " + expected);
 }
 
-ShadowRequest shadow_request(Request& request) {
-  ShadowRequest asked;
+RequestedShadow requested_shadow(Request& request) {
+  RequestedShadow asked;
   asked.scene = request.word_or("scene", kRoomName);
   RenderSettings& settings = asked.settings;
   settings.width = 640;
@@ -144,7 +144,7 @@ std::optional<Reply> ask_for_shadow(Request& request, const Shelf& shelf, Shadow
   std::vector<std::string_view> keys{"scene", "profile", "camera", "light", "size", "cartoon", "light_facing", "hash"};
   for (const auto& [key, setting] : settings) keys.push_back(key);
   request.allow(keys);
-  ShadowRequest asked = shadow_request(request);
+  RequestedShadow asked = requested_shadow(request);
   out.profile = request.profile("profile");
   out.hashed = request.flag_or("hash", true);
   if (request.failed()) return request.refused();

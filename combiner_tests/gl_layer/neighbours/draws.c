@@ -1,5 +1,5 @@
-/* Draws a green window by combiners, its functions found as the argument says, and prints the pixel in the middle. A second
- * argument is an extension's name: it says whether it is listed; a third one is a function to look up. */
+/* Draws a green window by combiners, its functions found as the argument says, and prints the pixel in the middle. A
+ * second argument is an extension's name: it says whether it is listed; a third one is a function to look up. */
 #define _GNU_SOURCE
 #define GL_GLEXT_PROTOTYPES
 #include <GL/freeglut.h>
@@ -8,17 +8,17 @@
 #include <stdio.h>
 #include <string.h>
 
-static void *library;
+static void* library;
 
-static void *find(const char *name) {
+static void* find(const char* name) {
   dlerror();
-  void *found = dlsym(library, name);
-  const char *fault = dlerror();
+  void* found = dlsym(library, name);
+  const char* fault = dlerror();
   if (!found || fault) printf("%s: %p, dlerror: %s\n", name, found, fault ? fault : "none");
   return found;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   const char *way = argc > 1 ? argv[1] : "", *extension = argc > 2 ? argv[2] : NULL;
   library = !strcmp(way, "next") ? RTLD_NEXT : !strcmp(way, "default") ? RTLD_DEFAULT : dlopen("libGL.so.1", RTLD_NOW);
   glutInit(&argc, argv);
@@ -27,10 +27,10 @@ int main(int argc, char **argv) {
   glutCreateWindow("draws");
   void (*enable)(unsigned) = find("glEnable"), (*begin)(unsigned) = find("glBegin");
   void (*flush)(void) = find("glFlush"), (*end)(void) = find("glEnd");
-  void (*parameter)(unsigned, const float *) = find("glCombinerParameterfvNV");
+  void (*parameter)(unsigned, const float*) = find("glCombinerParameterfvNV");
   void (*input)(unsigned, unsigned, unsigned, unsigned) = find("glFinalCombinerInputNV");
   if (dlsym(library, "glNobodyHasThisFunction") || !dlerror()) puts("a function that nobody has is found");
-  const char *listed = (const char *)glGetString(GL_EXTENSIONS);
+  const char* listed = (const char*)glGetString(GL_EXTENSIONS);
   if (argc > 3) glutGetProcAddress(argv[3]);
   if (extension) printf("%s is%s listed\n", extension, strstr(listed, extension) ? "" : " not");
   const float green[] = {0, 1, 0, 1}, red[] = {1, 0, 0, 1};

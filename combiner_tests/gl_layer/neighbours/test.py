@@ -2,6 +2,7 @@
 
 Each gets what it would get without the layer, and the combiners draw where the program looks them up.
 """
+import os
 import re
 import subprocess
 
@@ -32,6 +33,20 @@ def logs(kit, draws, environment):
         kit.check(written == expected, f"{function} with --extensions {added}: the log has {written.strip() or 'no line'!r}")
 
 
+def other_contexts(kit):
+    """Contexts without fixed functions are the driver's alone; a process that forks has its combiners in both."""
+    program = compiled(kit, "contexts", [], ["-lEGL", "-lGL"])
+    environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"}
+    for kind in ("core", "gles"):
+        without, done = kit.run([program, kind], environment), kit.run([program, kind], environment, layer=True)
+        said = [line for line in done.stdout.splitlines() if not line.startswith("ninebit: ")]  # what the context lacks
+        kit.check(done.returncode == without.returncode == 0 and said == without.stdout.splitlines(),
+                  f"a context of {kind}: {', '.join(said)}")
+    done = kit.run([program, "fork"], environment, layer=True)
+    expected = "".join(f"{who}: pixel 0 255 0, error 0x0000\n" for who in ("child", "parent"))
+    kit.check(done.returncode == 0 and done.stdout == expected, f"a process that forks: {done.stdout.strip()}")
+
+
 def run(kit):
     require(PACKAGES, ["gcc", "Xvfb", "apitrace"], ["/usr/include/GL/freeglut.h", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8"])
     folder = kit.folder("neighbours")
@@ -60,6 +75,7 @@ def run(kit):
         calls = re.findall(r"^\d+ (gl\w*Combiner\w*)\(", dump, re.M)
         kit.check(done.returncode == 0 and expected in done.stdout and len(calls) == 6 and "glBegin(" in dump,
                   f"apitrace: exit {done.returncode}, {len(calls)} calls of the combiners in the trace")
+    other_contexts(kit)
     for options in ((), ("-DWITH_GL",)):
         program = compiled(kit, "osmesa", options, ["-ldl"])
         without, done = kit.run([program], None), kit.run([program], None, layer=True)

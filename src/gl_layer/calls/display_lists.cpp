@@ -76,8 +76,8 @@ void drop_list(Context& context, GLuint number) {
   delete_driver_lists(*context.group, *dropped);
 }
 
-// Plays a list of the driver; `draws`: with a draw call in it, as far as the layer knows; `arrays`: the vertex program's
-// attributes that its vertices have from attribute arrays.
+// Plays a list of the driver; `draws`: with a draw call in it, as far as the layer knows; `arrays`: the vertex
+// program's attributes that its vertices have from attribute arrays.
 void play_driver_list(GLuint number, bool draws, BeginEffect effect, unsigned arrays = 0) {
   Context* const context = current();
   if (context == nullptr) return found_driver.CallList(number);
@@ -158,9 +158,7 @@ std::size_t bytes_of(GLenum type) {
 // Makes the driver's list that has been closed a step.
 void add_step(OpenList& open) {
   open.list.steps.emplace_back([number = open.driver_number, draws = open.draws, effect = open.effect,
-                                 arrays = open.arrays] {
-    play_driver_list(number, draws, effect, arrays);
-  });
+                                arrays = open.arrays] { play_driver_list(number, draws, effect, arrays); });
   if (open.begin_error) {
     open.list.steps.emplace_back([] {
       if (Context* const context = current()) context->raise(GL_INVALID_OPERATION);

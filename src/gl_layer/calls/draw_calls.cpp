@@ -68,39 +68,39 @@ GLAPI void GLAPIENTRY glEnd() {
 
 NINEBIT_ARRAY_CALL(DrawArrays, (GLenum mode, GLint first, GLsizei count), (mode, first, count))
 NINEBIT_ARRAY_CALL(DrawElements, (GLenum mode, GLsizei count, GLenum type, const GLvoid* indices),
-                  (mode, count, type, indices))
+                   (mode, count, type, indices))
 NINEBIT_ARRAY_CALL(DrawRangeElements,
-                  (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const GLvoid* indices),
-                  (mode, start, end, count, type, indices))
+                   (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const GLvoid* indices),
+                   (mode, start, end, count, type, indices))
 NINEBIT_ARRAY_CALL(MultiDrawArrays, (GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount),
-                  (mode, first, count, drawcount))
+                   (mode, first, count, drawcount))
 NINEBIT_ARRAY_CALL(MultiDrawElements,
-                  (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount),
-                  (mode, count, type, indices, drawcount))
+                   (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount),
+                   (mode, count, type, indices, drawcount))
 NINEBIT_ARRAY_CALL(DrawArraysInstanced, (GLenum mode, GLint first, GLsizei count, GLsizei instances),
-                  (mode, first, count, instances))
+                   (mode, first, count, instances))
 NINEBIT_ARRAY_CALL(DrawElementsInstanced,
-                  (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances),
-                  (mode, count, type, indices, instances))
+                   (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances),
+                   (mode, count, type, indices, instances))
 NINEBIT_ARRAY_CALL(DrawElementsBaseVertex, (GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base),
-                  (mode, count, type, indices, base))
+                   (mode, count, type, indices, base))
 NINEBIT_ARRAY_CALL(DrawRangeElementsBaseVertex,
-                  (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint base),
-                  (mode, start, end, count, type, indices, base))
+                   (GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices, GLint base),
+                   (mode, start, end, count, type, indices, base))
 NINEBIT_ARRAY_CALL(DrawElementsInstancedBaseVertex,
-                  (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances, GLint base),
-                  (mode, count, type, indices, instances, base))
+                   (GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances, GLint base),
+                   (mode, count, type, indices, instances, base))
 NINEBIT_ARRAY_CALL(MultiDrawElementsBaseVertex,
-                  (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount,
-                   const GLint* base),
-                  (mode, count, type, indices, drawcount, base))
+                   (GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei drawcount,
+                    const GLint* base),
+                   (mode, count, type, indices, drawcount, base))
 NINEBIT_ARRAY_CALL(DrawArraysIndirect, (GLenum mode, const void* indirect), (mode, indirect))
 NINEBIT_ARRAY_CALL(DrawElementsIndirect, (GLenum mode, GLenum type, const void* indirect), (mode, type, indirect))
 NINEBIT_ARRAY_CALL(MultiDrawArraysIndirect, (GLenum mode, const void* indirect, GLsizei drawcount, GLsizei stride),
-                  (mode, indirect, drawcount, stride))
+                   (mode, indirect, drawcount, stride))
 NINEBIT_ARRAY_CALL(MultiDrawElementsIndirect,
-                  (GLenum mode, GLenum type, const void* indirect, GLsizei drawcount, GLsizei stride),
-                  (mode, type, indirect, drawcount, stride))
+                   (GLenum mode, GLenum type, const void* indirect, GLsizei drawcount, GLsizei stride),
+                   (mode, type, indirect, drawcount, stride))
 NINEBIT_DRAW_CALL(Rectd, (GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2), (x1, y1, x2, y2))
 NINEBIT_DRAW_CALL(Rectf, (GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2), (x1, y1, x2, y2))
 NINEBIT_DRAW_CALL(Recti, (GLint x1, GLint y1, GLint x2, GLint y2), (x1, y1, x2, y2))

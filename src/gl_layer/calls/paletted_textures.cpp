@@ -85,7 +85,8 @@ double number_at(const unsigned char* at, GLenum type, bool swap) {
 }
 
 // The numbers of an array of pixels, as the pixel store says where they are.
-std::vector<double> read_numbers(const void* pixels, GLenum type, std::size_t components, const std::array<int, 3>& size) {
+std::vector<double> read_numbers(const void* pixels, GLenum type, std::size_t components,
+                                 const std::array<int, 3>& size) {
   const auto side = [&](std::size_t i) { return static_cast<std::size_t>(std::max(size[i], 0)); };
   std::vector<double> numbers(components * side(0) * side(1) * side(2));
   if (driver_integer(GL_PIXEL_UNPACK_BUFFER_BINDING) != 0) {
@@ -212,7 +213,8 @@ void store_image(Context& context, const std::pair<unsigned, int>& at, IndexImag
   if (before != GL_NO_ERROR || error != GL_NO_ERROR) context.raise(before != GL_NO_ERROR ? before : error);
 }
 
-// The components of a pixel's format as positions in RGBA; 4: red, green and blue. Empty: it is not a format of colours.
+// The components of a pixel's format as positions in RGBA; 4: red, green and blue. Empty: it is not a format of
+// colours.
 std::vector<std::size_t> components_of_colors(GLenum format) {
   switch (format) {
     case GL_RED:
@@ -246,8 +248,8 @@ GLenum palette_base(GLenum internal) {
   if (internal == GL_RGB || internal == GL_R3_G3_B2 || (internal >= GL_RGB4 && internal <= GL_RGB16)) return GL_RGB;
   if (internal == GL_ALPHA || (internal >= GL_ALPHA4 && internal <= GL_ALPHA16)) return GL_ALPHA;
   if (internal == GL_LUMINANCE || (internal >= GL_LUMINANCE4 && internal <= GL_LUMINANCE16)) return GL_LUMINANCE;
-  const bool is_both = internal == GL_LUMINANCE_ALPHA ||
-                       (internal >= GL_LUMINANCE4_ALPHA4 && internal <= GL_LUMINANCE16_ALPHA16);
+  const bool is_both =
+      internal == GL_LUMINANCE_ALPHA || (internal >= GL_LUMINANCE4_ALPHA4 && internal <= GL_LUMINANCE16_ALPHA16);
   if (is_both) return GL_LUMINANCE_ALPHA;
   return internal >= GL_INTENSITY && internal <= GL_INTENSITY16 ? GLenum{GL_INTENSITY} : GLenum{GL_NONE};
 }
@@ -437,7 +439,8 @@ void define_index_image(unsigned internal, const GivenPixels& given) {
   Context& context = *current();
   if (given.format != GL_COLOR_INDEX) return context.raise(GL_INVALID_OPERATION);
   if (component_bytes(given.type) == 0) return context.raise(GL_INVALID_ENUM);
-  const bool is_size = std::all_of(given.size.begin(), given.size.end(), [](int side) { return side >= 0 && side <= 16384; });
+  const bool is_size =
+      std::all_of(given.size.begin(), given.size.end(), [](int side) { return side >= 0 && side <= 16384; });
   if (!is_size) return context.raise(GL_INVALID_VALUE);
   IndexImage image{.format = internal, .dimensions = given.dimensions, .size = given.size, .border = given.border};
   image.indices = read_indices(given, internal);
@@ -536,8 +539,8 @@ NINEBIT_PALETTE_CALL(ColorSubTableEXT,
                      (target, start, count, format, type, data), color_sub_table)
 NINEBIT_PALETTE_CALL(GetColorTableEXT, (GLenum target, GLenum format, GLenum type, void* data),
                      (target, format, type, data), get_color_table)
-NINEBIT_PALETTE_CALL(GetColorTableParameterivEXT, (GLenum target, GLenum pname, GLint* params),
-                     (target, pname, params), get_color_table_parameter)
+NINEBIT_PALETTE_CALL(GetColorTableParameterivEXT, (GLenum target, GLenum pname, GLint* params), (target, pname, params),
+                     get_color_table_parameter)
 NINEBIT_PALETTE_CALL(GetColorTableParameterfvEXT, (GLenum target, GLenum pname, GLfloat* params),
                      (target, pname, params), get_color_table_parameter)
 

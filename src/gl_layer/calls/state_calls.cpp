@@ -71,8 +71,10 @@ void push(Context& context, GLbitfield mask) {
   found_driver.PushAttrib(mask);
   const int depth = stack_depth();
   if (depth == before || (mask & kGroups) == 0) return;
-  SavedState saved{
-      .mask = mask, .depth = depth, .no_environment = context.no_environment, .pixel_transfer = context.pixel_transfer,
+  SavedState saved{.mask = mask,
+                   .depth = depth,
+                   .no_environment = context.no_environment,
+                   .pixel_transfer = context.pixel_transfer,
                    .shared_palette = context.shared_palette.enabled};
   if (context.touched) saved.combiners = std::make_unique<front::Context>(context.combiners);
   context.attribute_stack.push_back(std::move(saved));

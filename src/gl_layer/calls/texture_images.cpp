@@ -163,8 +163,14 @@ GLAPI void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param) {
 GLAPI void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internal, GLsizei width, GLint border,
                                    GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexImage1D;
-  const GivenPixels given{.target = target, .level = level, .dimensions = 1, .size = {width, 1, 1}, .border = border,
-                          .format = format, .type = type, .pixels = pixels};
+  const GivenPixels given{.target = target,
+                          .level = level,
+                          .dimensions = 1,
+                          .size = {width, 1, 1},
+                          .border = border,
+                          .format = format,
+                          .type = type,
+                          .pixels = pixels};
   if (is_index_format(internal)) return define_index_image(static_cast<GLenum>(internal), given);
   forget_index_image(target, level);
   const Pixels stored(format, type, pixels, {width, 1, 1});
@@ -175,8 +181,14 @@ GLAPI void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internal, G
 GLAPI void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
                                    GLint border, GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexImage2D;
-  const GivenPixels given{.target = target, .level = level, .dimensions = 2, .size = {width, height, 1}, .border = border,
-                          .format = format, .type = type, .pixels = pixels};
+  const GivenPixels given{.target = target,
+                          .level = level,
+                          .dimensions = 2,
+                          .size = {width, height, 1},
+                          .border = border,
+                          .format = format,
+                          .type = type,
+                          .pixels = pixels};
   if (is_index_format(internal)) return define_index_image(static_cast<GLenum>(internal), given);
   forget_index_image(target, level);
   const Pixels stored(format, type, pixels, {width, height, 1});
@@ -188,8 +200,14 @@ GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internal, G
                                    GLsizei depth, GLint border, GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexImage3D;
   if (call == nullptr) return;
-  const GivenPixels given{.target = target, .level = level, .dimensions = 3, .size = {width, height, depth}, .border = border,
-                          .format = format, .type = type, .pixels = pixels};
+  const GivenPixels given{.target = target,
+                          .level = level,
+                          .dimensions = 3,
+                          .size = {width, height, depth},
+                          .border = border,
+                          .format = format,
+                          .type = type,
+                          .pixels = pixels};
   if (is_index_format(internal)) return define_index_image(static_cast<GLenum>(internal), given);
   forget_index_image(target, level);
   const Pixels stored(format, type, pixels, {width, height, depth});
@@ -200,8 +218,14 @@ GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internal, G
 GLAPI void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
                                       const GLvoid* pixels) {
   const auto call = find_driver().TexSubImage1D;
-  const GivenPixels given{.target = target, .level = level, .dimensions = 1, .offset = {x, 0, 0}, .size = {width, 1, 1},
-                          .format = format, .type = type, .pixels = pixels};
+  const GivenPixels given{.target = target,
+                          .level = level,
+                          .dimensions = 1,
+                          .offset = {x, 0, 0},
+                          .size = {width, 1, 1},
+                          .format = format,
+                          .type = type,
+                          .pixels = pixels};
   if (replace_indices(given)) return;
   const Pixels stored(format, type, pixels, {width, 1, 1});
   call(target, level, x, width, stored.format, stored.type, stored.data);
@@ -211,8 +235,14 @@ GLAPI void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint x, GLsiz
 GLAPI void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
                                       GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexSubImage2D;
-  const GivenPixels given{.target = target, .level = level, .dimensions = 2, .offset = {x, y, 0}, .size = {width, height, 1},
-                          .format = format, .type = type, .pixels = pixels};
+  const GivenPixels given{.target = target,
+                          .level = level,
+                          .dimensions = 2,
+                          .offset = {x, y, 0},
+                          .size = {width, height, 1},
+                          .format = format,
+                          .type = type,
+                          .pixels = pixels};
   if (replace_indices(given)) return;
   const Pixels stored(format, type, pixels, {width, height, 1});
   call(target, level, x, y, width, height, stored.format, stored.type, stored.data);
@@ -223,8 +253,14 @@ GLAPI void GLAPIENTRY glTexSubImage3D(GLenum target, GLint level, GLint x, GLint
                                       GLsizei height, GLsizei depth, GLenum format, GLenum type, const GLvoid* pixels) {
   const auto call = find_driver().TexSubImage3D;
   if (call == nullptr) return;
-  const GivenPixels given{.target = target, .level = level, .dimensions = 3, .offset = {x, y, z}, .size = {width, height, depth},
-                          .format = format, .type = type, .pixels = pixels};
+  const GivenPixels given{.target = target,
+                          .level = level,
+                          .dimensions = 3,
+                          .offset = {x, y, z},
+                          .size = {width, height, depth},
+                          .format = format,
+                          .type = type,
+                          .pixels = pixels};
   if (replace_indices(given)) return;
   const Pixels stored(format, type, pixels, {width, height, depth});
   call(target, level, x, y, z, width, height, depth, stored.format, stored.type, stored.data);

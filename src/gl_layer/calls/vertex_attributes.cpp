@@ -1,6 +1,6 @@
-// NV_vertex_program: attributes and their arrays. An attribute of a number is a conventional one, so that either kind of
-// command sets it: 0 the position, 2 the normal, 3 and 4 the colours, 5 the fog coordinate, 8 to 15 texture coordinates.
-// Attributes without one (1, 6 and 7) and arrays of attributes are those of ARB_vertex_program.
+// NV_vertex_program: attributes and their arrays. An attribute of a number is a conventional one, so that either kind
+// of command sets it: 0 the position, 2 the normal, 3 and 4 the colours, 5 the fog coordinate, 8 to 15 texture
+// coordinates. Attributes without one (1, 6 and 7) and arrays of attributes are those of ARB_vertex_program.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -100,7 +100,8 @@ void attribute_pointer(GLuint index, GLint size, GLenum type, GLsizei stride, co
   if (index >= kAttributes || size < 1 || size > 4 || stride < 0) return context.raise(GL_INVALID_VALUE);
   if (!is_type) return context.raise(GL_INVALID_ENUM);
   if (type == GL_UNSIGNED_BYTE && size != 4) return context.raise(GL_INVALID_VALUE);
-  found_driver.VertexAttribPointerARB(index, size, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, stride, pointer);
+  found_driver.VertexAttribPointerARB(index, size, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, stride,
+                                      pointer);
   find_attribute_array(context, index);
 }
 
@@ -175,8 +176,10 @@ void get_attribute_pointer(GLuint index, GLenum pname, void** pointer) {
 // An element of an attribute array in the program's memory.
 VertexVector element(const AttributeArray& array, GLint number) {
   const auto size = static_cast<std::size_t>(array.size);
-  const std::size_t bytes =
-      array.type == GL_UNSIGNED_BYTE ? 1 : array.type == GL_SHORT ? 2 : array.type == GL_FLOAT ? 4 : 8;
+  const std::size_t bytes = array.type == GL_UNSIGNED_BYTE ? 1
+                            : array.type == GL_SHORT       ? 2
+                            : array.type == GL_FLOAT       ? 4
+                                                           : 8;
   const std::ptrdiff_t stride = array.stride != 0 ? array.stride : static_cast<std::ptrdiff_t>(size * bytes);
   const auto* const begin = static_cast<const unsigned char*>(array.pointer) + stride * number;
   VertexVector out{0, 0, 0, 1};
@@ -215,21 +218,21 @@ GLAPI void GLAPIENTRY glArrayElement(GLint i) {
   if (call != nullptr) call(i);
 }
 
-#define NINEBIT_ATTRIBUTES(letter, type)                                                                               \
-  NINEBIT_VERTEX_PROCEDURE(VertexAttrib1##letter##NV, (GLuint index, type x), (index, x), attribute_1)                 \
-  NINEBIT_VERTEX_PROCEDURE(VertexAttrib2##letter##NV, (GLuint index, type x, type y), (index, x, y), attribute_2)      \
-  NINEBIT_VERTEX_PROCEDURE(VertexAttrib3##letter##NV, (GLuint index, type x, type y, type z), (index, x, y, z),        \
-                           attribute_3)                                                                                \
-  NINEBIT_VERTEX_PROCEDURE(VertexAttrib4##letter##NV, (GLuint index, type x, type y, type z, type w),                  \
-                           (index, x, y, z, w), attribute_4)                                                           \
-  NINEBIT_ATTRIBUTE_VECTORS(1, letter, type)                                                                           \
-  NINEBIT_ATTRIBUTE_VECTORS(2, letter, type)                                                                           \
-  NINEBIT_ATTRIBUTE_VECTORS(3, letter, type)                                                                           \
+#define NINEBIT_ATTRIBUTES(letter, type)                                                                          \
+  NINEBIT_VERTEX_PROCEDURE(VertexAttrib1##letter##NV, (GLuint index, type x), (index, x), attribute_1)            \
+  NINEBIT_VERTEX_PROCEDURE(VertexAttrib2##letter##NV, (GLuint index, type x, type y), (index, x, y), attribute_2) \
+  NINEBIT_VERTEX_PROCEDURE(VertexAttrib3##letter##NV, (GLuint index, type x, type y, type z), (index, x, y, z),   \
+                           attribute_3)                                                                           \
+  NINEBIT_VERTEX_PROCEDURE(VertexAttrib4##letter##NV, (GLuint index, type x, type y, type z, type w),             \
+                           (index, x, y, z, w), attribute_4)                                                      \
+  NINEBIT_ATTRIBUTE_VECTORS(1, letter, type)                                                                      \
+  NINEBIT_ATTRIBUTE_VECTORS(2, letter, type)                                                                      \
+  NINEBIT_ATTRIBUTE_VECTORS(3, letter, type)                                                                      \
   NINEBIT_ATTRIBUTE_VECTORS(4, letter, type)
-#define NINEBIT_ATTRIBUTE_VECTORS(size, letter, type)                                                                  \
-  NINEBIT_VERTEX_PROCEDURE(VertexAttrib##size##letter##vNV, (GLuint index, const type* v), (index, v),                 \
-                           attribute_of<size>)                                                                         \
-  NINEBIT_VERTEX_PROCEDURE(VertexAttribs##size##letter##vNV, (GLuint index, GLsizei count, const type* v),             \
+#define NINEBIT_ATTRIBUTE_VECTORS(size, letter, type)                                                      \
+  NINEBIT_VERTEX_PROCEDURE(VertexAttrib##size##letter##vNV, (GLuint index, const type* v), (index, v),     \
+                           attribute_of<size>)                                                             \
+  NINEBIT_VERTEX_PROCEDURE(VertexAttribs##size##letter##vNV, (GLuint index, GLsizei count, const type* v), \
                            (index, count, v), attributes_of<size>)
 
 NINEBIT_ATTRIBUTES(d, GLdouble)

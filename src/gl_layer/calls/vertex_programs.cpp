@@ -280,7 +280,8 @@ void track_matrix(GLenum target, GLuint address, GLenum matrix, GLenum transform
     if (!tracked || transform < GL_IDENTITY_NV || transform > GL_INVERSE_TRANSPOSE_NV) {
       return context.raise(GL_INVALID_ENUM);
     }
-    if (tracked->source != MatrixSource::none) tracked->transform = static_cast<MatrixTransform>(transform - GL_IDENTITY_NV);
+    if (tracked->source != MatrixSource::none)
+      tracked->transform = static_cast<MatrixTransform>(transform - GL_IDENTITY_NV);
     TrackedMatrix& before = context.vertex.matrices[address / 4];
     if (before.source != MatrixSource::none && tracked->source == MatrixSource::none) {  // the last values stay
       const auto rows = rows_of(before);
@@ -332,39 +333,41 @@ NINEBIT_VERTEX_CALL(GLboolean, AreProgramsResidentNV, (GLsizei n, const GLuint* 
 NINEBIT_VERTEX_PROCEDURE(BindProgramNV, (GLenum target, GLuint id), (target, id), bind_program)
 NINEBIT_VERTEX_PROCEDURE(DeleteProgramsNV, (GLsizei n, const GLuint* programs), (n, programs), delete_programs)
 NINEBIT_VERTEX_PROCEDURE(ExecuteProgramNV, (GLenum target, GLuint id, const GLfloat* params), (target, id, params),
-                  execute_program)
+                         execute_program)
 NINEBIT_VERTEX_PROCEDURE(GenProgramsNV, (GLsizei n, GLuint* programs), (n, programs), generate_programs)
 NINEBIT_VERTEX_PROCEDURE(GetProgramParameterdvNV, (GLenum target, GLuint index, GLenum pname, GLdouble* params),
-                  (target, index, pname, params), get_parameter)
+                         (target, index, pname, params), get_parameter)
 NINEBIT_VERTEX_PROCEDURE(GetProgramParameterfvNV, (GLenum target, GLuint index, GLenum pname, GLfloat* params),
-                  (target, index, pname, params), get_parameter)
+                         (target, index, pname, params), get_parameter)
 NINEBIT_VERTEX_PROCEDURE(GetProgramivNV, (GLuint id, GLenum pname, GLint* params), (id, pname, params), get_program)
 NINEBIT_VERTEX_PROCEDURE(GetProgramStringNV, (GLuint id, GLenum pname, GLubyte* program), (id, pname, program),
-                  get_program_text)
+                         get_program_text)
 NINEBIT_VERTEX_PROCEDURE(GetTrackMatrixivNV, (GLenum target, GLuint address, GLenum pname, GLint* params),
-                  (target, address, pname, params), get_track_matrix)
+                         (target, address, pname, params), get_track_matrix)
 NINEBIT_VERTEX_CALL(GLboolean, IsProgramNV, (GLuint id), (id), is_program)
 NINEBIT_VERTEX_PROCEDURE(LoadProgramNV, (GLenum target, GLuint id, GLsizei len, const GLubyte* program),
-                  (target, id, len, program), load_program_text)
+                         (target, id, len, program), load_program_text)
 NINEBIT_VERTEX_PROCEDURE(ProgramParameter4dNV,
-                  (GLenum target, GLuint index, GLdouble x, GLdouble y, GLdouble z, GLdouble w),
-                  (target, index, x, y, z, w), set_parameter)
+                         (GLenum target, GLuint index, GLdouble x, GLdouble y, GLdouble z, GLdouble w),
+                         (target, index, x, y, z, w), set_parameter)
 NINEBIT_VERTEX_PROCEDURE(ProgramParameter4dvNV, (GLenum target, GLuint index, const GLdouble* v), (target, index, v),
-                  set_parameter)
-NINEBIT_VERTEX_PROCEDURE(ProgramParameter4fNV, (GLenum target, GLuint index, GLfloat x, GLfloat y, GLfloat z, GLfloat w),
-                  (target, index, x, y, z, w), set_parameter)
+                         set_parameter)
+NINEBIT_VERTEX_PROCEDURE(ProgramParameter4fNV,
+                         (GLenum target, GLuint index, GLfloat x, GLfloat y, GLfloat z, GLfloat w),
+                         (target, index, x, y, z, w), set_parameter)
 NINEBIT_VERTEX_PROCEDURE(ProgramParameter4fvNV, (GLenum target, GLuint index, const GLfloat* v), (target, index, v),
-                  set_parameter)
+                         set_parameter)
 NINEBIT_VERTEX_PROCEDURE(ProgramParameters4dvNV, (GLenum target, GLuint index, GLsizei count, const GLdouble* v),
-                  (target, index, count, v), set_parameters)
+                         (target, index, count, v), set_parameters)
 NINEBIT_VERTEX_PROCEDURE(ProgramParameters4fvNV, (GLenum target, GLuint index, GLsizei count, const GLfloat* v),
-                  (target, index, count, v), set_parameters)
-NINEBIT_VERTEX_PROCEDURE(RequestResidentProgramsNV, (GLsizei n, const GLuint* programs), (n, programs), request_resident)
+                         (target, index, count, v), set_parameters)
+NINEBIT_VERTEX_PROCEDURE(RequestResidentProgramsNV, (GLsizei n, const GLuint* programs), (n, programs),
+                         request_resident)
 NINEBIT_VERTEX_PROCEDURE(TrackMatrixNV, (GLenum target, GLuint address, GLenum matrix, GLenum transform),
-                  (target, address, matrix, transform), track_matrix)
+                         (target, address, matrix, transform), track_matrix)
 
-// Functions of ARB_vertex_program, which share the place of the bound program with those above. The layer's own programs
-// are none to the program that runs.
+// Functions of ARB_vertex_program, which share the place of the bound program with those above. The layer's own
+// programs are none to the program that runs.
 namespace {
 
 bool is_layers(GLuint name) {

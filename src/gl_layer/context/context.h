@@ -136,8 +136,8 @@ class Context {
   VertexRange vertex_range{};
   std::vector<std::optional<VertexRange>> saved_ranges{};  // for each glPushClientAttrib
   SharedPalette shared_palette{};
-  VertexProgramState vertex{};                             // GL_NV_vertex_program
-  Program shown{};  // the combiners' program, normalized, as of the last draw with a shader of the layer
+  VertexProgramState vertex{};  // GL_NV_vertex_program
+  Program shown{};              // the combiners' program, normalized, as of the last draw with a shader of the layer
 
   // Changes since the last draw.
   bool inputs_changed = true;   // the inputs differ from those of the last draw
@@ -169,7 +169,7 @@ class Context {
   // Whether draw calls have to be looked at.
   [[nodiscard]] bool watches_draws() const { return touched; }
   // Whether commands that the layer has to see when they are executed go into a display list as its steps.
-  [[nodiscard]] bool recording() const { 
+  [[nodiscard]] bool recording() const {
     return open_list != nullptr && (touched || vertex.used || combiners_looked_up());
   }
   // Whether the next command of the open list is between glBegin and glEnd.

@@ -167,7 +167,8 @@ void find_attribute_array(Context& context, unsigned index) {
 
 std::array<VertexVector, 4> rows_of(const TrackedMatrix& matrix) {
   Matrix values = source_matrix(matrix);
-  const bool inverts = matrix.transform == MatrixTransform::inverse || matrix.transform == MatrixTransform::inverse_transpose;
+  const bool inverts =
+      matrix.transform == MatrixTransform::inverse || matrix.transform == MatrixTransform::inverse_transpose;
   if (inverts) values = inverse(values);
   const bool transposes =
       matrix.transform == MatrixTransform::transpose || matrix.transform == MatrixTransform::inverse_transpose;

@@ -15,8 +15,8 @@ namespace ninebit::gl_layer {
   return name - 0x8650U < static_cast<unsigned>(kVertexAttributes) && has_vertex_programs(context);
 }
 
-// Binds the driver's program for the extension's state, with these attributes from arrays. Not between glBegin and glEnd,
-// nor while a list of the driver is open.
+// Binds the driver's program for the extension's state, with these attributes from arrays. Not between glBegin and
+// glEnd, nor while a list of the driver is open.
 void bind_vertex_program(Context& context, unsigned arrays);
 
 // The attributes that a draw call takes from arrays.

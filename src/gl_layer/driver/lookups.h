@@ -1,4 +1,5 @@
-// What a program looks up, gets and uses, for the last lines of the log file: they say what to add, and what is not needed.
+// What a program looks up, gets and uses, for the last lines of the log file: they say what to add, and what is not
+// needed.
 #pragma once
 
 #include <string_view>

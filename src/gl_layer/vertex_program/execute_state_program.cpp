@@ -113,7 +113,8 @@ void execute_state_program(const VertexProgram& program, const VertexVector& att
       if (index >= 0 && index < kVertexParameters) value = parameters[static_cast<std::size_t>(index)];
     }
     VertexVector out{};
-    for (std::size_t i = 0; i < 4; ++i) out[i] = operand.negated ? -value[operand.swizzle[i]] : value[operand.swizzle[i]];
+    for (std::size_t i = 0; i < 4; ++i)
+      out[i] = operand.negated ? -value[operand.swizzle[i]] : value[operand.swizzle[i]];
     return out;
   };
   for (const VertexInstruction& one : program.instructions) {

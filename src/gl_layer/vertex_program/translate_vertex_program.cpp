@@ -1,6 +1,8 @@
-// NV_vertex_program printed for ARB_vertex_program. The instructions are the same but for RCC; what differs is around them:
+// NV_vertex_program printed for ARB_vertex_program. The instructions are the same but for RCC; what differs is around
+// them:
 //
-// - Temporaries begin as 0, and results as (0, 0, 0, 1); ARB leaves both undefined. So a temporary that is read before it
+// - Temporaries begin as 0, and results as (0, 0, 0, 1); ARB leaves both undefined. So a temporary that is read before
+// it
 //   is written is set, and so are the results that are written, and those that a fixed function may read without.
 // - c[A0.x + n] outside of 0 to 95 is 0; ARB leaves it undefined. The array has a 0 before and one behind the
 //   parameters, and the address is kept as a float that is clamped to these for each n.
@@ -56,12 +58,8 @@ std::string attribute_name(int index, unsigned arrays) {
 }
 
 std::string output_name(int index) {
-  constexpr std::string_view kNames[]{"position",
-                                      "color.front.primary",
-                                      "color.front.secondary",
-                                      "color.back.primary",
-                                      "color.back.secondary",
-                                      "fogcoord",
+  constexpr std::string_view kNames[]{"position",           "color.front.primary",  "color.front.secondary",
+                                      "color.back.primary", "color.back.secondary", "fogcoord",
                                       "pointsize"};
   constexpr int kTexture0 = static_cast<int>(VertexOutput::tex0);
   if (index >= kTexture0) return "result.texcoord[" + std::to_string(index - kTexture0) + "]";
@@ -140,8 +138,8 @@ class Translation {
     }
   }
 
-  // 1/x with a magnitude of 2^-64 to 2^64 and the sign of x; that of -0 shows in the reciprocal alone, that of -infinity
-  // in x alone.
+  // 1/x with a magnitude of 2^-64 to 2^64 and the sign of x; that of -0 shows in the reciprocal alone, that of
+  // -infinity in x alone.
   void add_clamped_reciprocal(const std::string& destination, const std::string& x) {
     uses_scratch_ = uses_limits_ = true;
     code_ += "MOV scratch.w, " + x +

@@ -1,4 +1,5 @@
-// Programs of NV_vertex_program as data: read from their text, printed for ARB_vertex_program, executed. No OpenGL here.
+// Programs of NV_vertex_program as data: read from their text, printed for ARB_vertex_program, executed. No OpenGL
+// here.
 #pragma once
 
 #include <array>
@@ -13,8 +14,27 @@ namespace ninebit::gl_layer {
 inline constexpr int kVertexParameters = 96, kVertexTemporaries = 12, kVertexAttributes = 16, kVertexInstructions = 128;
 
 enum class VertexOpcode : std::uint8_t {
-  arl, mov, mul, add, mad, rcp, rsq, dp3, dp4, dst, min, max, slt, sge, exp, log, lit,  // 1.0
-  dph, rcc, sub, abs                                                                    // 1.1
+  arl,
+  mov,
+  mul,
+  add,
+  mad,
+  rcp,
+  rsq,
+  dp3,
+  dp4,
+  dst,
+  min,
+  max,
+  slt,
+  sge,
+  exp,
+  log,
+  lit,  // 1.0
+  dph,
+  rcc,
+  sub,
+  abs  // 1.1
 };
 
 // An opcode's name, its number of operands, and whether they are single components.
@@ -57,9 +77,9 @@ struct VertexProgram {
   bool position_invariant = false;
   std::vector<VertexInstruction> instructions{};
 
-  unsigned attributes = 0;     // that it reads, a bit each
-  unsigned outputs = 0;        // that it writes
-  bool reads_relative = false;  // c[A0.x + n], which may be any parameter
+  unsigned attributes = 0;                           // that it reads, a bit each
+  unsigned outputs = 0;                              // that it writes
+  bool reads_relative = false;                       // c[A0.x + n], which may be any parameter
   std::array<bool, kVertexParameters> parameters{};  // that it reads by number
   bool operator==(const VertexProgram&) const = default;
 };
@@ -70,7 +90,8 @@ struct VertexFault {
   std::string message{};
 };
 
-// Reads "!!VP1.0", "!!VP1.1" or "!!VSP1.0". Text after END is ignored, as drivers of the time did. Empty: `fault` says why.
+// Reads "!!VP1.0", "!!VP1.1" or "!!VSP1.0". Text after END is ignored, as drivers of the time did. Empty: `fault` says
+// why.
 [[nodiscard]] std::optional<VertexProgram> parse_vertex_program(std::string_view text, VertexProgramKind kind,
                                                                 bool allows_1_1, VertexFault& fault);
 

@@ -10,8 +10,8 @@
 
 namespace ninebit::gl_layer {
 
-// What a program of the driver stands for, beside a text: the tracked matrices that it reads, and the attributes that come
-// from attribute arrays.
+// What a program of the driver stands for, beside a text: the tracked matrices that it reads, and the attributes that
+// come from attribute arrays.
 using VertexVariant = std::pair<TrackedMatrices, unsigned>;
 
 // A program by its name. It has no text while its name is only generated or bound.
@@ -37,13 +37,13 @@ struct AttributeArray {
 };
 
 struct VertexProgramState {
-  bool used = false;    // whether the program has called a function of the extension
+  bool used = false;      // whether the program has called a function of the extension
   bool is_bound = false;  // whether the last program was bound by the extension, and not by ARB_vertex_program
   unsigned name = 0;      // that is bound by the extension
   std::shared_ptr<VertexProgramObject> object{};  // nullptr: there is none of this name
-  unsigned driver_name = 0;  // of the driver's program that stands for it
-  unsigned arrays = 0;       // the attribute arrays that are enabled
-  unsigned drawn_arrays = 0;  // those that the driver's program reads: immediate mode has none
+  unsigned driver_name = 0;                       // of the driver's program that stands for it
+  unsigned arrays = 0;                            // the attribute arrays that are enabled
+  unsigned drawn_arrays = 0;                      // those that the driver's program reads: immediate mode has none
   std::array<AttributeArray, kVertexAttributes> array{};
   TrackedMatrices matrices{};
   std::array<std::pair<unsigned, unsigned>, kVertexParameters / 4> tracked{};  // the same in OpenGL's words

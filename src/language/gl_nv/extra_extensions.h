@@ -24,8 +24,10 @@ struct ExtraExtension {
   std::string_view name;
 };
 inline constexpr std::array kExtraExtensions{
-    ExtraExtension{Extra::fence, "GL_NV_fence"}, ExtraExtension{Extra::vertex_array_range, "GL_NV_vertex_array_range"},
-    ExtraExtension{Extra::depth_texture, "GL_SGIX_depth_texture"}, ExtraExtension{Extra::shadow, "GL_SGIX_shadow"},
+    ExtraExtension{Extra::fence, "GL_NV_fence"},
+    ExtraExtension{Extra::vertex_array_range, "GL_NV_vertex_array_range"},
+    ExtraExtension{Extra::depth_texture, "GL_SGIX_depth_texture"},
+    ExtraExtension{Extra::shadow, "GL_SGIX_shadow"},
     ExtraExtension{Extra::vertex_program, "GL_NV_vertex_program"},
     ExtraExtension{Extra::vertex_program1_1, "GL_NV_vertex_program1_1"},
     ExtraExtension{Extra::paletted_texture, "GL_EXT_paletted_texture"},

@@ -1,0 +1,15 @@
+"""Random calls without combiners, with the layer and without it, each in a process of its own."""
+import os
+
+from differential.compare import compare
+from kit import HERE, build, require
+
+
+def run(kit):
+    require("gcc, libegl-dev and libgl-dev", ["gcc"], ["/usr/include/EGL/egl.h", "/usr/include/GL/glext.h"])
+    folder = kit.folder("differential")
+    program = folder / "random_calls"
+    build(["gcc", "-std=gnu99", "-O2", HERE / "differential/random_calls.c", "-o", program, "-lEGL", "-lGL"])
+    count = int(os.environ.get("NINEBIT_GL_PROCESSES", "500"))
+    found = compare(program, kit.ninebit_path.parent / "libninebit_gl.so", count)
+    kit.check(found.good(), found.text())
