@@ -60,8 +60,10 @@ TEST(PlaygroundDraw, GivesThePictureFromTheTop) {
 TEST(PlaygroundDraw, GivesTheRoomOfTheGallery) {
   Engine engine;
   PageJson request = draw_request();
+  request["files"]["mine.gl"] = "!!RC1.0\nout.rgb = col0;\nout.a = unsigned_invert(zero);\n";
   request["effect"]["scene"] = {{"mesh", "index_room.gltf"}};
   request["effect"]["passes"][0]["units"] = PageJson::array();
+  request["effect"]["passes"][0]["primary"] = "lambert";
   const PageJson expected = ask(engine, request);
   ASSERT_EQ(fault_of_answer(expected), "");
   const PageJson room = ask(engine, {{"do", "room"}});
@@ -73,6 +75,8 @@ TEST(PlaygroundDraw, GivesTheRoomOfTheGallery) {
   ASSERT_EQ(fault_of_answer(ask(engine, {{"do", "put"}, {"name", "mine.gltf"}, {"kind", "file"}})), "");
   request["effect"]["scene"]["mesh"] = "mine.gltf";
   EXPECT_EQ(ask(engine, request)["hash"], expected["hash"]);
+  request["effect"]["scene"]["mesh"] = "torus:8";
+  EXPECT_NE(ask(engine, request)["hash"], expected["hash"]);
 }
 
 TEST(PlaygroundDraw, SaysWhereTheCameraIs) {
