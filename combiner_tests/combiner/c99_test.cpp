@@ -377,7 +377,8 @@ TEST(C99, FaultsAreThoseOfTheLibrary) {
       const int length = nbc_fault_text(&fault, &c_profile, text, sizeof text);
       ASSERT_LT(length, 200);
       EXPECT_EQ(static_cast<std::size_t>(length), std::strlen(text));
-      EXPECT_TRUE(expected[k].message.ends_with(text)) << expected[k].message << " / " << text;
+      const std::string& message = expected[k].message;
+      EXPECT_TRUE(message == text || message.ends_with(std::string(": ") + text)) << message << " / " << text;
     }
     faulty += expected.empty() ? 0 : 1;
   }
@@ -399,6 +400,25 @@ TEST(C99, AFaultsTextIsCutToItsSize) {
   nbc_fault_text(&fault, profile, whole, sizeof whole);
   EXPECT_STREQ(whole, "num_general_combiners is 3; profile geforce2 has 1 to 2");
   EXPECT_GT(nbc_fault_text(&fault, profile, nullptr, 0), 50);
+}
+
+TEST(C99, AProfileWithTooManyCombinersHasAsManyAsAStateHasRoomFor) {
+  nbc_profile c_profile = *nbc_find_profile("nv2a");
+  HardwareProfile profile = profiles::nv2a;
+  c_profile.general_combiners = profile.general_combiners.value = 16;
+  CombinerState state;
+  state.num_general_combiners = 9;
+  const std::vector<StateDiagnostic> faults = validate(state, profile);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].message, "num_general_combiners is 9; profile nv2a has 1 to 8");
+  const nbc_state c = in_c(state);
+  nbc_program program;
+  EXPECT_FALSE(nbc_compile(&c, &c_profile, &program));
+  nbc_fault fault{};
+  ASSERT_EQ(nbc_validate(&c, &c_profile, &fault, 1), 1);
+  char text[80];
+  nbc_fault_text(&fault, &c_profile, text, sizeof text);
+  EXPECT_EQ(text, faults[0].message);
 }
 
 // Words of a chip: some random bits in the words of a random valid state.
@@ -455,6 +475,7 @@ TEST(C99, RegisterWordsGiveTheSamePrograms) {
       const bool is_right = nbc_read_words(&words.c, chip == ChipClass::nv20 ? NBC_NV20 : NBC_NV10, &state);
       nbc_program program{};
       const bool is_valid = nbc_compile(&state, &c_profile, &program);
+      EXPECT_TRUE(is_right || !is_valid) << "case " << i;
       // The library also refuses bits that a chip has no meaning for.
       if (!expected) {
         refused += is_right && is_valid ? 0 : 1;
@@ -468,6 +489,51 @@ TEST(C99, RegisterWordsGiveTheSamePrograms) {
     EXPECT_GT(read, 3000);
     EXPECT_GT(refused, 50);
   }
+}
+
+TEST(C99, WordsOfANv10HaveNoConstantsOfStages) {
+  nbc_words words{};
+  nbc_state expected, state;
+  words.out_rgb[1] = 1U << 28;
+  ASSERT_TRUE(nbc_read_words(&words, NBC_NV10, &expected));
+  for (int i = 0; i < 8; ++i)
+    words.stage_color0[i] = words.stage_color1[i] = 0x11223344U * static_cast<unsigned>(i % 4);
+  words.out_rgb[1] |= 1U << 12 | 1U << 16;  // a dot product, a scale; in an NV20's RC_ENABLE, constants of each stage
+  ASSERT_TRUE(nbc_read_words(&words, NBC_NV10, &state));
+  for (int i = 0; i < 8; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_EQ(state.general[i].constant0[k], expected.general[i].constant0[k]);
+      EXPECT_EQ(state.general[i].constant1[k], expected.general[i].constant1[k]);
+    }
+  }
+}
+
+// What the words say that no chip has is not forgotten where a caller does.
+TEST(C99, WordsThatAreRefusedGiveAStateThatIsRefused) {
+  const auto compiles = [](const nbc_words& words, bool is_right) {
+    nbc_state state;
+    nbc_program program;
+    EXPECT_EQ(nbc_read_words(&words, NBC_NV20, &state), is_right);
+    return nbc_compile(&state, nbc_find_profile("nv2a"), &program);
+  };
+  nbc_words words{};
+  words.enable = 1;
+  EXPECT_TRUE(compiles(words, true));
+  for (const std::uint32_t count : {0U, 9U, 15U}) {
+    words.enable = count;
+    EXPECT_FALSE(compiles(words, false)) << count;
+  }
+  words.enable = 1;
+  for (std::uint32_t nbc_words::*const word : {&nbc_words::final0, &nbc_words::final1}) {
+    words.*word = 0x06000000;  // no register
+    EXPECT_FALSE(compiles(words, false));
+    words.*word = 0;
+  }
+  words.in_rgb[0] = 0x00070000;
+  EXPECT_FALSE(compiles(words, false));
+  words.in_rgb[0] = 0;
+  words.out_alpha[0] = 0x00000E00;  // an output cannot be the colour sum
+  EXPECT_FALSE(compiles(words, false));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace ninebit::rules {
 
-// What is wrong, in the order of kFaultTexts.
+// What is wrong; kFaultTexts has a sentence for each, in this order.
 enum class StateFault : std::uint8_t {
   wrong_combiner_count,
   no_stage_constants,
@@ -87,6 +87,11 @@ inline constexpr std::array<FaultText, 28> kFaultTexts{{
 // `Findings` collects faults: add(StateFault what, int about), and the places of those that follow: at_parameter(p),
 // at_variable(stage, portion, variable), at_output(stage, portion), at_final(variable).
 
+// How many general combiners a state may have. A profile that somebody changed may say more than there is room for.
+constexpr int most_combiners(const HardwareProfile& profile) {
+  return profile.general_combiners < kMaxGeneralCombiners ? profile.general_combiners.value : kMaxGeneralCombiners;
+}
+
 template <class Findings>
 constexpr void check_unit(Findings& findings, Register r, const HardwareProfile& profile) {
   if (is_texture(r) && texture_unit_of(r) >= profile.texture_units) {
@@ -96,7 +101,7 @@ constexpr void check_unit(Findings& findings, Register r, const HardwareProfile&
 
 template <class Findings>
 constexpr void check_combiner(Findings& findings, int stage, const HardwareProfile& profile) {
-  if (stage < 0 || stage >= profile.general_combiners) findings.add(StateFault::no_such_combiner, stage);
+  if (stage < 0 || stage >= most_combiners(profile)) findings.add(StateFault::no_such_combiner, stage);
 }
 
 // Variable A to D of a general combiner. A caller may have cast any number to the enumerations, and evaluation relies
@@ -193,7 +198,7 @@ constexpr void check_portion(Findings& findings, int stage, PortionName name, co
 template <class Findings>
 constexpr void check_state(Findings& findings, const CombinerState& state, const HardwareProfile& profile) {
   findings.at_parameter(StateParameter::num_general_combiners);
-  if (state.num_general_combiners < 1 || state.num_general_combiners > profile.general_combiners) {
+  if (state.num_general_combiners < 1 || state.num_general_combiners > most_combiners(profile)) {
     findings.add(StateFault::wrong_combiner_count, state.num_general_combiners);
   }
   findings.at_parameter(StateParameter::per_stage_constants);
@@ -204,7 +209,7 @@ constexpr void check_state(Findings& findings, const CombinerState& state, const
   if ((state.color_sum_invert_spare0 || state.color_sum_invert_secondary) && !profile.color_sum_inverts) {
     findings.add(StateFault::no_color_sum_inverts, 0);
   }
-  for (int i = 0; i < profile.general_combiners && i < kMaxGeneralCombiners; ++i) {
+  for (int i = 0; i < most_combiners(profile); ++i) {
     const GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
     check_portion(findings, i, PortionName::rgb, stage.rgb, profile);
     check_portion(findings, i, PortionName::alpha, stage.alpha, profile);

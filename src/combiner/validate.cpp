@@ -18,7 +18,7 @@ std::string text_of(std::string_view sentence, int about, const HardwareProfile&
     const std::size_t close = sentence.find('}');
     const std::string_view name = sentence.substr(1, close - 1);
     if (name == "profile") text += profile.name;
-    if (name == "combiners") text += std::to_string(profile.general_combiners.value);
+    if (name == "combiners") text += std::to_string(rules::most_combiners(profile));
     if (name == "units") text += std::to_string(profile.texture_units.value);
     if (name == "number") text += std::to_string(about);
     if (name == "register") text += name_of(static_cast<Register>(about));

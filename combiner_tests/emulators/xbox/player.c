@@ -1,6 +1,6 @@
 /* Plays the push buffer of the kit for an Xbox: an NV2A that has combiners, colours, fog and nearest texels of single
-   squares, and no more. Its combiners are ninebit_combiner.c. Every method goes to the file that the variable LOG names,
-   as xemu traces it. A method that it does not know, and a setting that it does not model, end the program. */
+   squares, and no more. Its combiners are ninebit_combiner.c. Every method goes to the file that the variable LOG
+   names, as xemu traces it. A method that it does not know, and a setting that it does not model, end the program. */
 #include <hal/debug.h>
 #include <hal/video.h>
 #include <math.h>
@@ -20,6 +20,57 @@ static uint32_t screen[HEIGHT][WIDTH], buffer[1024], registers[0x2000 / 4];
 static uint8_t *memory; /* of textures; offset 0 of the chip */
 static float attributes[16][4], square[4][16][4];
 static int vertices, loaded; /* of the square; words of the vertex program */
+
+/* What is not modelled has one value, which every draw needs. A method of a texture unit is that of unit 0. */
+static const struct {
+  uint32_t method, value;
+} fixed[] = {
+    {0x029C, 0x2601},     /* fog is linear */
+    {0x02A0, 6},          /* its coordinate is the vertex's */
+    {0x02A4, 1},          /* fog is on: its factor is in the register */
+    {0x0300, 0},          /* no alpha test */
+    {0x0304, 0},          /* no blending */
+    {0x0308, 0},          /* no culling */
+    {0x030C, 0},          /* no depth test */
+    {0x0310, 0},          /* no dither */
+    {0x0314, 0},          /* no lighting */
+    {0x0328, 0},          /* no skinning */
+    {0x032C, 0},          /* no stencil test */
+    {0x0358, 0x01010101}, /* all components are written */
+    {0x035C, 0},          /* and no depth */
+    {0x037C, 0x1D00},     /* flat */
+    {0x03B8, 1},          /* the secondary colour is the vertex's */
+    {0x09C8, 0},          /* the third number of the fog's */
+    {0x17BC, 0},          /* no logic operation */
+    {0x17F8, 0},          /* no clip planes */
+    {0x1B04, 0x0001122A}, /* 2D, one level, linear A8R8G8B8 */
+    {0x1B08, 0x00030303}, /* clamped to the edge */
+    {0x1B10, 64u << 16},  /* bytes a row */
+    {0x1B1C, 16u << 16 | 1},
+    {0x1E78, 0},  /* no stage reads another one's texel */
+    {0x1E94, 6},  /* a vertex program, private */
+    {0x1E98, 0},  /* that cannot write constants */
+    {0x1E9C, 0},  /* its first instruction goes to slot 0 */
+    {0x1EA0, 0}}; /* where it starts */
+enum { FIXED = sizeof fixed / sizeof fixed[0] };
+static bool is_set[0x2000 / 4];
+
+/* Ranges of methods whose values are modelled, with the first that is none of them. */
+static const uint32_t modelled[][2] = {{0x0260, 0x0280}, {0x0288, 0x0290}, {0x02A8, 0x02AC}, {0x09C0, 0x09C8},
+                                       {0x0A60, 0x0AE0}, {0x1E20, 0x1E28}, {0x1E40, 0x1E64}, {0x1E70, 0x1E74},
+                                       {0x17FC, 0x1800}, {0x1A00, 0x1B00}, {0x1B00, 0x1B04}, {0x1B0C, 0x1B10},
+                                       {0x1B14, 0x1B18}};
+
+/* The vertex program: MOV of an attribute to an output, for each output that has a meaning here. */
+static const uint32_t moves[8][4] = {
+    {0, 0x0020001B, 0x0836106C, 0x2070F800},  /* position */
+    {0, 0x0020061B, 0x0836106C, 0x2070F818},  /* primary colour: attribute 3 */
+    {0, 0x0020081B, 0x0836106C, 0x2070F820},  /* secondary colour: 4 */
+    {0, 0x00200A1B, 0x0836106C, 0x2070F828},  /* fog: 5 */
+    {0, 0x0020121B, 0x0836106C, 0x2070F848},  /* texture coordinates: 9 to 12 */
+    {0, 0x0020141B, 0x0836106C, 0x2070F850},
+    {0, 0x0020161B, 0x0836106C, 0x2070F858},
+    {0, 0x0020181B, 0x0836106C, 0x2070F861}}; /* the last one ends the program */
 static FILE *trace;
 
 static void fail(const char *what, uint32_t method, uint32_t value) {
@@ -71,9 +122,7 @@ static void read_texel(int unit, int16_t codes[4]) {
     codes[NBC_ALPHA] = 255;
     return;
   }
-  if (reg(0x1B04 + at) != 0x0001122A || reg(0x1B10 + at) >> 16 != 64 || (filter >> 16 & 0xFFF) != 0x101) {
-    fail("a texture that is not modelled", 0x1B04 + at, filter);
-  }
+  if ((filter >> 16 & 0xFFF) != 0x101) fail("a filter that is not modelled", 0x1B14 + at, filter);
   memcpy(&texel, memory + reg(0x1B00 + at) + 4 * (unsigned)attributes[9 + unit][0], sizeof texel);
   for (i = 0; i < 4; ++i) {
     const uint8_t byte = (uint8_t)(texel >> shifts[i]);
@@ -110,13 +159,51 @@ static void draw(void) {
   }
 }
 
+/* The methods of texture units 1 to 3 as those of unit 0. */
+static uint32_t of_unit0(uint32_t method) {
+  return method >= 0x1B00 && method < 0x1B00 + 64 * UNITS ? 0x1B00 + method % 64 : method;
+}
+
+static void check_setting(uint32_t method, uint32_t value) {
+  const uint32_t general = of_unit0(method);
+  size_t i;
+  if (method >= 0x0B00 && method < 0x0B80) {
+    if (loaded == 32 || value != moves[loaded / 4][loaded % 4]) fail("not the vertex program", method, value);
+    return;
+  }
+  for (i = 0; i < FIXED; ++i) {
+    if (fixed[i].method != general) continue;
+    if (fixed[i].value != value) fail("a setting that is not modelled", method, value);
+    return;
+  }
+  for (i = 0; i < sizeof modelled / sizeof modelled[0]; ++i) {
+    if (general >= modelled[i][0] && general < modelled[i][1]) return;
+  }
+  fail("a method that is not known", method, value);
+}
+
+/* Before a draw: all that is not modelled was set. */
+static void check_all_set(void) {
+  int i, unit;
+  for (i = 0; i < FIXED; ++i) {
+    const int units = fixed[i].method >= 0x1B00 && fixed[i].method < 0x1B40 ? UNITS : 1;
+    for (unit = 0; unit < units; ++unit) {
+      const uint32_t method = fixed[i].method + 64 * (uint32_t)unit;
+      if (!is_set[method / 4]) fail("a setting that nobody made", method, fixed[i].value);
+    }
+  }
+  if (loaded != 32) fail("words of the vertex program", 0x0B00, (uint32_t)loaded);
+}
+
 static void write_register(uint32_t method, uint32_t value) {
   if (trace != NULL && method != 0x1E70) {
     fprintf(trace, "nv2a_pgraph_method 0: 0x97 -> 0x%04x NV097_METHOD[0] 0x%x\n", (unsigned)method, (unsigned)value);
   } else if (trace != NULL) {
     fprintf(trace, "nv2a_pgraph_method 0: 0x97 -> 0x1e70 NV097_SET_SHADER_STAGE_PROGRAM[0] 0x%x\n", (unsigned)value);
   }
+  check_setting(method, value);
   registers[method / 4] = value;
+  is_set[method / 4] = true;
   if (method >= 0x0B00 && method < 0x0B80) {
     loaded += 1;
     return;
@@ -133,9 +220,8 @@ static void write_register(uint32_t method, uint32_t value) {
   if (method != 0x17FC) return;
   if (value == 0 && vertices != 4) fail("not four corners", method, (uint32_t)vertices);
   if (value == 0) draw();
-  if (value != 0 && (value != 8 || loaded != 32 || reg(0x1E94) != 6 || reg(0x0358) != 0x01010101)) {
-    fail("a draw that is not modelled", method, value);
-  }
+  if (value != 0 && value != 8) fail("a draw that is not modelled", method, value);
+  if (value != 0) check_all_set();
   vertices = 0;
 }
 

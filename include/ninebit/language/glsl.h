@@ -56,12 +56,13 @@ enum class PixelLanguage : std::uint8_t {
   hlsl       // Direct3D 10 and later: shader model 4
 };
 
-// The same function for emulators: a function a general combiner, in vectors of red, green and blue, and constants in
-// an array that the text declares, which has the elements of emit_glsl_with_uniform_constants. HLSL has it in a
-// `cbuffer FUNCTION_of_program`. Registers are a struct, FUNCTION_registers, which FUNCTION_stageN changes and
-// FUNCTION_final reads; stages that write nothing that is read have no function.
+// The same function for emulators: one function for each general combiner, in vectors of red, green and blue, and
+// constants in an array that the text declares, which has the elements of emit_glsl_with_uniform_constants. In HLSL,
+// vectors are int4, and the array is in a `cbuffer FUNCTION_of_program`. Registers are a struct, FUNCTION_registers,
+// which FUNCTION_stageN changes and FUNCTION_final reads; stages that write nothing that is read have no function.
 //
-// Programs that differ only in their constants give the same text, apart from comments.
+// Programs that differ only in their constants give the same text, apart from comments. Returns a Diagnostic as
+// emit_glsl does.
 [[nodiscard]] Result<std::string> emit_pixel_shader(const Program& program, PixelLanguage language,
                                                     std::string_view function = "ninebit_combine");
 

@@ -152,15 +152,44 @@ def profiles_text():
     return 'static const nbc_profile kProfiles[] = {\n' + ''.join(lines) + '};\n\n'
 
 
+def field_ranges():
+    """What a number of a profile may be, as the table of fields says: "0 to 4", "one to one + 1"."""
+    text = read('src/numerics/profile_fields.cpp')
+
+    def said(value):
+        value = re.sub(r'std::max\((.*), (.*)\)$', r'the higher of \1 and \2', value.replace('.value', ''))
+        return value.replace('p.', '')
+
+    functions = {name: (said(low), said(high)) for name, low, high in re.findall(
+        r'constexpr FieldNumbers (\w+)\(const HardwareProfile& p\) \{\n  return \{(.*), ([^,]*)\};\n\}', text)}
+    ranges = {}
+    for field, given in re.findall(r'number<&P::(\w+)>\("\w+", \w+, (numbers_of<-?\d+, -?\d+>|\w+),', text):
+        numbers = re.match(r'numbers_of<(-?\d+), (-?\d+)>', given)
+        if not numbers and given not in functions:
+            if field in PROFILE_FIELDS:
+                fail('profile_fields.cpp: cannot read the range of ' + field)
+            continue
+        low, high = numbers.groups() if numbers else functions[given]
+        ranges[field] = low if low == high else low + ' to ' + high
+    for field in ('one', 'lowest', 'lowest_output', 'half', 'expand_offset', 'byte_shift', 'general_combiners',
+                  'texture_units'):
+        if field not in ranges:
+            fail('profile_fields.cpp has no range of ' + field)
+    return ranges
+
+
 def profile_struct():
     path = NUMERICS + 'hardware_profile.h'
     body = re.search(r'\nstruct HardwareProfile \{\n(.*?)\n\};', read(path), re.S).group(1)
     text = ''
+    ranges = field_ranges()
     for field in PROFILE_FIELDS:
         found = re.search(r'Choice<(\w+)> ' + field + r';\s*//([^\n]*(?:\n {20,}//[^\n]*)*)', body)
         if not found:
             fail('HardwareProfile has no field ' + field)
         words = ' '.join(part.strip(' /') for part in found.group(2).split('\n'))
+        if ranges.get(field, words) not in words:
+            words += '; ' + ranges[field]
         text += with_comment('  ' + c_type(found.group(1))[0] + ' ' + field + ';', words)
     return text
 

@@ -70,6 +70,7 @@ WIDTH = 120
 # What comments name otherwise in C.
 SAID = (('compile() and normalize() make it', 'nbc_compile makes it'), ('compile() and normalize()', 'nbc_compile'),
         ('All of normalize() but `unset`.', ''), (' (portion_walk.h)', ''), (' (final_walk.h)', ''),
+        ('kFaultTexts has a sentence for each, in this order', 'nbc_fault_text has a sentence for each'),
         ('`Findings`', '`findings`'), ('·', '*'), ('²', '^2'), ('×', 'x'), ('…', '...'))
 
 

@@ -244,6 +244,12 @@ static void findings_add(nbc_findings *findings, nbc_fault_kind what, int about)
   ++findings->count;
 }
 
+/* How many general combiners a state may have. A profile that somebody changed may say more than there is room for. */
+static int most_combiners(const nbc_profile *profile) {
+  return profile->general_combiners < NBC_MAX_GENERAL_COMBINERS ? profile->general_combiners :
+      NBC_MAX_GENERAL_COMBINERS;
+}
+
 static void check_unit(nbc_findings *findings, nbc_register r, const nbc_profile *profile) {
   if (is_texture(r) && texture_unit_of(r) >= profile->texture_units) {
     findings_add(findings, NBC_FAULT_NO_SUCH_UNIT, (int)r);
@@ -251,7 +257,7 @@ static void check_unit(nbc_findings *findings, nbc_register r, const nbc_profile
 }
 
 static void check_combiner(nbc_findings *findings, int stage, const nbc_profile *profile) {
-  if (stage < 0 || stage >= profile->general_combiners) findings_add(findings, NBC_FAULT_NO_SUCH_COMBINER, stage);
+  if (stage < 0 || stage >= most_combiners(profile)) findings_add(findings, NBC_FAULT_NO_SUCH_COMBINER, stage);
 }
 
 /* Variable A to D of a general combiner. A caller may have cast any number to the enumerations, and evaluation
@@ -342,7 +348,7 @@ static void check_portion(nbc_findings *findings, int stage, nbc_portion_name na
 /* A whole state: the parameters, all general combiners that the chip has, the final combiner. */
 static void check_state(nbc_findings *findings, const nbc_state *state, const nbc_profile *profile) {
   findings_at_parameter(findings, NBC_PARAMETER_NUM_GENERAL_COMBINERS);
-  if (state->num_general_combiners < 1 || state->num_general_combiners > profile->general_combiners) {
+  if (state->num_general_combiners < 1 || state->num_general_combiners > most_combiners(profile)) {
     findings_add(findings, NBC_FAULT_WRONG_COMBINER_COUNT, state->num_general_combiners);
   }
   findings_at_parameter(findings, NBC_PARAMETER_PER_STAGE_CONSTANTS);
@@ -355,7 +361,7 @@ static void check_state(nbc_findings *findings, const nbc_state *state, const nb
   if ((state->color_sum_invert_spare0 || state->color_sum_invert_secondary) && !profile->color_sum_inverts) {
     findings_add(findings, NBC_FAULT_NO_COLOR_SUM_INVERTS, 0);
   }
-  for (int i = 0; i < profile->general_combiners && i < NBC_MAX_GENERAL_COMBINERS; ++i) {
+  for (int i = 0; i < most_combiners(profile); ++i) {
     const nbc_general *stage = &state->general[i];
     check_portion(findings, i, NBC_PORTION_RGB, &stage->rgb, profile);
     check_portion(findings, i, NBC_PORTION_ALPHA, &stage->alpha, profile);
@@ -1061,7 +1067,7 @@ int nbc_fault_text(const nbc_fault *fault, const nbc_profile *profile, char to[]
       continue;
     }
     if (begins_with(at, "{profile}")) put_text(&text, profile->name);
-    if (begins_with(at, "{combiners}")) put_number(&text, profile->general_combiners);
+    if (begins_with(at, "{combiners}")) put_number(&text, most_combiners(profile));
     if (begins_with(at, "{units}")) put_number(&text, profile->texture_units);
     if (begins_with(at, "{number}")) put_number(&text, fault->about);
     if (begins_with(at, "{register}")) put_name(&text, registers, 15, fault->about);
@@ -1121,12 +1127,12 @@ static bool read_register(uint32_t code, nbc_chip chip, bool is_final0, nbc_regi
   return true;
 }
 
-/* The variable whose byte begins at bit `low`. */
+/* The variable whose byte begins at bit `low`. A register that the chip does not have is NBC_DISCARD. */
 static bool read_variable(uint32_t word, int low, nbc_chip chip, bool is_final0, bool scalar, int mapping_bits,
                           nbc_input *input) {
-  if (!read_register(bits(word, low, 4), chip, is_final0, &input->reg)) return false;
+  input->reg = NBC_DISCARD;
   read_input(word, low, scalar, mapping_bits, input);
-  return true;
+  return read_register(bits(word, low, 4), chip, is_final0, &input->reg);
 }
 
 static bool read_portion(uint32_t in, uint32_t out, nbc_chip chip, bool rgb, nbc_portion *portion) {
@@ -1140,7 +1146,7 @@ static bool read_portion(uint32_t in, uint32_t out, nbc_chip chip, bool rgb, nbc
   read_output(out, rgb, chip == NBC_NV20, &portion->out);
   for (k = 0; k < 3; ++k) {
     const uint32_t code = bits(out, shifts[k], 4);
-    *to[k] = NBC_DISCARD;
+    *to[k] = code != 0 ? NBC_ZERO : NBC_DISCARD; /* zero cannot be written */
     if (code != 0) is_right = read_register(code, chip, false, to[k]) && is_right;
   }
   return is_right;
@@ -1171,14 +1177,16 @@ bool nbc_read_words(const nbc_words *words, nbc_chip chip, nbc_state *state) {
     is_right = read_portion(words->in_rgb[i], words->out_rgb[i], chip, true, &stage->rgb) && is_right;
     is_right = read_portion(words->in_alpha[i], words->out_alpha[i], chip, false, &stage->alpha) && is_right;
     muxes = muxes || (i < count && (output_has_mux(&stage->rgb.out) || output_has_mux(&stage->alpha.out)));
-    color_of(words->stage_color0[bits(control, kNv20Unique0Bit, 1) != 0 ? i : 0], stage->constant0);
-    color_of(words->stage_color1[bits(control, kNv20Unique1Bit, 1) != 0 ? i : 0], stage->constant1);
+    if (nv20) {
+      color_of(words->stage_color0[bits(control, kNv20Unique0Bit, 1) != 0 ? i : 0], stage->constant0);
+      color_of(words->stage_color1[bits(control, kNv20Unique1Bit, 1) != 0 ? i : 0], stage->constant1);
+    }
   }
   is_right = read_final(words, chip, &state->final_combiner) && is_right;
   read_final_flags(words->final1, state);
   color_of(words->color[0], state->constant0);
   color_of(words->color[1], state->constant1);
-  if (count >= 1 && count <= stages) state->num_general_combiners = count;
+  state->num_general_combiners = count;
   state->per_stage_constants = nv20;
   state->mux_by_lowest_bit = muxes && bits(control, nv20 ? kNv20MuxMsbBit : kNv10MuxMsbBit, 1) == 0;
   return is_right;

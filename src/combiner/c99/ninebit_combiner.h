@@ -7,8 +7,8 @@
      nbc_state state;
      nbc_program program;
      int16_t registers[NBC_REGISTERS][4] = {{0}}, color[4];
-     nbc_default_state(&state);                         or nbc_read_words(&words, NBC_NV20, &state)
-     if (!nbc_compile(&state, nbc_find_profile("nv2a"), &program)) ...
+     if (!nbc_read_words(&words, NBC_NV20, &state) ||   or nbc_default_state(&state), which cannot fail
+         !nbc_compile(&state, nbc_find_profile("nv2a"), &program)) {...}
      registers[NBC_TEXTURE0][NBC_RED] = 201;            codes: 255 is 1.0
      nbc_evaluate(&program, registers, color);
 
@@ -122,15 +122,17 @@ enum {
   NBC_NARROW_BEFORE_SCALE /* the biased sum is narrowed to a whole code, then scaled */
 };
 
-/* What a chip has and how it computes. A value: copy one and change a field to try a "what if". */
+/* What a chip has and how it computes. A value: copy one and change a field to try a "what if". Numbers must be in the
+   ranges that stand beside them: nbc_validate does not look at the profile. */
 typedef struct nbc_profile {
   const char *name;
-  int one; /* the code of 1.0 */
-  int lowest; /* the lowest code that a register can hold before the first stage */
-  int lowest_output; /* the lowest code that a general combiner writes; at least `lowest` */
-  int half; /* bias of one half, half-bias mapping, mux threshold */
-  int expand_offset; /* the expanding mappings give 2v - this */
-  int byte_shift; /* number of low bits of a byte (texel, colour, constant) that a register drops */
+  int one; /* the code of 1.0; 255 >> byte_shift */
+  int lowest; /* the lowest code that a register can hold before the first stage; -one - 1 to -one */
+  /* the lowest code that a general combiner writes; at least `lowest`; the higher of lowest and -one - 1 to -one */
+  int lowest_output;
+  int half; /* bias of one half, half-bias mapping, mux threshold; 0 to one */
+  int expand_offset; /* the expanding mappings give 2v - this; one to one + 1 */
+  int byte_shift; /* number of low bits of a byte (texel, colour, constant) that a register drops; 0 to 4 */
   nbc_narrowing general_narrowing; /* of a general combiner's outputs */
   nbc_narrowing_point narrowing_point; /* of a general combiner's outputs */
   nbc_narrowing final_narrowing; /* of A*B + (1 - A)*C and of E*F */
@@ -257,7 +259,7 @@ enum {
   NBC_PARAMETER_COLOR_SUM_INVERTS
 };
 
-/* What is wrong, in the order of kFaultTexts. */
+/* What is wrong; nbc_fault_text has a sentence for each. */
 typedef uint8_t nbc_fault_kind;
 enum {
   NBC_FAULT_WRONG_COMBINER_COUNT,
@@ -348,7 +350,8 @@ typedef struct nbc_words {
 } nbc_words;
 
 /* Reads the state of a chip's words. false: a word has a register code or a number of stages that the chip does not
-   have; what else the words say is in the state. */
+   have. Then nbc_compile with a profile of the chip refuses the state, too: it has what else the words say, and
+   NBC_DISCARD as an input, NBC_ZERO as an output, or the number. */
 bool nbc_read_words(const nbc_words *words, nbc_chip chip, nbc_state *state);
 
 /* ---- Many fragments ------------------------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ struct Words {
   std::string_view int3, int4;     // types
   std::string_view open, close;    // around the array of constants
   std::string_view splat;          // a number as a vector: what stands before it
-  std::string_view make4, split4;  // a vector and a number as four: what stands before them, and after
+  std::string_view make4, close4;  // a vector and a number as four: what stands before them, and after
 };
 
 Words words_of(PixelLanguage language) {
@@ -260,7 +260,7 @@ class Writer {
     printer.prepare(rgb, "rgb");
     printer.prepare(alpha, "a");
     printer.statement("return " + std::string(words_.make4) + printer.vector(rgb) + ", " + printer.whole(alpha) +
-                      std::string(words_.split4));
+                      std::string(words_.close4));
     finish(printer, function.graph());
     return "\n" + std::string(words_.int4) + ' ' + name_ + "_final(" + name_ + "_registers r) {\n" + printer.out() +
            "}\n";

@@ -52,8 +52,10 @@ enum {
   SET_TRANSFORM_PROGRAM_LOAD = 0x1E9C,
   SET_TRANSFORM_PROGRAM_START = 0x1EA0
 };
-enum { POSITION = 0, DIFFUSE = 3, SPECULAR = 4, FOG_COORDINATE = 5, TEXTURE0 = 9 }; /* vertex attributes */
-enum { FOG, PRIMARY, SECONDARY, SPARE0, SPARE1, UNIT0, CODES = 36 };                /* registers of an input, 4 codes each */
+/* Vertex attributes. */
+enum { POSITION = 0, DIFFUSE = 3, SPECULAR = 4, FOG_COORDINATE = 5, TEXTURE0 = 9 };
+/* Registers of an input, 4 codes each. */
+enum { FOG, PRIMARY, SECONDARY, SPARE0, SPARE1, UNIT0, CODES = 36 };
 enum { UNITS = 4, MOST_FRAGMENTS = 16, CELL = 16, UNIT_BYTES = 256 };
 
 /* A register's word that is not 0. */

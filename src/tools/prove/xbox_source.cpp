@@ -77,9 +77,17 @@ class Tables {
   int program_count_ = 0;
 };
 
-std::vector<std::uint32_t> methods_of(const VectorPack& pack) {
+Diagnostic no_method(const std::string& name) {
+  return {.message = "no method sets " + name};
+}
+
+Result<std::vector<std::uint32_t>> methods_of(const VectorPack& pack) {
   std::vector<std::uint32_t> methods;
-  for (const std::string& name : pack.word_names) methods.push_back(reglog::number_of(name, pack.chip).value_or(0));
+  for (const std::string& name : pack.word_names) {
+    const auto method = reglog::number_of(name, pack.chip);
+    if (!method) return no_method(name);
+    methods.push_back(*method);
+  }
   return methods;
 }
 
@@ -91,7 +99,12 @@ RegisterFile registers_of(const Discriminator& program, const HardwareProfile& p
     if (program.texture_off[unit]) continue;
     in.texture[unit].emplace().value.fill(static_cast<std::uint8_t>(program.bytes[unit]));
   }
-  return initial_registers(profile, in);
+  RegisterFile registers = initial_registers(profile, in);
+  // The texel of a unit that is off has no alpha, where the chip gives 1: so the colour shows whether it is off.
+  for (std::size_t unit = 0; unit < 2; ++unit) {
+    if (program.texture_off[unit]) registers[texture_register(static_cast<int>(unit))] = {};
+  }
+  return registers;
 }
 
 Status add_kit(const ChipKit& kit, const VectorPack& pack, Tables& tables) {
@@ -102,6 +115,7 @@ Status add_kit(const ChipKit& kit, const VectorPack& pack, Tables& tables) {
     std::vector<std::uint32_t> words(pack.word_names.size());
     for (const RegisterWord& word : *encoded) {
       const auto at = std::find(pack.word_names.begin(), pack.word_names.end(), word.name);
+      if (at == pack.word_names.end()) return no_method(word.name);
       words[static_cast<std::size_t>(at - pack.word_names.begin())] = word.value;
     }
     const auto off = std::find(program.texture_off.begin(), program.texture_off.end(), true);
@@ -177,7 +191,9 @@ Result<std::string> xbox_source(const ChipKit& kit, const VectorPack& pack) {
   add_pack(pack, tables);
   std::string text(kXboxKitText);
   const std::size_t begin = text.find("/* ROWS"), end = text.find('\n', begin);
-  text.replace(begin, end - begin, tables.text(methods_of(pack), pack.id));
+  const auto methods = methods_of(pack);
+  if (!methods) return methods.error();
+  text.replace(begin, end - begin, tables.text(*methods, pack.id));
   return "/* Made by `ninebit prove kit --family nv2a --target xbox`; README.md beside it says how to use it. */\n" +
          text;
 }
