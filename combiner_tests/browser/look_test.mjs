@@ -276,6 +276,34 @@ test('pictures, effects and animations are saved', async () => {
   await page.close();
 });
 
+test('an archive has the profile and the room, and its files draw what the page shows', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'fog');
+  await page.evaluate(() => globalThis.ninebit.store.change('profile', (state) => { state.profile = 'nv2a'; }));
+  const files = await page.evaluate(async () => (await globalThis.ninebit.page.save.files()).map(([name, bytes]) => [name, new TextDecoder().decode(bytes)]));
+  const texts = new Map(files);
+  assert.equal(JSON.parse(texts.get('effect.json')).profile, 'nv2a');
+  assert.equal(texts.get('index_room.gltf'), readFileSync(`${root}/scenes/index_room.gltf`, 'utf8'));
+  await page.close();
+});
+
+test('while an effect plays, the usual picture is shown without marks', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'dot3_specular');
+  await page.select('#mark-losses', 'truncated');
+  await page.waitForFunction(() => !globalThis.ninebit.page.losses.layer.hidden);
+  await page.click('#flip');
+  await page.click('#play');
+  await page.waitForFunction(() => globalThis.ninebit.page.live.moment.frame >= 3);
+  assert.equal(await page.evaluate(() => globalThis.ninebit.page.flip.on), false);
+  assert.equal(await page.evaluate(() => globalThis.ninebit.page.losses.layer.hidden), true);
+  await page.click('#flip');
+  assert.equal(await page.evaluate(() => globalThis.ninebit.page.clock.playing), false);
+  await page.waitForFunction(() => !globalThis.ninebit.page.losses.layer.hidden);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
 test('the editor completes an effect by its schema', async () => {
   const page = await openPage(browser);
   await page.select('#file-choice select', 'effect.json');

@@ -18,7 +18,7 @@ using effect_detail::moving_number;
 double number(const std::string& text, const EffectMoment& moment = {}) {
   const auto found = moving_number(text, moment);
   EXPECT_TRUE(found) << text << ": " << found.error().message;
-  return found ? *found : std::nan("");
+  return found ? found->value : std::nan("");
 }
 
 TEST(MovingNumber, HasTheUsualPrecedence) {
@@ -27,6 +27,44 @@ TEST(MovingNumber, HasTheUsualPrecedence) {
   EXPECT_EQ(number("8 / 4 / 2"), 1.0);
   EXPECT_EQ(number("1e2 + .5"), 100.5);
   EXPECT_EQ(number("--2"), 2.0);
+  EXPECT_EQ(number("1\t+\r\n2"), 3.0);
+}
+
+TEST(MovingNumber, TakesNumbersBelowTheSmallestAsZero) {
+  for (const std::string& tiny :
+       std::vector<std::string>{"2e-400", "123456e-500", "0.5e-99999999999", "0." + std::string(400, '0') + "1"}) {
+    EXPECT_EQ(number(tiny), 0.0) << tiny;
+  }
+  for (const std::string& huge :
+       std::vector<std::string>{"1e400", "0.5e+99999999999", "0.0001e400", std::string(400, '9')}) {
+    EXPECT_FALSE(moving_number(huge, {})) << huge;
+  }
+}
+
+TEST(MovingNumber, SaysWhetherItMoves) {
+  for (const std::string moving : {"time", "0 * frame", "sin(1 + time)"}) {
+    const auto found = moving_number(moving, {});
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->moves) << moving;
+  }
+  const auto still = moving_number("60 * cos(pi / 3)", {.time = 1.0, .frame = 2});
+  ASSERT_TRUE(still);
+  EXPECT_FALSE(still->moves);
+}
+
+TEST(MovingNumber, CountsParenthesesAndSigns) {
+  for (const std::string outer : {"(", "-", "abs("}) {
+    const auto nested = [&](int count) {
+      std::string text;
+      for (int i = 0; i < count; ++i) text += outer;
+      text += '1';
+      return outer == "-" ? text : text + std::string(static_cast<std::size_t>(count), ')');
+    };
+    EXPECT_TRUE(moving_number(nested(50), {})) << outer;
+    const auto deep = moving_number(nested(51), {});
+    ASSERT_FALSE(deep) << outer;
+    EXPECT_EQ(deep.error().message, "has more than 50 parentheses, functions and minus signs inside each other");
+  }
 }
 
 TEST(MovingNumber, ReadsTimeAndFrame) {
@@ -79,7 +117,9 @@ TEST(MovingEffect, IsReadAtItsMoment) {
 TEST(MovingEffect, ReportsNumbersOutOfRangeAndOtherStrings) {
   const auto far = parse_effect({effect_text("\"time\""), "moving"}, {.time = 2.0});
   ASSERT_FALSE(far);
-  EXPECT_NE(far.faults()[0].message.find("is out of range; expected a number from 0 to 1"), std::string::npos);
+  EXPECT_NE(far.faults()[0].message.find("\"time\" is 2 at time 2, frame 0; expected a number from 0 to 1"),
+            std::string::npos)
+      << far.faults()[0].message;
   const auto word = parse_effect({effect_text("\"tim\""), "moving"});
   ASSERT_FALSE(word);
   EXPECT_NE(word.faults()[0].message.find("\"tim\" is wrong at character 1; expected numbers, time"), std::string::npos)
@@ -91,6 +131,11 @@ TEST(MovingEffect, DoesNotMoveWithoutExpressions) {
   const auto effect = parse_effect({still, "still"});
   ASSERT_TRUE(effect);
   EXPECT_FALSE(effect->moves);
+  const auto constant = parse_effect({R"({"ninebit": "effect", "version": 1, "scene": {"mesh": "cube", "fov": "60"},
+    "passes": [{"primary": "constant:1,0,0"}]})",
+                                      "constant"});
+  ASSERT_TRUE(constant) << constant.faults()[0].text();
+  EXPECT_FALSE(constant->moves);
 }
 
 EffectReaders one_program() {

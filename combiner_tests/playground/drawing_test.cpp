@@ -56,6 +56,29 @@ TEST(PlaygroundDraw, GivesThePictureFromTheTop) {
   EXPECT_EQ((std::vector<int>{bytes[0], bytes[1], bytes[2]}), (std::vector<int>{255, 128, 64}));
 }
 
+// As a file that was put, the room that the engine gives draws what its own does.
+TEST(PlaygroundDraw, GivesTheRoomOfTheGallery) {
+  Engine engine;
+  PageJson request = draw_request();
+  request["files"]["mine.gl"] = "!!RC1.0\nout.rgb = col0;\nout.a = unsigned_invert(zero);\n";
+  request["effect"]["scene"] = {{"mesh", "index_room.gltf"}};
+  request["effect"]["passes"][0]["units"] = PageJson::array();
+  request["effect"]["passes"][0]["primary"] = "lambert";
+  const PageJson expected = ask(engine, request);
+  ASSERT_EQ(fault_of_answer(expected), "");
+  const PageJson room = ask(engine, {{"do", "room"}});
+  EXPECT_EQ(room["name"], "index_room.gltf");
+  ASSERT_EQ(room["bytes"], engine.bytes().size());
+  const std::vector<std::uint8_t> content(engine.bytes().begin(), engine.bytes().end());
+  const auto buffer = engine.buffer(content.size());
+  std::copy(content.begin(), content.end(), buffer.begin());
+  ASSERT_EQ(fault_of_answer(ask(engine, {{"do", "put"}, {"name", "mine.gltf"}, {"kind", "file"}})), "");
+  request["effect"]["scene"]["mesh"] = "mine.gltf";
+  EXPECT_EQ(ask(engine, request)["hash"], expected["hash"]);
+  request["effect"]["scene"]["mesh"] = "torus:8";
+  EXPECT_NE(ask(engine, request)["hash"], expected["hash"]);
+}
+
 TEST(PlaygroundDraw, SaysWhereTheCameraIs) {
   Engine engine;
   PageJson request = draw_request();

@@ -95,6 +95,47 @@ TEST(PlaygroundSweep, ReadsARegisterAfterItsStage) {
   EXPECT_NE(fault_of_answer(ask(engine, request)).find("the program has 2 general combiners"), std::string::npos);
 }
 
+// An engine that has drawn a program on one texel.
+void draw_texel(Engine& engine, const std::vector<std::uint8_t>& rgba, std::string_view program) {
+  const auto buffer = engine.buffer(4);
+  std::copy(rgba.begin(), rgba.end(), buffer.begin());
+  ask(engine, {{"do", "put"}, {"name", "a.png"}, {"kind", "pixels"}, {"width", 1}, {"height", 1}});
+  PageJson request = draw_request();
+  request["effect"]["textures"]["squares"]["source"] = "a.png";
+  request["files"]["mine.gl"] = program;
+  ASSERT_EQ(fault_of_answer(ask(engine, request)), "");
+}
+
+TEST(PlaygroundSweep, MarksAByteOnlyIfAllComponentsHaveIt) {
+  Engine engine;
+  draw_texel(engine, {10, 200, 30, 255}, kTexelTimesColor);
+  EXPECT_TRUE(sweep(engine, "tex0.rgb", "out.g")["curves"][0]["at"].is_null());
+  EXPECT_EQ(sweep(engine, "tex0.g", "out.g")["curves"][0]["at"], 200);
+  EXPECT_EQ(sweep(engine, "tex0.r", "out.g")["curves"][0]["at"], 10);
+  draw_texel(engine, {200, 200, 200, 255}, kTexelTimesColor);
+  EXPECT_EQ(sweep(engine, "tex0.rgb", "out.g")["curves"][0]["at"], 200);
+}
+
+// Spare 0 begins with the alpha of texture 0.
+TEST(PlaygroundSweep, SweepsTheAlphaThatSpare0IsLoadedFrom) {
+  Engine engine;
+  draw_texel(engine, {10, 200, 30, 77}, R"(!!RC1.0
+{
+  rgb {
+    spare1 = spare0.a;
+  }
+}
+out.rgb = spare1;
+out.a = spare0;
+)");
+  const PageJson curve = sweep(engine, "tex0.a", "out.r")["curves"][0];
+  EXPECT_EQ(curve["at"], 77);
+  for (std::size_t byte = 0; byte < 256; ++byte) EXPECT_EQ(curve["codes"][byte], byte);
+  const PageJson other = sweep(engine, "tex0.g", "out.r")["curves"][0];
+  EXPECT_EQ(other["codes"][0], 77);
+  EXPECT_EQ(other["codes"][255], 77);
+}
+
 TEST(PlaygroundSweep, ComparesProfilesAndLeavesTheDrawing) {
   Engine engine;
   ASSERT_EQ(fault_of_answer(ask(engine, draw_request())), "");
@@ -193,6 +234,19 @@ TEST(PlaygroundTime, MovesAnEffect) {
   EXPECT_EQ(ask(engine, request)["hash"], still["hash"]);
   request["time"] = "late";
   EXPECT_NE(fault_of_answer(ask(engine, request)).find("number of seconds"), std::string::npos);
+}
+
+// The renderer's messages name its profile, long after the request with the profile's text has gone.
+TEST(PlaygroundDraw, KeepsTheNameOfAProfileOfOnesOwn) {
+  const std::string name(60, 'n');
+  PageJson request = draw_request();
+  request["profile"] = {{"base", "geforce2"}, {"name", name}};
+  Engine engine;
+  for (int drawing = 0; drawing < 3; ++drawing) EXPECT_EQ(ask(engine, request)["profile"], name);
+  request["effect"]["passes"][0]["polygon_mode"] = "point";
+  request["effect"]["passes"][0]["units"][0]["coordinates"] = "point-sprite";
+  const std::string message = fault_of_answer(ask(engine, request));
+  EXPECT_NE(message.find(name), std::string::npos) << message;
 }
 
 // What the drawing before leaves does not change a picture.

@@ -336,6 +336,10 @@ TEST(Draw, WarnsOfWhatOneMayNotExpect) {
   const Json drawn = json_of(ninebit(draw(kSepia, folder / "p.png", {"--size", "8x8", "--json"})));
   ASSERT_EQ(drawn["warnings"].size(), 1U);
   EXPECT_NE(drawn["warnings"][0].get<std::string>().find("texture unit 0"), std::string::npos);
+  const Json still = json_of(
+      ninebit(draw(NINEBIT_SOURCE_DIR "/scenes/effects/sepia.json", folder / "p.png", {"--frame", "2", "--json"})));
+  ASSERT_EQ(still["warnings"].size(), 1U) << still["warnings"];
+  EXPECT_NE(still["warnings"][0].get<std::string>().find("--frame has no effect: no number of"), std::string::npos);
   // A target has no mip-maps, so that a filter that reads them switches the unit off, as OpenGL does.
   write_bytes(folder / "invert.rc1", "!!RC1.0\nout.rgb = unsigned_invert(tex0);\n");
   for (const char* filter : {"linear", "trilinear"}) {

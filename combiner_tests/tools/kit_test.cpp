@@ -298,7 +298,7 @@ TEST_F(Kit, TheXboxsStreamGivesTheColorsOfThePack) {
     const bool is_there = std::any_of(programs.begin(), programs.end(), [&](const WordsOfProgram& words) {
       for (const auto& [name, value] : row["words"].items()) {
         const auto word = words.find(name);
-        if (std::stoul(value.get<std::string>(), nullptr, 16) != (word == words.end() ? 0 : word->second)) return false;
+        if (std::stoul(std::string(value), nullptr, 16) != (word == words.end() ? 0 : word->second)) return false;
       }
       return true;
     });

@@ -38,6 +38,19 @@ TEST(TraceEffect, APixel) {
                {"index_room.gltf: this is a glTF scene; `ninebit render` draws it"});
 }
 
+// The moment of an effect that moves, and of one that does not.
+TEST(TraceEffect, AMoment) {
+  const auto trace = [](const std::string& effect, const std::string& flag) {
+    const Outcome traced = ninebit({"trace", "--effect", kFolder + effect, "--pixel", "60,128", "--json", flag, "1.5"});
+    EXPECT_EQ(traced.code, 0) << traced.err;
+    return traced.err;
+  };
+  EXPECT_EQ(trace("dot3_specular.json", "--time").find("has no effect"), std::string::npos);
+  const std::string warned = trace("toon.json", "--time");
+  EXPECT_NE(warned.find("--time has no effect: no number of"), std::string::npos) << warned;
+  EXPECT_NE(warned.find("toon.json depends on time or frame"), std::string::npos) << warned;
+}
+
 // The stages before the combiners, and what they did to the fragment.
 TEST(TraceEffect, TextureShaders) {
   const auto pixel_of = [](const std::string& effect, const std::string& at) {

@@ -21,13 +21,21 @@ void EffectReader::check_file(const Value& value, const std::string& name) {
 }
 
 void EffectReader::real(const Value& value, double lowest, double highest, float& into, Numbers numbers) {
+  const auto shown = [](double shown_number) {
+    std::array<char, 32> digits{};
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), shown_number);
+    return std::string(digits.data(), written.ptr);
+  };
   double number = 0.0;
   bool is_number = false;
+  std::string found = " is out of range";
   if (value.type == Type::string && numbers == Numbers::moving) {
     const auto moving = moving_number(value.text, moment_);
     if (!moving) return read_.fault(value.offset, json::in_quotes(value.text) + ' ' + moving.error().message);
-    number = *moving;
-    is_number = moves_ = true;
+    number = moving->value;
+    is_number = true;
+    moves_ = moves_ || moving->moves;
+    found = " is " + shown(number) + " at time " + shown(moment_.time) + ", frame " + std::to_string(moment_.frame);
   } else if (value.type == Type::number) {
     const char* const end = value.text.data() + value.text.size();
     const auto [stop, error] = std::from_chars(value.text.data(), end, number);
@@ -37,13 +45,8 @@ void EffectReader::real(const Value& value, double lowest, double highest, float
                             numbers == Numbers::moving ? "a number, or a string with an expression" : "a number");
   }
   if (!is_number || !std::isfinite(number) || number < lowest || number > highest) {
-    const auto shown = [](double limit) {
-      std::array<char, 32> digits{};
-      const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), limit);
-      return std::string(digits.data(), written.ptr);
-    };
-    return read_.fault(value.offset, json::in_quotes(value.text) + " is out of range; expected a number from " +
-                                         shown(lowest) + " to " + shown(highest));
+    return read_.fault(value.offset, json::in_quotes(value.text) + found + "; expected a number from " + shown(lowest) +
+                                         " to " + shown(highest));
   }
   into = static_cast<float>(number);
 }

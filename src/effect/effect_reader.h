@@ -47,7 +47,7 @@ class EffectReader {
   // An array of so many numbers, or from `fewest` on; returns how many there are, 0 after a fault.
   std::size_t reals(const json::Value& value, std::size_t fewest, double lowest, double highest, std::span<float> into,
                     Numbers numbers = Numbers::fixed);
-  // Whether a number was an expression.
+  // Whether a number depends on the moment.
   [[nodiscard]] bool moves() const { return moves_; }
   // Three coordinates, which may move.
   void point(const json::Value& value, std::optional<glm::vec3>& into);

@@ -1,5 +1,6 @@
 #include "src/effect/moving_number.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMostCharacters = 1000;
-constexpr int kDeepest = 50;  // parentheses, functions and signs inside each other
+constexpr int kDeepest = 50;  // parentheses, functions and minus signs inside each other
 
 // sin(2 pi turns), with an error below 1e-11.
 double sine_of_turns(double turns) {
@@ -46,8 +47,33 @@ constexpr std::array kFunctions{
     Function{"max", 2, [](double x, double y) { return x > y ? x : y; }},
 };
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+// Whether a number that is out of a double's range is too small, not too large.
+bool is_tiny(std::string_view number) {
+  long long magnitude = 0;  // how many digits before the point, from the first that is not 0; below 0: zeros behind it
+  bool begun = false, behind_point = false;
+  std::size_t i = 0;
+  for (; i < number.size() && (is_digit(number[i]) || number[i] == '.'); ++i) {
+    begun = begun || (number[i] != '0' && number[i] != '.');
+    if (number[i] == '.') {
+      behind_point = true;
+    } else if (begun != behind_point) {
+      magnitude += begun ? 1 : -1;
+    }
+  }
+  const std::string_view exponent = number.substr(std::min(i + 1, number.size()));
+  if (exponent.empty()) return magnitude < 1;
+  int power = 0;
+  const char* const first = exponent.data() + (exponent[0] == '+' ? 1 : 0);
+  const auto [end, error] = std::from_chars(first, exponent.data() + exponent.size(), power);
+  return error == std::errc{} ? magnitude + power < 1 : exponent[0] == '-';
 }
 
 // Reads by descent; after the first fault nothing more is read.
@@ -55,19 +81,20 @@ class Expression {
  public:
   Expression(std::string_view text, const EffectMoment& moment) : length_(text.size()), rest_(text), moment_(moment) {}
 
-  Result<double> value() {
+  Result<MovingNumber> value() {
     const double found = sum();
     (void)next();
     if (!rest_.empty()) refuse();
     if (!fault_.empty()) return Diagnostic{.message = fault_};
     if (!std::isfinite(found)) return Diagnostic{.message = "is not a finite number at this time"};
-    return found;
+    return MovingNumber{found, moves_};
   }
 
  private:
-  // The next character that is not a space; '\0' at the end and after a fault.
+  // The next character that is not a blank; '\0' at the end and after a fault.
   char next() {
-    while (!rest_.empty() && rest_[0] == ' ') rest_.remove_prefix(1);
+    while (!rest_.empty() && std::string_view(" \t\r\n").find(rest_[0]) != std::string_view::npos)
+      rest_.remove_prefix(1);
     return rest_.empty() || !fault_.empty() ? '\0' : rest_[0];
   }
 
@@ -114,8 +141,11 @@ class Expression {
   }
 
   double factor() {
-    if (depth_ == kDeepest) {
-      if (fault_.empty()) fault_ = "has more than " + std::to_string(kDeepest) + " parentheses inside each other";
+    if (depth_ > kDeepest) {
+      if (fault_.empty()) {
+        fault_ =
+            "has more than " + std::to_string(kDeepest) + " parentheses, functions and minus signs inside each other";
+      }
       return 0.0;
     }
     ++depth_;
@@ -135,11 +165,16 @@ class Expression {
   double number() {
     // from_chars would take "inf", "nan" and a sign.
     const char first = next();
-    if ((first < '0' || first > '9') && first != '.') return refuse();
+    if (!is_digit(first) && first != '.') return refuse();
     double value = 0.0;
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc{}) return refuse();
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    const std::string_view read = rest_.substr(0, static_cast<std::size_t>(end - rest_.data()));
+    if (error == std::errc::result_out_of_range && is_tiny(read)) {
+      value = 0.0;
+    } else if (error != std::errc{}) {
+      return refuse();
+    }
+    rest_.remove_prefix(read.size());
     return value;
   }
 
@@ -152,6 +187,7 @@ class Expression {
     }
     const double value = name == "time" ? moment_.time : name == "frame" ? static_cast<double>(moment_.frame) : kPi;
     if (name != "time" && name != "frame" && name != "pi") return refuse();
+    moves_ = moves_ || name != "pi";
     rest_.remove_prefix(length);
     return value;
   }
@@ -173,11 +209,12 @@ class Expression {
   const EffectMoment& moment_;
   std::string fault_{};
   int depth_ = 0;
+  bool moves_ = false;
 };
 
 }  // namespace
 
-Result<double> moving_number(std::string_view text, const EffectMoment& moment) {
+Result<MovingNumber> moving_number(std::string_view text, const EffectMoment& moment) {
   if (text.size() > kMostCharacters) {
     return Diagnostic{.message = "has " + std::to_string(text.size()) + " characters; expected at most " +
                                  std::to_string(kMostCharacters)};

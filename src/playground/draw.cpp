@@ -85,8 +85,11 @@ Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptio
   }
   ShelfReaders shelf_readers(what.files, shelf);
   shelf_readers.reuse(std::exchange(kept.textures, {}));
-  if (!kept.profile.is_same(what.profile)) kept.renderer.reset();
-  kept.profile = what.profile;
+  if (!kept.profile.is_same(what.profile)) {
+    // The renderer's profile has views into the text of the kept one, so an equal profile does not replace it.
+    kept.renderer.reset();
+    kept.profile = what.profile;
+  }
   Status prepared;
   if (kept.renderer) {
     prepared = kept.renderer->change(what.effect, shelf_readers.readers());

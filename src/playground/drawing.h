@@ -23,8 +23,9 @@ inline constexpr int kMaxDrawnSegments = 512;                         // N of a 
 
 inline constexpr std::uint64_t kMaxFileTriangles = std::uint64_t{1} << 19;  // of a scene file that was put
 
-// The scene that is always there: scenes/index_room.gltf. Effects of the gallery name it index_room.gltf.
+// The scene that is always there, scenes/index_room.gltf, and the name that effects of the gallery give it.
 inline constexpr std::string_view kRoomName = "room";
+inline constexpr std::string_view kRoomFile = "index_room.gltf";
 
 // A scene file that was put, or the room.
 [[nodiscard]] Result<Scene> shelf_scene(const std::string& name, const Shelf& shelf, std::optional<UpAxis> up);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "src/playground/drawing.h"
 #include "src/playground/judging.h"
 #include "src/playground/shadow_answer.h"
 #include "src/playground/texts.h"
@@ -11,8 +12,7 @@ namespace {
 
 constexpr std::string_view kVerbs =
     "about, vocabulary, read, convert, trace, evaluate, profile, edit_profile, put, draw, pixel, sweep, losses, "
-    "compare, "
-    "combiners, shadow, judge or judge_rows";
+    "compare, combiners, room, shadow, judge or judge_rows";
 
 }  // namespace
 
@@ -57,6 +57,7 @@ Reply Engine::reply_to(Request& request, std::string_view verb) {
   if (verb == "combiners") return combiners(request);
   if (verb == "sweep") return sweep(request);
   if (verb == "losses") return losses(request);
+  if (verb == "room") return room(request);
   if (verb == "shadow") return shadow_answer(request, shelf_, bytes_);
   if (verb == "judge") return judge(request);
   if (verb == "judge_rows") return judge_rows(request);
@@ -108,6 +109,13 @@ Reply Engine::put(Request& request) {
   }
   buffer_ = {};
   return out;
+}
+
+Reply Engine::room(Request& request) {
+  request.allow({});
+  if (request.failed()) return request.refused();
+  bytes_.assign(kRoomText.begin(), kRoomText.end());
+  return Json{{"name", kRoomFile}, {"bytes", bytes_.size()}};
 }
 
 Reply Engine::judge(Request& request) {

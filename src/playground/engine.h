@@ -88,6 +88,7 @@ class Engine {
   Reply combiners(Request& request);
   Reply sweep(Request& request);
   Reply losses(Request& request);
+  Reply room(Request& request);
   Reply judge(Request& request);
   Reply judge_rows(Request& request);
 

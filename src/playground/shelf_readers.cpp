@@ -74,8 +74,8 @@ std::string complaint_about_amount(const Effect& effect, const Shelf& shelf) {
 
 Result<Scene> shelf_scene(const std::string& name, const Shelf& shelf, std::optional<UpAxis> up) {
   const auto found = shelf.files.find(name);
-  const bool is_room = found == shelf.files.end() && (name == kRoomName || name.ends_with("index_room.gltf"));
-  if (is_room) return scene_of_bytes(kRoomText, "index_room.gltf", up, kMaxFileTriangles);
+  const bool is_room = found == shelf.files.end() && (name == kRoomName || name.ends_with(kRoomFile));
+  if (is_room) return scene_of_bytes(kRoomText, std::string(kRoomFile), up, kMaxFileTriangles);
   if (found == shelf.files.end()) {
     return Diagnostic{.message = "is no file that was put; take room, sphere:N, torus:N, plane:N or cube",
                       .file = name};

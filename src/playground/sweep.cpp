@@ -57,10 +57,14 @@ Rgba9& constant_of(auto& holder, Register reg) {
   return reg == Register::constant0 ? holder.constant0 : holder.constant1;
 }
 
-// Gives the input a code; a constant in all combiners.
+// Gives the input a code; a constant in all combiners. The hardware loads spare0's alpha from texture 0's, so it has
+// the code, too, if it was loaded here.
 void set_input(const Place& input, s9 code, Program& program, RegisterFile& registers) {
+  const bool is_loaded =
+      input.reg == Register::texture0 && registers[Register::spare0][kAlpha] == registers[Register::texture0][kAlpha];
   for (const std::size_t c : input.components) {
     if (!is_constant(*input.reg)) {
+      if (is_loaded && c == kAlpha) registers[Register::spare0][c] = code;
       registers[*input.reg][c] = code;
       continue;
     }
@@ -69,16 +73,23 @@ void set_input(const Place& input, s9 code, Program& program, RegisterFile& regi
   }
 }
 
-// The input's code in this fragment; of a constant in the first combiner that reads it.
-s9 code_of_input(const Place& input, const Program& program, const RegisterFile& registers) {
-  const std::size_t c = input.components[0];
-  if (!is_constant(*input.reg)) return registers[*input.reg][c];
+// The input's codes in this fragment; of a constant in the first combiner that reads it.
+Rgba9 codes_of_input(Register reg, const Program& program, const RegisterFile& registers) {
+  if (!is_constant(reg)) return registers[reg];
   for (const ProgramStage& stage : program.general) {
-    if (detail::reads(stage.rgb, *input.reg) || detail::reads(stage.alpha, *input.reg)) {
-      return *input.reg == Register::constant0 ? stage.constant0[c] : stage.constant1[c];
+    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) {
+      return reg == Register::constant0 ? stage.constant0 : stage.constant1;
     }
   }
-  return *input.reg == Register::constant0 ? program.constant0[c] : program.constant1[c];
+  return reg == Register::constant0 ? program.constant0 : program.constant1;
+}
+
+// The code that all swept components have in this fragment; empty: they differ, and no byte of the sweep is the input.
+std::optional<s9> code_of_input(const Place& input, const Program& program, const RegisterFile& registers) {
+  const Rgba9 codes = codes_of_input(*input.reg, program, registers);
+  const s9 first = codes[input.components[0]];
+  const auto has_it = [&](std::size_t c) { return codes[c] == first; };
+  return std::all_of(input.components.begin(), input.components.end(), has_it) ? std::optional(first) : std::nullopt;
 }
 
 TracedCode value_of_output(const Output& output, const Trace& traced) {
@@ -96,7 +107,7 @@ TracedCode value_of_output(const Output& output, const Trace& traced) {
 Json curve_of(const Program& program, const HardwareProfile& profile, const RegisterFile& registers, const Place& input,
               const Output& output) {
   Json codes = Json::array(), values = Json::array(), exact = Json::array(), at;
-  const s9 now = code_of_input(input, program, registers);
+  const std::optional<s9> now = code_of_input(input, program, registers);
   for (int byte = 0; byte < 256; ++byte) {
     Program swept = program;
     RegisterFile given = registers;

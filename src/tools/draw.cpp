@@ -209,9 +209,11 @@ int draw(const DrawFlags& flags) {
   DrawnFile file = read_effect_file(flags.file, {.allow_outside = flags.allow_outside, .moment = flags.moment});
   if (file.exit_code != kDone) return file.exit_code;
   const bool is_effect = file.effect.has_value();
+  Drawn done;
   if (is_effect) {
     if (Status changed = override_effect(flags, *file.effect); !changed)
       return wrong_usage("draw", changed.error().message);
+    done.warnings = unused_moment(flags.moment_options, file.effect->moves, flags.file);
   } else {
     for (const CLI::Option* const option : flags.moment_options) {
       if (option->count() == 0) continue;
@@ -226,7 +228,6 @@ int draw(const DrawFlags& flags) {
       effect_profile(*file.effect, flags.file, flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr);
   if (!profile) return report(profile.error());
   const HardwareProfile& chosen = *profile != nullptr ? **profile : profile_of(flags.common);
-  Drawn done;
   if (Status drawn = draw_all(flags, is_effect, chosen, *file.effect, done); !drawn) {
     Diagnostic fault = drawn.error();
     if (fault.file.empty() && is_effect) fault.file = flags.file;

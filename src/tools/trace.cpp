@@ -34,6 +34,7 @@ struct TraceFlags {
   SceneFlags scene;
   std::string effect;
   EffectMoment moment;
+  std::vector<CLI::Option*> moment_options;
   std::string pixel;
   std::string pass;
   bool ground_truth = false;
@@ -142,6 +143,8 @@ int trace_effect(const TraceFlags& flags) {
       draw_pixel(flags.effect, flags.pixel, {.allow_outside = flags.scene.allow_outside, .moment = flags.moment},
                  flags.common, given, flags.program.defines);
   if (!traced) return report(traced.error());
+  for (const std::string& warning : unused_moment(flags.moment_options, traced->moves, flags.effect))
+    say_warning(warning);
   const TracedPixel& pixel = traced->pixel;
   const Drawn drawn{&pixel, traced->profile};
   if (!pixel.fragment) return print(flags, drawn, nullptr, {});
@@ -211,7 +214,8 @@ void add_trace(CLI::App& app, int& exit_code) {
       ->type_name("FILE")
       ->excludes(set)
       ->excludes(scene);
-  for (CLI::Option* const option : add_moment_flags(*verb, flags->moment)) option->needs("--effect");
+  flags->moment_options = add_moment_flags(*verb, flags->moment);
+  for (CLI::Option* const option : flags->moment_options) option->needs("--effect");
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
   verb->add_option("--pass", flags->pass, "Pass to trace, by its name (default: the one that decided the shadow)")
       ->type_name("NAME")

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { Engine, Fault, Replaced, Stopped } from '../../../src/playground/web/engine_client.js';
+import { Live } from '../../../src/playground/web/live.js';
 
 let workers;
 let kept;
@@ -56,6 +57,19 @@ test('a newer request of a key takes the place of one that waits', async () => {
   for (let n = 0; n < 3; n++) worker.answer({ answer: {} });
   await Promise.all([running, other, newer]);
   assert.deepEqual(worker.sent.slice(1).map(({ request }) => request.do), ['a', 'd', 'c']);
+});
+
+test('a newer request about the drawing before it waits behind that drawing', async () => {
+  const { made, worker } = engine();
+  const live = new Live({ state: { effect: {}, files: {}, profile: 'nv2a', pass: 0 } }, made, {}, {});
+  const running = made.ask({ do: 'a' }), old = live.losses(), trace = made.ask({ do: 'pixel' });
+  live.store.state = { effect: {}, files: {}, profile: 'geforce2', pass: 0 };
+  const newer = live.losses();
+  await assert.rejects(old, Replaced);
+  for (let n = 0; n < 4; n++) worker.answer({ answer: {} });
+  await Promise.all([running, trace, newer]);
+  assert.deepEqual(worker.sent.slice(1).map(({ request }) => request.do), ['a', 'pixel', 'draw', 'losses']);
+  assert.equal(worker.sent.at(-2).request.profile, 'geforce2');
 });
 
 test('a refusal is a fault with its place', async () => {

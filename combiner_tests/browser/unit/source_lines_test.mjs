@@ -33,6 +33,35 @@ out.a = spare1;
   assert.deepEqual(lines[15], ['final/alpha', 'final/alpha-G']);
 });
 
+test('a statement lights all of its lines, and a brace may be on a line of its own', () => {
+  const lines = boxesOfLines(`!!RC1.0
+final_product = spare0 * spare1;
+{
+  rgb
+  {
+    spare0 = tex0;
+  }
+  alpha # of the texel
+  {
+    spare1 = tex0
+      * col0;
+  }
+}
+out.rgb =
+  spare0;
+`);
+  assert.ok(lines[1].includes('early/ef'));
+  assert.ok(lines[5].includes('stage0/rgb-ab'));
+  for (const line of [9, 10]) assert.ok(lines[line].includes('stage0/alpha-ab') && !lines[line].includes('stage0/rgb-ab'));
+  assert.deepEqual(lines[8], []);
+  for (const line of [13, 14]) assert.ok(lines[line].includes('final/rgb'));
+});
+
+test('a GL call lights all of its lines, and comments light none', () => {
+  const lines = boxesOfLines('/* glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV,\n*/ glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA,\n  GL_VARIABLE_C_NV, GL_TEXTURE0_ARB);\n');
+  assert.deepEqual(lines, [[], ['stage1/alpha-C'], ['stage1/alpha-C'], []]);
+});
+
 test('GL calls name their boxes', () => {
   const lines = boxesOfLines('glCombinerInputNV(GL_COMBINER1_NV, GL_ALPHA, GL_VARIABLE_C_NV, GL_TEXTURE0_ARB, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);\n' +
     'glCombinerOutputNV(GL_COMBINER0_NV, GL_RGB, GL_SPARE0_NV, GL_DISCARD_NV, GL_DISCARD_NV, GL_NONE, GL_NONE, GL_FALSE, GL_FALSE, GL_FALSE);\n' +

@@ -3,7 +3,7 @@
  */
 import { messageOf } from './dom.js';
 import { fileIn } from './shelf.js';
-import { bare, checkedEffect, mostCharacters, stateOf } from './state.js';
+import { bare, checkedEffect, checkedState, mostCharacters, profileFile, stateOf } from './state.js';
 
 /** @param {string} path */
 const fileName = (path) => path.split('/').pop();
@@ -41,7 +41,8 @@ export async function findEffect(files) {
 }
 
 /**
- * The state of an effect whose files are the others that were dropped: they are found by their names without folders.
+ * The state of an effect whose files are the others that were dropped: they are found by their names without folders. A
+ * profile.json among them is its profile.
  * @param {any} effect
  * @param {string} name of the effect's file
  * @param {File[]} files
@@ -77,5 +78,13 @@ export async function stateOfDropped(effect, name, files, shelf) {
   }
   const mesh = effect.scene?.mesh;
   if (typeof mesh === 'string' && !generatedMesh.test(mesh)) effect.scene.mesh = await shelved(mesh);
-  return stateOf(effect, programs);
+  const state = stateOf(effect, programs);
+  const own = files.find((file) => file.name === profileFile);
+  if (!own) return state;
+  if (own.size > mostCharacters) throw new Error(`${profileFile}: a profile has at most ${mostCharacters / 1e6} MB`);
+  try {
+    return checkedState({ ...state, profile: JSON.parse(await own.text()) });
+  } catch (error) {
+    throw new Error(`${profileFile}: ${messageOf(error)}`);
+  }
 }

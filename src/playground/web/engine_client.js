@@ -69,10 +69,11 @@ export class Engine {
   /**
    * The engine's answer. `bytes` of the answer is its binary part; `milliseconds` the time in the engine.
    * @param {any} request
-   * @param {{key?: string, bytes?: Uint8Array}} [options] `key`: an older request of the same key is given up
+   * @param {{key?: string, bytes?: Uint8Array, last?: boolean}} [options] `key`: an older request of the same key is given up,
+   *     and this one takes its place; with `last`, it waits behind all others, as it is about the drawing that was asked for before it
    * @returns {Promise<{answer: any, bytes: Uint8Array, milliseconds: number}>}
    */
-  ask(request, { key, bytes } = {}) {
+  ask(request, { key, bytes, last = false } = {}) {
     return new Promise((resolve, reject) => {
       if (this.dead) {
         reject(new Stopped(this.dead));
@@ -80,12 +81,12 @@ export class Engine {
       }
       const entry = { request, bytes, key, resolve, reject };
       const old = key ? this.waiting.findIndex((other) => other.key === key) : -1;
-      if (old < 0) {
+      if (old >= 0) this.waiting[old].reject(new Replaced());
+      // At its place: at the end, requests that are replaced often would never come.
+      if (old >= 0 && !last) this.waiting[old] = entry;
+      else {
+        if (old >= 0) this.waiting.splice(old, 1);
         this.waiting.push(entry);
-      } else {
-        // At its place: at the end, requests that are replaced often would never come.
-        this.waiting[old].reject(new Replaced());
-        this.waiting[old] = entry;
       }
       this.next();
     });

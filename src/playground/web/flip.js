@@ -23,6 +23,8 @@ export class Flip {
     this.picture = picture;
     this.usual = usual;
     this.on = false;
+    /** Hears that the other picture will be shown. */
+    this.onshow = () => {};
     this.button = element('button', {
       type: 'button', class: 'small', id: 'flip', 'aria-pressed': 'false', title: 'Show the picture under the other profile (F)', onclick: () => this.toggle(),
     }, 'Flip');
@@ -35,6 +37,7 @@ export class Flip {
   /** @param {boolean} on */
   set(on) {
     if (on === this.on) return;
+    if (on) this.onshow();
     this.on = on;
     this.button.setAttribute('aria-pressed', String(on));
     if (on) this.update();

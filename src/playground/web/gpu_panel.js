@@ -4,6 +4,7 @@
 import { element, messageOf, paint } from './dom.js';
 import { Replaced } from './engine_client.js';
 import { registers, runOnGpu } from './gpu.js';
+import { Live } from './live.js';
 import { programOf } from './state.js';
 
 /** The parts of the engine's answer about a pass's combiners. @param {{width: number, height: number}} size @param {Uint8Array} bytes */
@@ -31,12 +32,14 @@ export class GpuPanel {
    * @param {import('./state.js').Store} store
    * @param {import('./shelf.js').Shelf} shelf
    * @param {import('./engine_client.js').Engine} engine
+   * @param {Live} live its moment is the picture's
    */
-  constructor(parent, store, shelf, engine) {
+  constructor(parent, store, shelf, engine, live) {
     this.parent = parent;
     this.store = store;
     this.shelf = shelf;
     this.engine = engine;
+    this.live = live;
     this.turn = 0;
     this.result = element('p', { role: 'status', id: 'gpu-result' });
     this.figures = ['The emulator', 'Your GPU', 'Difference'].map((title) => {
@@ -68,8 +71,9 @@ export class GpuPanel {
     const { state } = this.store;
     const { effect, files, profile, pass } = state;
     await this.shelf.loadFor(effect);
-    const { answer, bytes } = await this.engine.ask({ do: 'combiners', effect, files, profile, pass }, { key: 'gpu' });
-    const picture = await this.engine.ask({ do: 'draw', effect, files, profile, hash: false }, { key: 'gpu-draw' });
+    const { moment } = this.live;
+    const { answer, bytes } = await this.engine.ask({ do: 'combiners', effect, files, profile, pass, ...moment }, { key: 'gpu' });
+    const picture = await this.engine.ask(Live.request(state, moment), { key: 'gpu-draw' });
     if (!current()) return;
     const fragments = fragmentsOf(answer, bytes);
     const { pixels, framesPerSecond, renderer } = runOnGpu(answer.glsl, { ...fragments, byteShift: answer.byte_shift });

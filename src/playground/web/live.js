@@ -63,9 +63,16 @@ export class Live {
     }
   }
 
-  /** Draws the state, so that the engine's next answers are about it, whoever asked for the last drawing. */
+  /** Draws the state, so that the engine's next answer is about it, whoever asked for the last drawing. */
   prepare() {
     this.engine.ask(Live.request(this.store.state, this.moment)).catch(() => {});
+  }
+
+  /** An answer about the state's drawing, and none of an older state: a newer one of its kind waits behind its own drawing. @param {any} request */
+  askPrepared(request) {
+    const key = request.do;
+    this.engine.ask(Live.request(this.store.state, this.moment), { key: `drawing for ${key}`, last: true }).catch(() => {});
+    return this.engine.ask(request, { key, last: true });
   }
 
   /**
@@ -88,14 +95,12 @@ export class Live {
    * @param {{input: string, output: string, stage?: number, pass?: string, profiles: any[]}} what
    */
   async sweep(what) {
-    this.prepare();
-    return (await this.engine.ask({ do: 'sweep', ...this.pixel, ...what }, { key: 'sweep' })).answer;
+    return (await this.askPrepared({ do: 'sweep', ...this.pixel, ...what })).answer;
   }
 
   /** Where the combiners of the pass that is edited lost something. */
   async losses() {
-    this.prepare();
-    return this.engine.ask({ do: 'losses', pass: this.store.state.pass }, { key: 'losses' });
+    return this.askPrepared({ do: 'losses', pass: this.store.state.pass });
   }
 
   /** @param {any[]} profiles */

@@ -34,6 +34,8 @@ export class LossesOverlay {
     this.stage = '';
     /** Whether the picture is the effect's. */
     this.visible = true;
+    /** Whether the picture changes all the time, so that marks would be those of an older one. */
+    this.held = false;
     /** @type {{losses: Losses, planes: Uint8Array}|null} */
     this.found = null;
     this.layer = picture.layer('Where the combiners lost something');
@@ -66,11 +68,17 @@ export class LossesOverlay {
     this.update();
   }
 
+  /** Hides the marks until the picture stays. */
+  hold() {
+    this.held = true;
+    this.update();
+  }
+
   async update() {
     const wanted = this.visible && this.kind;
-    if (!wanted) {
+    if (!wanted || this.held) {
       this.layer.hidden = true;
-      this.text.textContent = '';
+      this.text.textContent = wanted ? 'marked once it pauses' : '';
       this.stages.replaceChildren();
       if (this.visible) this.picture.dim(false);
       return;
@@ -80,7 +88,7 @@ export class LossesOverlay {
       this.found = { losses: answer, planes: bytes };
       this.mark();
     } catch (error) {
-      if (error instanceof Replaced) return;
+      if (error instanceof Replaced || this.held) return;
       this.found = null;
       this.layer.hidden = true;
       this.picture.dim(false);
@@ -89,7 +97,7 @@ export class LossesOverlay {
   }
 
   mark() {
-    if (!this.found || !this.visible || !this.kind) return;
+    if (!this.found || !this.visible || !this.kind || this.held) return;
     const { losses, planes } = this.found;
     const { width, height, general_combiners: combiners } = losses;
     const kind = /** @type {{title: string, color: number[], of: (byte: number) => number}} */ (kinds.get(this.kind));

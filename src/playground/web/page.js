@@ -86,18 +86,21 @@ export class Page {
     this.pictures = new Map();
     this.flip = new Flip(this.store, this.live, this.picture, () => this.showPicture());
     this.losses = new LossesOverlay(this.store, this.live, this.picture, () => this.link());
-    this.clock = new Clock(this.live, { draw: () => this.live.draw(), stopped: () => this.updatePanels() });
+    this.clock = new Clock(this.live, { draw: () => this.live.draw(), started: () => this.started(), stopped: () => this.stopped() });
+    this.flip.onshow = () => this.clock.pause();
     this.picture.bar.append(this.flip.button, this.losses.element);
     byId('below').prepend(this.clock.element, this.picture.status);
     this.strip = new Strip(byId('strip'), (name) => this.showPanel(name));
     const { shelf, live, picture } = this;
     const changed = () => this.link();
-    this.trace = new TracePanel(byId('trace'), byId('trace-place'), (pass) => live.trace(pass), (lines) => this.program.editor.light(lines));
-    this.program.editor.onmove = (line) => this.trace.lightLine(line);
+    // Only the lines of a program have boxes, not those of the effect's JSON.
+    const ofProgram = (/** @type {() => void} */ light) => { if (this.program.shows === 'program') light(); };
+    this.trace = new TracePanel(byId('trace'), byId('trace-place'), (pass) => live.trace(pass), (lines) => ofProgram(() => this.program.editor.light(lines)));
+    this.program.editor.onmove = (line) => ofProgram(() => this.trace.lightLine(line));
     this.inputs = new InputsPanel(byId('panel-inputs'), store, shelf, about);
     this.profiles = new ProfilesPanel(byId('panel-profiles'), store, about.profiles ?? [],
       { compare: (/** @type {any[]} */ profiles) => live.compare(profiles), engine });
-    this.gpu = new GpuPanel(byId('panel-gpu'), store, shelf, engine);
+    this.gpu = new GpuPanel(byId('panel-gpu'), store, shelf, engine, live);
     this.convert = new ConvertPanel(byId('panel-convert'), about.converts_to ?? [], (to) => live.convert(to));
     this.shadow = new ShadowPanel(byId('panel-shadow'), store, shelf, {
       engine, newEngine, meshes: about.meshes ?? [], picture, changed,
@@ -229,6 +232,17 @@ export class Page {
   async draw() {
     if (this.program.shows === 'program') this.live.read();
     await this.live.draw();
+  }
+
+  /** While an effect plays, neither the other profile's picture nor the marks would be those of its moment. */
+  started() {
+    this.flip.set(false);
+    this.losses.hold();
+  }
+
+  stopped() {
+    this.losses.held = false;
+    this.updatePanels();
   }
 
   updatePanels() {

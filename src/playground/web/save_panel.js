@@ -5,7 +5,8 @@ import { enlarged, png, zip } from './archive.js';
 import { inOneFolder } from './command_line.js';
 import { choice, element, save } from './dom.js';
 import { Live } from './live.js';
-import { fileIn } from './shelf.js';
+import { fileIn, roomFile } from './shelf.js';
+import { profileFile } from './state.js';
 
 /** The most pixels of one side of a saved picture, and of all frames of an animation together. */
 const mostSide = 8192, mostPixels = 1 << 26;
@@ -36,7 +37,8 @@ export class SavePanel {
       block('The picture that is shown', button('PNG, pixel for pixel', 'save-png', () => this.savePicture(1)),
         choice('Enlarged', [2, 3, 4, 6, 8, 16].map(String), String(this.times), (value) => { this.times = Number(value); }),
         button('PNG, enlarged', 'save-large', () => this.savePicture(this.times))),
-      block('The effect', element('p', { class: 'quiet' }, 'The effect file, its programs, pictures, meshes and profile as one archive; ninebit draw and this page open it.'),
+      block('The effect', element('p', { class: 'quiet' }, 'The effect file, its programs, pictures, meshes and profile as one archive. Unpack it: ',
+        element('code', {}, 'ninebit draw effect.json'), ' draws it, with ', element('code', {}, '--profile profile.json'), ' if that is there, and this page opens its files when they are dropped together.'),
         button('ZIP archive', 'save-zip', async () => save(`${this.name()}.zip`, zip(await this.files())))),
       block('An animation', element('p', { class: 'quiet' }, `Of an effect that moves, ${rate} frames a second, as APNG.`),
         choice('Seconds', [1, 2, 4, 8].map(String), String(this.seconds), (value) => { this.seconds = Number(value); }),
@@ -66,19 +68,25 @@ export class SavePanel {
     save(`${this.name()}${times > 1 ? `_x${times}` : ''}.png`, await png([enlarged(pixels, width, height, times)], width * times, height * times));
   }
 
-  /** The effect and what it reads, by names that lie in one folder. @returns {Promise<[string, Uint8Array][]>} */
+  /** The effect with the page's profile, and what it reads, by names that lie in one folder. @returns {Promise<[string, Uint8Array][]>} */
   async files() {
     const { state } = this.store;
     const { effect, texts } = inOneFolder(state);
+    // Without one, `ninebit draw` takes another than the page.
+    if (typeof state.profile === 'string') effect.profile = state.profile;
+    const mesh = String(effect.scene?.mesh ?? '');
+    const inRoom = mesh.endsWith(roomFile) && !this.shelf.bytesOf(mesh);
+    if (inRoom) effect.scene = { ...effect.scene, mesh: roomFile };
     const text = (/** @type {any} */ value) => new TextEncoder().encode(typeof value === 'string' ? value : `${JSON.stringify(value, null, 2)}\n`);
     /** @type {[string, Uint8Array][]} */
     const files = [['effect.json', text(effect)], ...texts.map(([name, content]) => /** @type {[string, Uint8Array]} */ ([name, text(content)]))];
-    if (typeof state.profile === 'object') files.push(['profile.json', text(state.profile)]);
+    if (typeof state.profile === 'object') files.push([profileFile, text(state.profile)]);
     const sources = Object.values(effect.textures ?? {}).flatMap((texture) => fileIn(String(/** @type {any} */ (texture)?.source ?? '')).split(','));
-    for (const name of new Set([...sources, String(effect.scene?.mesh ?? '')])) {
+    for (const name of new Set([...sources, mesh])) {
       const bytes = this.shelf.bytesOf(name);
       if (bytes) files.push([name, bytes]);
     }
+    if (inRoom) files.push([roomFile, await this.shelf.room()]);
     return files;
   }
 

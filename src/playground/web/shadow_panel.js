@@ -89,7 +89,6 @@ export class ShadowPanel {
     this.draw();
   }
 
-  /** Judges the picture that is shown, or gives that up. */
   /** What is asked for, as a link keeps it; `null`: the usual. @returns {any} */
   settings() {
     return JSON.stringify(this.asked) === JSON.stringify(usual) ? null : this.asked;
@@ -101,6 +100,7 @@ export class ShadowPanel {
     this.view = null;
   }
 
+  /** Judges the picture that is shown, or gives that up. */
   judgeAgain() {
     if (this.drawn && this.wrong.wanted) this.judge.ask(this.drawn);
     else this.judge.stop();

@@ -11,6 +11,9 @@ export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => char
 /** Names of mesh files. */
 export const meshEnding = /\.(gltf|glb|obj|ply|off)$/i;
 
+/** The room: the engine has it. */
+export const roomFile = 'index_room.gltf';
+
 /** Matches the word before the file of a texture that is made from it. */
 let madeFrom = /^$/;
 
@@ -54,7 +57,7 @@ export class Shelf {
 
   /** Names of meshes to choose from: the room, which the engine has, and what was dropped. */
   meshes() {
-    return ['index_room.gltf', ...[...this.dropped.keys()].filter((name) => meshEnding.test(name))];
+    return [roomFile, ...[...this.dropped.keys()].filter((name) => meshEnding.test(name))];
   }
 
   /** Puts a file of the page into the engine, once. @param {string} name */
@@ -72,6 +75,11 @@ export class Shelf {
   /** The content of a file of the page or one that was dropped; `null`: there is none of that name. @param {string} name */
   bytesOf(name) {
     return this.dropped.get(name) ?? (Object.hasOwn(this.embedded, name) ? bytesOf(this.embedded[name]) : null);
+  }
+
+  /** The room's file. @returns {Promise<Uint8Array>} */
+  async room() {
+    return (await this.engine.ask({ do: 'room' })).bytes;
   }
 
   /** Loads all files that an effect names. @param {any} effect */

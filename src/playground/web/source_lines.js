@@ -13,35 +13,54 @@ function boxesOf(section, group, part) {
 const finalBoxes = (alpha) => (alpha ? ['final/alpha', 'final/alpha-G'] : [...'ABCD'].map((letter) => `final/rgb-${letter}`).concat(['final/ab', 'final/ac', 'final/mix', 'final/rgb']));
 const earlyBoxes = ['early/rgb-E', 'early/rgb-F', 'early/ef', 'early/ef-out'];
 
-/** @param {string[]} lines @returns {string[][]} */
-function ofRc10(lines) {
+/** The text with spaces in the place of what matches, so that the rest stays where it is. @param {string} text @param {RegExp} pattern */
+const without = (text, pattern) => text.replace(pattern, (found) => found.replace(/[^\n]/g, ' '));
+
+/**
+ * Boxes by line: those of a statement on each line that it has a part of.
+ * @param {string} text
+ * @param {RegExp} pattern of a statement or a brace
+ * @param {(statement: RegExpMatchArray) => string[]} boxesIn
+ * @returns {string[][]}
+ */
+function byLine(text, pattern, boxesIn) {
+  /** @type {string[][]} */
+  const lines = text.split('\n').map(() => []);
+  const lineAt = (/** @type {number} */ offset) => text.slice(0, offset).split('\n').length - 1;
+  for (const found of text.matchAll(pattern)) {
+    const boxes = boxesIn(found);
+    if (boxes.length === 0) continue;
+    const [statement] = found, end = found.index + statement.length;
+    for (let line = lineAt(end - statement.trimStart().length); line <= lineAt(end); line++) lines[line].push(...boxes);
+  }
+  return lines;
+}
+
+/** @param {string} text @returns {string[][]} */
+function ofRc10(text) {
   let depth = 0, stage = -1, group = '', products = 0;
-  return lines.map((line) => {
-    /** @type {string[]} */
-    const boxes = [];
-    for (const [word] of line.replace(/#.*/, '').matchAll(/[{}]|\brgb\b(?=\s*\{)|\balpha\b(?=\s*\{)|[^{};]+;/g)) {
-      if (word === '{') {
-        depth++;
-        if (depth === 1) stage++;
-        products = 0;
-      } else if (word === '}') depth--;
-      else if (word === 'rgb' || word === 'alpha') group = word;
-      else if (depth === 2 && /=/.test(word)) boxes.push(...boxesOf(`stage${stage}`, group, /\b(sum|mux)\s*\(/.test(word) ? 'sum' : products++ === 0 ? 'ab' : 'cd'));
-      else if (depth === 0 && /^\s*out\s*\./.test(word)) boxes.push(...finalBoxes(/^\s*out\s*\.\s*a\b/.test(word)));
-      else if (depth === 0 && /^\s*final_product\s*=/.test(word)) boxes.push(...earlyBoxes);
-    }
-    return boxes;
+  return byLine(without(text, /^\s*!!RC1\.0|#.*/g), /[{}]|\brgb\b(?=\s*\{)|\balpha\b(?=\s*\{)|[^{};]+;/g, ([word]) => {
+    if (word === '{') {
+      depth++;
+      if (depth === 1) stage++;
+      products = 0;
+    } else if (word === '}') depth--;
+    else if (word === 'rgb' || word === 'alpha') group = word;
+    else if (depth === 2 && /=/.test(word)) return boxesOf(`stage${stage}`, group, /\b(sum|mux)\s*\(/.test(word) ? 'sum' : products++ === 0 ? 'ab' : 'cd');
+    else if (depth === 0 && /^\s*out\s*\./.test(word)) return finalBoxes(/^\s*out\s*\.\s*a\b/.test(word));
+    else if (depth === 0 && /^\s*final_product\s*=/.test(word)) return earlyBoxes;
+    return [];
   });
 }
 
-/** @param {string[]} lines @returns {string[][]} */
-function ofGlCalls(lines) {
-  return lines.map((line) => {
-    const input = /glCombinerInputNV\s*\(\s*GL_COMBINER(\d)_NV\s*,\s*GL_(RGB|ALPHA)\s*,\s*GL_VARIABLE_([ABCD])_NV/.exec(line);
+/** @param {string} text @returns {string[][]} */
+function ofGlCalls(text) {
+  return byLine(without(text, /\/\*[^]*?\*\/|\/\/.*/g), /\bgl(?:Final)?Combiner(?:In|Out)putNV\s*\([^;)]*/g, ([call]) => {
+    const input = /glCombinerInputNV\s*\(\s*GL_COMBINER(\d)_NV\s*,\s*GL_(RGB|ALPHA)\s*,\s*GL_VARIABLE_([ABCD])_NV/.exec(call);
     if (input) return [`stage${input[1]}/${input[2].toLowerCase()}-${input[3]}`];
-    const output = /glCombinerOutputNV\s*\(\s*GL_COMBINER(\d)_NV\s*,\s*GL_(RGB|ALPHA)/.exec(line);
+    const output = /glCombinerOutputNV\s*\(\s*GL_COMBINER(\d)_NV\s*,\s*GL_(RGB|ALPHA)/.exec(call);
     if (output) return ['ab', 'cd', 'sum', 'mux'].map((name) => `stage${output[1]}/${output[2].toLowerCase()}-out-${name}`);
-    const final = /glFinalCombinerInputNV\s*\(\s*GL_VARIABLE_([A-G])_NV/.exec(line);
+    const final = /glFinalCombinerInputNV\s*\(\s*GL_VARIABLE_([A-G])_NV/.exec(call);
     if (!final) return [];
     return [final[1] === 'G' ? 'final/alpha-G' : `${final[1] > 'D' ? 'early' : 'final'}/rgb-${final[1]}`];
   });
@@ -53,8 +72,7 @@ function ofGlCalls(lines) {
  * @returns {string[][]}
  */
 export function boxesOfLines(text) {
-  const lines = text.split('\n');
-  if (/^\s*!!RC1\.0/.test(text)) return ofRc10(lines);
-  if (/gl(Final)?CombinerInputNV/.test(text)) return ofGlCalls(lines);
-  return lines.map(() => []);
+  if (/^\s*!!RC1\.0/.test(text)) return ofRc10(text);
+  if (/gl(Final)?CombinerInputNV/.test(text)) return ofGlCalls(text);
+  return text.split('\n').map(() => []);
 }

@@ -15,6 +15,9 @@ import { complaint } from './schema.js';
 /** The name under which the editor offers the effect itself. */
 export const effectFile = 'effect.json';
 
+/** The name of a profile of one's own among an effect's files. */
+export const profileFile = 'profile.json';
+
 /** The profile to compare with: each effect can be drawn with exact combiners. */
 const defaultOther = 'arithmetic';
 

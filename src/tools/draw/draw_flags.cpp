@@ -13,6 +13,7 @@
 #include "src/effect/effect_words.h"
 #include "src/system/number_list.h"
 #include "src/tools/common/flag_values.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
 
@@ -240,6 +241,16 @@ std::vector<CLI::Option*> add_moment_flags(CLI::App& verb, EffectMoment& moment)
           verb.add_option("--frame", moment.frame, "Number of the picture, for effect files that move (default: 0)")
               ->type_name("N")
               ->check(text_check(&check_frame))};
+}
+
+std::vector<std::string> unused_moment(const std::vector<CLI::Option*>& options, bool moves, const std::string& file) {
+  std::vector<std::string> warnings;
+  for (const CLI::Option* const option : options) {
+    if (moves || option->count() == 0) continue;
+    warnings.push_back(
+        fmt::format("{} has no effect: no number of {} depends on time or frame", option->get_name(), printable(file)));
+  }
+  return warnings;
 }
 
 void add_draw_flags(CLI::App& verb, DrawFlags& flags) {

@@ -51,6 +51,9 @@ struct DrawFlags {
 };
 
 void add_draw_flags(CLI::App& verb, DrawFlags& flags);
+// Those of --time and --frame that were given for an effect file that does not move, as warnings.
+[[nodiscard]] std::vector<std::string> unused_moment(const std::vector<CLI::Option*>& options, bool moves,
+                                                     const std::string& file);
 // Adds --time and --frame.
 std::vector<CLI::Option*> add_moment_flags(CLI::App& verb, EffectMoment& moment);
 

@@ -215,7 +215,8 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
   if (!effect) return effect.error();
   const auto chosen = effect_profile(*effect, file, given);
   if (!chosen) return chosen.error();
-  TracedEffect traced{.pixel = {}, .profile = *chosen != nullptr ? *chosen : &profile_of(common)};
+  TracedEffect traced{
+      .pixel = {}, .profile = *chosen != nullptr ? *chosen : &profile_of(common), .moves = effect->moves};
   RenderSettings size;
   size.width = effect->width;
   size.height = effect->height;

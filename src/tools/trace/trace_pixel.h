@@ -49,6 +49,7 @@ struct RenderedPixel {
 struct TracedEffect {
   TracedPixel pixel;
   const HardwareProfile* profile = nullptr;  // that the effect was drawn with
+  bool moves = false;                        // Effect::moves
 };
 
 // Draws the effect file and probes the pixel X,Y of its picture, counted from the top left. The rectangles that passes
