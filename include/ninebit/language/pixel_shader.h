@@ -36,8 +36,8 @@ namespace NINEBIT_PUBLIC ninebit {
 // The state as a ps.1.1 text, or a Diagnostic that names what the language cannot express. parse_pixel_shader of the
 // text returns a state that computes the same for every fragment; if this one came from a ps.1.x text, it normalizes to
 // the same program, unless its final combiner outputs other registers than spare0, as for a dot product that is alpha
-// alone: then the text has one more instruction. If `texture_shader` is enabled, its operations are printed; matrices and the kinds of textures but
-// two-dimensional ones are not in the language.
+// alone: then the text has one more instruction. If `texture_shader` is enabled, its operations are printed; matrices
+// and the kinds of textures but two-dimensional ones are not in the language.
 [[nodiscard]] Result<std::string> print_pixel_shader(const CombinerState& state, const HardwareProfile& profile,
                                                      const TextureShaderState& texture_shader = {});
 
