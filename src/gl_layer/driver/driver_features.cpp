@@ -94,7 +94,7 @@ bool holds_vertex_programs() {
   };
   return at_least(GL_MAX_PROGRAM_ENV_PARAMETERS_ARB, 96) && at_least(GL_MAX_PROGRAM_PARAMETERS_ARB, 100) &&
          at_least(GL_MAX_PROGRAM_TEMPORARIES_ARB, 14) && at_least(GL_MAX_PROGRAM_ATTRIBS_ARB, 16) &&
-         at_least(GL_MAX_PROGRAM_INSTRUCTIONS_ARB, 256);
+         at_least(GL_MAX_PROGRAM_INSTRUCTIONS_ARB, 256) && driver_integer(GL_MAX_TEXTURE_COORDS) >= 8;
 }
 
 }  // namespace
@@ -126,10 +126,13 @@ DriverFeatures find_features() {
     if (has_word(extensions, one.name.data())) note_drivers_own(one.extra);
     const bool is_vertex_program = one.extra == Extra::vertex_program || one.extra == Extra::vertex_program1_1;
     if (!wanted_extras().have(one.extra) || has_word(extensions, one.name.data())) continue;
-    if (!is_vertex_program || (features.vertex_program && holds_vertex_programs())) {
-      features.extras.add(one.extra);
+    if (is_vertex_program && !(features.vertex_program && holds_vertex_programs())) {
+      log_once(std::string(one.name) +
+               " needs GL_ARB_vertex_program with 96 parameters and 8 texture coordinates: it is not added");
+    } else if (one.extra == Extra::vertex_program1_1 && !features.extras.have(Extra::vertex_program)) {
+      log_once(std::string(one.name) + " is not added to the driver's own GL_NV_vertex_program");
     } else {
-      log_once(std::string(one.name) + " needs GL_ARB_vertex_program with 96 parameters: it is not added");
+      features.extras.add(one.extra);
     }
   }
   features.texture_storage = has_word(extensions, "GL_ARB_texture_storage");
