@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "src/gl_layer/driver/driver.h"
@@ -97,6 +98,13 @@ bool holds_vertex_programs() {
          at_least(GL_MAX_PROGRAM_INSTRUCTIONS_ARB, 256) && driver_integer(GL_MAX_TEXTURE_COORDS) >= 8;
 }
 
+// The extension that another one adds to: the layer adds both, or none. It stands before the other in the list.
+std::optional<Extra> extended(Extra extra) {
+  if (extra == Extra::vertex_program1_1) return Extra::vertex_program;
+  if (extra == Extra::shared_texture_palette) return Extra::paletted_texture;
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool has_word(const char* list, const char* word) {
@@ -129,8 +137,8 @@ DriverFeatures find_features() {
     if (is_vertex_program && !(features.vertex_program && holds_vertex_programs())) {
       log_once(std::string(one.name) +
                " needs GL_ARB_vertex_program with 96 parameters and 8 texture coordinates: it is not added");
-    } else if (one.extra == Extra::vertex_program1_1 && !features.extras.have(Extra::vertex_program)) {
-      log_once(std::string(one.name) + " is not added to the driver's own GL_NV_vertex_program");
+    } else if (const auto base = extended(one.extra); base && !features.extras.have(*base)) {
+      log_once(std::string(one.name) + " is not added to the driver's own extension that it extends");
     } else {
       features.extras.add(one.extra);
     }
