@@ -37,7 +37,7 @@ const std::map<std::string, std::vector<std::string>> kFolders{
       "ground_truth", "embree", "", "files", "emscripten"}},
     {"effect", {"", "files"}},
     {"playground", {"", "emscripten"}},
-    {"gl_layer", {"driver", "shader", "context", "draw", "capture", "calls"}},
+    {"gl_layer", {"vertex_program", "driver", "shader", "context", "draw", "capture", "calls"}},
     {"study",
      {"part", "report", "page", "proof", "vectors", "digits", "index_steps", "datapath", "shadows", "depth_packing"}},
     {"tools",
