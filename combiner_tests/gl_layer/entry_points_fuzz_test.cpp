@@ -108,6 +108,7 @@ void some_get(Random& random) {
 struct Caller {
   GLuint open = 0;  // the list that it compiles
   bool in_begin = false;
+  GLuint programs = 0;  // the names of its programs begin behind this one
 };
 
 // Lists 1 to 5, which call only lists of lower numbers, so that playing them ends. None between glBegin and glEnd: Mesa
@@ -146,17 +147,19 @@ void some_draw(Random& random, Caller& caller) {
   random.one_in(2) ? draw_square() : glRectf(-1, -1, 1, 1);
 }
 
-// The functions of NV_vertex_program and their neighbours. Arrays are of the test's memory.
+// The functions of NV_vertex_program and their neighbours. Arrays are of the test's memory. Each thread has programs of
+// its own: Mesa 22.3 crashed when a context was destroyed after two threads had drawn with one program.
 void some_vertex_call(Random& random, const Caller& caller) {
   static const std::array<GLdouble, 64> memory{};
   static const std::string texts[]{"!!VP1.0 MOV o[HPOS], v[OPOS];END", "!!VSP1.0 MOV c[0], v[0];END", "!!VP1.0 MOV"};
   const GLenum target = random.pick<GLenum>({GL_VERTEX_PROGRAM_NV, GL_VERTEX_STATE_PROGRAM_NV, GL_TEXTURE_2D});
-  const auto name = static_cast<GLuint>(random.below(6)), index = static_cast<GLuint>(random.below(18));
+  const GLuint name = random.one_in(6) ? 0 : caller.programs + static_cast<GLuint>(random.between(1, 5));
+  const auto parameter = static_cast<GLuint>(random.below(120)), index = static_cast<GLuint>(random.below(18));
   const GLenum type = random.pick<GLenum>({GL_FLOAT, GL_SHORT, GL_UNSIGNED_BYTE, GL_DOUBLE, GL_INT});
   const GLfloat floats[16]{1, 2, 3, 4};
   GLfloat got[16]{};
   GLint integers[16]{};
-  GLuint names[2]{name, 3};
+  GLuint names[2]{name, caller.programs + 3};
   const std::string& text = texts[random.below(3)];
   switch (random.below(22)) {
     case 0:
@@ -177,9 +180,9 @@ void some_vertex_call(Random& random, const Caller& caller) {
     case 7:
       return glGetProgramivNV(name, GL_PROGRAM_LENGTH_NV, integers);
     case 8:
-      return glProgramParameters4fvNV(target, 20 * name, random.between(-1, 4), floats);
+      return glProgramParameters4fvNV(target, parameter, random.between(-1, 4), floats);
     case 9:
-      return glGetProgramParameterfvNV(target, 20 * name, GL_PROGRAM_PARAMETER_NV, got);
+      return glGetProgramParameterfvNV(target, parameter, GL_PROGRAM_PARAMETER_NV, got);
     case 10:
       return glTrackMatrixNV(target, 4 * index, random.pick<GLenum>({GL_NONE, GL_MODELVIEW, GL_TEXTURE, GL_MATRIX0_NV}),
                              GL_INVERSE_NV);
@@ -259,7 +262,7 @@ void some_call(Random& random, Caller& caller) {
 std::uint64_t call_until(Clock::time_point end, std::uint64_t seed, const GlContext* context) {
   if (context != nullptr) context->make_current();
   std::uint64_t calls = 0;
-  Caller caller;
+  Caller caller{.programs = 1000 * static_cast<GLuint>(seed)};
   for (std::uint64_t round = 0; Clock::now() < end; ++round) {
     Random random(seed, round);
     for (int i = 0; i < 40; ++i, ++calls) some_call(random, caller);
