@@ -174,7 +174,7 @@ TEST(VertexProgramText, Faults) {
   VertexFault fault;
   EXPECT_TRUE(parse(long_text + kPosition + "END", fault)) << fault.message;
   EXPECT_TRUE(parse("!!VP1.0 ADD R0, c[1].x, -c[1].y; MAD R0, v[2], v[NRML], R0;" + kPosition + "END", fault));
-  EXPECT_TRUE(parse(std::string("!!VP1.0") + kPosition + "END\0\1", fault)) << "text behind END";
+  EXPECT_TRUE(parse(std::string("!!VP1.0") + kPosition + std::string("END\0\1", 5), fault)) << "text behind END";
   EXPECT_FALSE(parse_vertex_program("!!VP1.1" + kPosition + "END", VertexProgramKind::vertex, false, fault));
 }
 

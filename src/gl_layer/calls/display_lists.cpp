@@ -8,6 +8,7 @@
 #include "src/gl_layer/draw/draw_state.h"
 #include "src/gl_layer/draw/vertex_programs.h"
 #include "src/gl_layer/driver/driver.h"
+#include "src/gl_layer/driver/log.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -223,6 +224,21 @@ void record(Context& context, const std::function<void()>& command) {
 void record_begin_error(Context& context) {
   context.open_list->begin_error = true;
   if (context.open_list->mode == GL_COMPILE_AND_EXECUTE) context.raise(GL_INVALID_OPERATION);
+}
+
+bool can_run_beside_list(Context& context) {
+  if (context.open_list == nullptr || !context.open_list->in_begin) return true;
+  log_once("a list between glBegin and glEnd: the layer cannot ask the driver for what depends on other state");
+  context.raise(GL_INVALID_OPERATION);
+  return false;
+}
+
+void raise_or_record(Context& context, unsigned error) {
+  if (context.open_list == nullptr) return context.raise(error);
+  if (context.list_in_begin()) return record_begin_error(context);
+  record(context, [error] {
+    if (Context* const now = current()) now->raise(error);
+  });
 }
 
 void prepare_list_for_draw(Context& context) {

@@ -30,6 +30,13 @@ void run_beside_list(Context& context, const Command& command) {
   open_driver_list(context);
 }
 
+// Whether that is possible: between glBegin and glEnd in a list that is only compiled it is not, because the driver's
+// list cannot be split there. Then the error GL_INVALID_OPERATION is raised, with a line in the log.
+[[nodiscard]] bool can_run_beside_list(Context& context);
+
+// Raises the error of a command of the layer, if a list is open when it is played.
+void raise_or_record(Context& context, unsigned error);
+
 // Before a draw call that goes into a list: what a shader depends on may be different from here on.
 void prepare_list_for_draw(Context& context);
 

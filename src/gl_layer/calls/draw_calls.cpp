@@ -35,6 +35,7 @@ thread_local bool captured_until_end = false;
 
 GLAPI void GLAPIENTRY glBegin(GLenum mode) {
   if (before_draw("glBegin")) captured_until_end = true;  // one inside another is an error, and draws nothing
+  if (Context* const before = current(); before != nullptr && !before->next_in_begin()) find_element_arrays(*before);
   found_driver.Begin != nullptr ? found_driver.Begin(mode) : find_driver().Begin(mode);
   Context* const context = current();
   if (context == nullptr || mode > GL_POLYGON) return;

@@ -46,10 +46,10 @@ struct Entry {
   X(eglSwapBuffers) X(glAreProgramsResidentNV) X(glArrayElement) A(glArrayElementEXT, glArrayElement) \
   A(glAttachObjectARB, glAttachShader) X(glAttachShader) X(glBegin) X(glBindAttribLocation) \
   A(glBindAttribLocationARB, glBindAttribLocation) X(glBindProgramARB) X(glBindProgramNV) X(glBindTexture) \
-  A(glBindTextureEXT, glBindTexture) X(glBitmap) X(glCallList) X(glCallLists) X(glColorSubTableEXT) X(glColorTableEXT) \
-  A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) A(glCombinerOutput, glCombinerOutputNV) \
-  X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) X(glCombinerParameterfNV) \
-  A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
+  A(glBindTextureEXT, glBindTexture) X(glBindVertexArray) X(glBitmap) X(glCallList) X(glCallLists) \
+  X(glColorSubTableEXT) X(glColorTableEXT) A(glCombinerInput, glCombinerInputNV) X(glCombinerInputNV) \
+  A(glCombinerOutput, glCombinerOutputNV) X(glCombinerOutputNV) A(glCombinerParameterf, glCombinerParameterfNV) \
+  X(glCombinerParameterfNV) A(glCombinerParameterfv, glCombinerParameterfvNV) X(glCombinerParameterfvNV) \
   A(glCombinerParameteri, glCombinerParameteriNV) X(glCombinerParameteriNV) \
   A(glCombinerParameteriv, glCombinerParameterivNV) X(glCombinerParameterivNV) \
   A(glCombinerStageParameterfv, glCombinerStageParameterfvNV) X(glCombinerStageParameterfvNV) \
@@ -58,22 +58,22 @@ struct Entry {
   A(glCompressedTexImage3DARB, glCompressedTexImage3D) X(glCopyPixels) X(glCopyTexImage1D) \
   A(glCopyTexImage1DEXT, glCopyTexImage1D) X(glCopyTexImage2D) A(glCopyTexImage2DEXT, glCopyTexImage2D) \
   X(glDeleteFencesNV) X(glDeleteLists) X(glDeleteObjectARB) X(glDeleteProgram) X(glDeleteProgramsARB) \
-  X(glDeleteProgramsNV) X(glDeleteTextures) A(glDeleteTexturesEXT, glDeleteTextures) \
-  A(glDetachObjectARB, glDetachShader) X(glDetachShader) X(glDisable) X(glDisableClientState) X(glDrawArrays) \
-  A(glDrawArraysEXT, glDrawArrays) X(glDrawArraysIndirect) X(glDrawArraysInstanced) \
-  A(glDrawArraysInstancedARB, glDrawArraysInstanced) A(glDrawArraysInstancedEXT, glDrawArraysInstanced) \
-  X(glDrawElements) X(glDrawElementsBaseVertex) X(glDrawElementsIndirect) X(glDrawElementsInstanced) \
-  A(glDrawElementsInstancedARB, glDrawElementsInstanced) X(glDrawElementsInstancedBaseVertex) \
-  A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) X(glDrawRangeElements) \
-  X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) X(glEnableClientState) \
-  X(glEnd) X(glEndList) X(glEvalMesh1) X(glEvalMesh2) X(glExecuteProgramNV) \
-  A(glFinalCombinerInput, glFinalCombinerInputNV) X(glFinalCombinerInputNV) X(glFinishFenceNV) \
-  X(glFlushVertexArrayRangeNV) X(glFogf) X(glFogfv) X(glFogi) X(glFogiv) X(glGenFencesNV) X(glGenProgramsNV) \
-  X(glGenerateMipmap) A(glGenerateMipmapEXT, glGenerateMipmap) X(glGetActiveAttrib) \
-  A(glGetActiveAttribARB, glGetActiveAttrib) X(glGetActiveUniform) A(glGetActiveUniformARB, glGetActiveUniform) \
-  A(glGetAttachedObjectsARB, glGetAttachedShaders) X(glGetAttachedShaders) X(glGetAttribLocation) \
-  A(glGetAttribLocationARB, glGetAttribLocation) X(glGetBooleanv) X(glGetColorTableEXT) \
-  X(glGetColorTableParameterfvEXT) X(glGetColorTableParameterivEXT) \
+  X(glDeleteProgramsNV) X(glDeleteTextures) A(glDeleteTexturesEXT, glDeleteTextures) X(glDeleteVertexArrays) \
+  A(glDetachObjectARB, glDetachShader) X(glDetachShader) X(glDisable) X(glDisableClientState) \
+  X(glDisableVertexAttribArray) X(glDisableVertexAttribArrayARB) X(glDrawArrays) A(glDrawArraysEXT, glDrawArrays) \
+  X(glDrawArraysIndirect) X(glDrawArraysInstanced) A(glDrawArraysInstancedARB, glDrawArraysInstanced) \
+  A(glDrawArraysInstancedEXT, glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsBaseVertex) \
+  X(glDrawElementsIndirect) X(glDrawElementsInstanced) A(glDrawElementsInstancedARB, glDrawElementsInstanced) \
+  X(glDrawElementsInstancedBaseVertex) A(glDrawElementsInstancedEXT, glDrawElementsInstanced) X(glDrawPixels) \
+  X(glDrawRangeElements) X(glDrawRangeElementsBaseVertex) A(glDrawRangeElementsEXT, glDrawRangeElements) X(glEnable) \
+  X(glEnableClientState) X(glEnableVertexAttribArray) X(glEnableVertexAttribArrayARB) X(glEnd) X(glEndList) \
+  X(glEvalMesh1) X(glEvalMesh2) X(glExecuteProgramNV) A(glFinalCombinerInput, glFinalCombinerInputNV) \
+  X(glFinalCombinerInputNV) X(glFinishFenceNV) X(glFlushVertexArrayRangeNV) X(glFogf) X(glFogfv) X(glFogi) X(glFogiv) \
+  X(glGenFencesNV) X(glGenProgramsNV) X(glGenerateMipmap) A(glGenerateMipmapEXT, glGenerateMipmap) \
+  X(glGetActiveAttrib) A(glGetActiveAttribARB, glGetActiveAttrib) X(glGetActiveUniform) \
+  A(glGetActiveUniformARB, glGetActiveUniform) A(glGetAttachedObjectsARB, glGetAttachedShaders) \
+  X(glGetAttachedShaders) X(glGetAttribLocation) A(glGetAttribLocationARB, glGetAttribLocation) X(glGetBooleanv) \
+  X(glGetColorTableEXT) X(glGetColorTableParameterfvEXT) X(glGetColorTableParameterivEXT) \
   A(glGetCombinerInputParameterfv, glGetCombinerInputParameterfvNV) X(glGetCombinerInputParameterfvNV) \
   A(glGetCombinerInputParameteriv, glGetCombinerInputParameterivNV) X(glGetCombinerInputParameterivNV) \
   A(glGetCombinerOutputParameterfv, glGetCombinerOutputParameterfvNV) X(glGetCombinerOutputParameterfvNV) \

@@ -52,16 +52,17 @@ bool is_pixel_transfer(GLenum pname) {
 }
 
 // The value of GL_NV_vertex_program's state.
-GLint vertex_program_value(const VertexProgramState& state, GLenum pname) {
+GLint vertex_program_value(const Context& context, GLenum pname) {
+  const VertexProgramState& state = context.vertex;
   switch (pname) {
     case GL_VERTEX_PROGRAM_BINDING_NV:
-      return static_cast<GLint>(state.is_bound ? state.name : 0);
+      return static_cast<GLint>(bound_vertex_program(context));
     case GL_PROGRAM_ERROR_POSITION_NV:
       return state.error_position;
     case GL_MATRIX_MODE: {
       const GLint mode = driver_integer(GL_MATRIX_MODE);
-      const bool is_program_matrix = mode >= GL_MATRIX0_ARB && mode < GL_MATRIX0_ARB + 8;
-      return is_program_matrix ? mode - GL_MATRIX0_ARB + GL_MATRIX0_NV : mode;
+      const bool has_nv_name = mode != 0 && static_cast<GLenum>(mode) == state.matrix_mode;
+      return has_nv_name ? mode - GL_MATRIX0_ARB + GL_MATRIX0_NV : mode;
     }
     default:
       return static_cast<GLint>(state.arrays >> (pname - GL_VERTEX_ATTRIB_ARRAY0_NV) & 1);
@@ -139,7 +140,7 @@ void values_of(Context& context, GLenum pname, GLfloat* floats, GLint* integers)
     *integers = static_cast<GLint>(context.app_program);
   } else if (pname == GL_VERTEX_PROGRAM_BINDING_NV || pname == GL_PROGRAM_ERROR_POSITION_NV ||
              pname == GL_MATRIX_MODE || is_attribute_array(&context, pname)) {
-    *integers = vertex_program_value(context.vertex, pname);
+    *integers = vertex_program_value(context, pname);
   } else if (pname == GL_NUM_EXTENSIONS) {
     *integers = number_of_driver_extensions() + static_cast<GLint>(added_extensions(context).size());
   } else {

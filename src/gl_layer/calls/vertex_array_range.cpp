@@ -17,7 +17,6 @@ Context* range_context() {
 }
 
 void set_attribute_array(Context& context, GLuint index, bool enabled) {
-  context.vertex.used = true;
   if (!context.outside_begin()) return;
   enabled ? found_driver.EnableVertexAttribArrayARB(index) : found_driver.DisableVertexAttribArrayARB(index);
   find_attribute_array(context, index);
@@ -83,9 +82,7 @@ GLAPI void GLAPIENTRY glPushClientAttrib(GLbitfield mask) {
 GLAPI void GLAPIENTRY glPopClientAttrib() {
   Context* const context = range_context();
   find_driver().PopClientAttrib();
-  if (has_vertex_programs(current()) && current()->vertex.used && !current()->in_begin) {
-    for (unsigned i = 0; i < static_cast<unsigned>(kVertexAttributes); ++i) find_attribute_array(*current(), i);
-  }
+  if (has_vertex_programs(current()) && !current()->in_begin) find_attribute_arrays(*current());
   if (context == nullptr || context->in_begin || context->saved_ranges.empty()) return;
   if (context->saved_ranges.back()) context->vertex_range = *context->saved_ranges.back();
   context->saved_ranges.pop_back();

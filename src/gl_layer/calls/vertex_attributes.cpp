@@ -21,16 +21,23 @@ void set_conventional(GLuint index, const VertexVector& v) {
     case 0:
       return found_driver.Vertex4f(v[0], v[1], v[2], v[3]);
     case 2:
-      if (v[3] != 1) log_once("glVertexAttrib4NV: the fourth component of attribute 2, the normal, is lost");
+      if (v[3] != 1) {
+        static LogOnce once;
+        once.write("glVertexAttrib4NV: the fourth component of attribute 2, the normal, is lost");
+      }
       return found_driver.Normal3f(v[0], v[1], v[2]);
     case 3:
       return found_driver.Color4f(v[0], v[1], v[2], v[3]);
     case 4:
-      if (v[3] != 1) log_once("glVertexAttrib4NV: the fourth component of attribute 4, the secondary colour, is lost");
+      if (v[3] != 1) {
+        static LogOnce once;
+        once.write("glVertexAttrib4NV: the fourth component of attribute 4, the secondary colour, is lost");
+      }
       return found_driver.SecondaryColor3f(v[0], v[1], v[2]);
     case 5:
       if (v[1] != 0 || v[2] != 0 || v[3] != 1) {
-        log_once("glVertexAttribNV: attribute 5, the fog coordinate, has one component; the others are lost");
+        static LogOnce once;
+        once.write("glVertexAttribNV: attribute 5, the fog coordinate, has one component; the others are lost");
       }
       return found_driver.FogCoordf(v[0]);
     default:
@@ -38,10 +45,14 @@ void set_conventional(GLuint index, const VertexVector& v) {
   }
 }
 
+// These commands may stand between glBegin and glEnd, where a list cannot hold their errors: they are raised at once.
+void raise_value(Context& context) {
+  context.next_in_begin() ? context.raise(GL_INVALID_VALUE) : raise_or_record(context, GL_INVALID_VALUE);
+}
+
 void set_attribute(GLuint index, const VertexVector& v) {
   Context& context = *current();
-  context.vertex.used = true;
-  if (index >= kAttributes) return context.raise(GL_INVALID_VALUE);
+  if (index >= kAttributes) return raise_value(context);
   if ((kGenericAttributes >> index & 1) != 0) return found_driver.VertexAttrib4fARB(index, v[0], v[1], v[2], v[3]);
   set_conventional(index, v);
 }
@@ -65,7 +76,7 @@ void attribute_of(GLuint index, const T* v) {
 template <int kSize, class T>
 void attributes_of(GLuint index, GLsizei count, const T* v) {
   if (count < 0 || index >= kAttributes || static_cast<GLuint>(count) > kAttributes - index) {
-    return current()->raise(GL_INVALID_VALUE);
+    return raise_value(*current());
   }
   for (auto i = static_cast<std::size_t>(count); i-- > 0;) {
     set_attribute(index + static_cast<GLuint>(i), components<kSize>(v + kSize * i));
@@ -94,7 +105,6 @@ void attribute_4_bytes(GLuint index, GLubyte x, GLubyte y, GLubyte z, GLubyte w)
 
 void attribute_pointer(GLuint index, GLint size, GLenum type, GLsizei stride, const void* pointer) {
   Context& context = *current();
-  context.vertex.used = true;
   if (!context.outside_begin()) return;
   const bool is_type = type == GL_UNSIGNED_BYTE || type == GL_SHORT || type == GL_FLOAT || type == GL_DOUBLE;
   if (index >= kAttributes || size < 1 || size > 4 || stride < 0) return context.raise(GL_INVALID_VALUE);
@@ -140,12 +150,12 @@ VertexVector current_attribute(GLuint index) {
 template <class T>
 void get_attribute(GLuint index, GLenum pname, T* params) {
   Context& context = *current();
-  context.vertex.used = true;
   if (!context.outside_begin()) return;
   if (index >= kAttributes) return context.raise(GL_INVALID_VALUE);
   switch (pname) {
     case GL_CURRENT_ATTRIB_NV: {
       if (index == 0) return context.raise(GL_INVALID_OPERATION);
+      if (index >= 8 && !can_run_beside_list(context)) return;
       VertexVector value{};
       run_beside_list(context, [&] { value = current_attribute(index); });
       std::transform(value.begin(), value.end(), params, [](float x) { return static_cast<T>(x); });
@@ -166,14 +176,13 @@ void get_attribute(GLuint index, GLenum pname, T* params) {
 
 void get_attribute_pointer(GLuint index, GLenum pname, void** pointer) {
   Context& context = *current();
-  context.vertex.used = true;
   if (!context.outside_begin()) return;
   if (index >= kAttributes) return context.raise(GL_INVALID_VALUE);
   if (pname != GL_ATTRIB_ARRAY_POINTER_NV) return context.raise(GL_INVALID_ENUM);
   found_driver.GetVertexAttribPointervARB(index, pname, pointer);
 }
 
-// An element of an attribute array in the program's memory.
+// An element of an attribute array that can be read.
 VertexVector element(const AttributeArray& array, GLint number) {
   const auto size = static_cast<std::size_t>(array.size);
   const std::size_t bytes = array.type == GL_UNSIGNED_BYTE ? 1
@@ -202,21 +211,49 @@ VertexVector element(const AttributeArray& array, GLint number) {
 // conventional one and for the position.
 GLAPI void GLAPIENTRY glArrayElement(GLint i) {
   Context* const context = current();
-  if (context != nullptr && context->vertex.is_bound) {
-    const unsigned arrays = context->vertex.arrays & ~(kGenericAttributes | 1U);
+  if (context != nullptr && element_arrays(*context) != 0) {
+    if (!context->next_in_begin()) find_element_arrays(*context);
+    const unsigned arrays = element_arrays(*context);
     for (GLuint k = 0; k < kAttributes; ++k) {
       if ((arrays >> k & 1) == 0) continue;
       const AttributeArray& array = context->vertex.array[k];
-      if (array.in_buffer) {
-        log_once("glArrayElement with an attribute array in a buffer: the attribute stays as it is");
-      } else {
+      if (array.is_readable) {
         set_conventional(k, element(array, i));
+      } else {
+        static LogOnce once;
+        once.write(
+            "glArrayElement with an attribute array in a buffer, or of a format that glVertexAttribPointerNV does "
+            "not have: the attribute stays as it is");
       }
     }
   }
   const auto call = find_driver().ArrayElement;
   if (call != nullptr) call(i);
 }
+
+// Functions of other extensions after which other attribute arrays may be enabled.
+#define NINEBIT_ARRAY_ENABLE(name)                                                              \
+  GLAPI void GLAPIENTRY gl##name(GLuint index) {                                                \
+    const auto call = find_driver().name;                                                       \
+    if (call != nullptr) call(index);                                                           \
+    Context* const context = current();                                                         \
+    const bool is_one = call != nullptr && index < kAttributes && has_vertex_programs(context); \
+    if (is_one && !context->in_begin) find_attribute_array(*context, index);                    \
+  }
+NINEBIT_ARRAY_ENABLE(DisableVertexAttribArray)
+NINEBIT_ARRAY_ENABLE(DisableVertexAttribArrayARB)
+NINEBIT_ARRAY_ENABLE(EnableVertexAttribArray)
+NINEBIT_ARRAY_ENABLE(EnableVertexAttribArrayARB)
+
+#define NINEBIT_VERTEX_ARRAY_OBJECTS(name, parameters, arguments)                            \
+  GLAPI void GLAPIENTRY gl##name parameters {                                                \
+    const auto call = find_driver().name;                                                    \
+    if (call != nullptr) call arguments;                                                     \
+    Context* const context = current();                                                      \
+    if (has_vertex_programs(context) && !context->in_begin) find_attribute_arrays(*context); \
+  }
+NINEBIT_VERTEX_ARRAY_OBJECTS(BindVertexArray, (GLuint array), (array))
+NINEBIT_VERTEX_ARRAY_OBJECTS(DeleteVertexArrays, (GLsizei n, const GLuint* arrays), (n, arrays))
 
 #define NINEBIT_ATTRIBUTES(letter, type)                                                                          \
   NINEBIT_VERTEX_PROCEDURE(VertexAttrib1##letter##NV, (GLuint index, type x), (index, x), attribute_1)            \

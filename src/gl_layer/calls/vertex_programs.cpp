@@ -3,6 +3,7 @@
 #include <cstring>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/gl_layer/calls/display_lists.h"
@@ -21,16 +22,24 @@ std::shared_ptr<VertexProgramObject> find_object(Context& context, GLuint name) 
   return found != all.end() ? found->second : nullptr;
 }
 
+// Whether it is one of the layer's own programs, which are none to the program that runs.
+bool is_layers(Context& context, GLuint name) {
+  SharedVertexPrograms& shared = context.group->vertex_programs;
+  if (!shared.has_driver_names) return false;
+  const std::lock_guard lock(context.group->mutex);
+  return shared.driver_names.contains(name);
+}
+
+// The programs of this extension and of ARB_vertex_program have the same names: the driver knows all of them.
 bool exists(Context& context, GLuint name) {
-  const auto object = find_object(context, name);
-  return object != nullptr && object->target != 0;
+  return find_object(context, name) != nullptr ||
+         (!is_layers(context, name) && found_driver.IsProgramARB(name) == GL_TRUE);
 }
 
 // Runs a command that can go into a display list; what it captures must be values.
 template <class Command>
 void run(const Command& command) {
   Context& context = *current();
-  context.vertex.used = true;
   if (context.open_list != nullptr) {
     if (context.list_in_begin()) return record_begin_error(context);
     return record(context, [command] { run(command); });
@@ -41,7 +50,6 @@ void run(const Command& command) {
 // The context for a command that is executed at once; nullptr: between glBegin and glEnd.
 Context* at_once() {
   Context* const context = current();
-  context->vertex.used = true;
   return context->outside_begin() ? context : nullptr;
 }
 
@@ -50,56 +58,65 @@ void rebind(Context& context) {
   bind_vertex_program(context, context.vertex.drawn_arrays);
 }
 
+void set_bound(Context& context, GLuint name, std::shared_ptr<VertexProgramObject> object) {
+  context.vertex.is_bound = object != nullptr;
+  context.vertex.name = object != nullptr ? name : 0;
+  context.vertex.object = std::move(object);
+  context.vertex.driver_name = 0;
+}
+
+// A program without a text of this extension is the driver's.
+void bind_now(Context& context, GLuint name) {
+  auto object = find_object(context, name);
+  if (object != nullptr && object->target == GL_VERTEX_STATE_PROGRAM_NV) return context.raise(GL_INVALID_OPERATION);
+  if (object != nullptr) {
+    set_bound(context, name, std::move(object));
+    return rebind(context);
+  }
+  const GLuint visible = is_layers(context, name) ? ~0U : name;
+  found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, visible);
+  GLint bound = 0;
+  found_driver.GetProgramivARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
+  if (static_cast<GLuint>(bound) == visible) set_bound(context, 0, nullptr);  // otherwise the driver has refused it
+}
+
 void bind_program(GLenum target, GLuint name) {
   run([=](Context& context) {
     if (target != GL_VERTEX_PROGRAM_NV) return context.raise(GL_INVALID_ENUM);
-    auto object = find_object(context, name);
-    if (object != nullptr && object->target == GL_VERTEX_STATE_PROGRAM_NV) return context.raise(GL_INVALID_OPERATION);
-    if (object == nullptr && name != 0) {
-      object = std::make_shared<VertexProgramObject>();
-      const std::lock_guard lock(context.group->mutex);
-      context.group->vertex_programs.by_name[name] = object;
-    }
-    context.vertex.is_bound = true;
-    context.vertex.name = name;
-    context.vertex.object = object;
-    rebind(context);
+    bind_now(context, name);
   });
+}
+
+void delete_program(Context& context, GLuint name) {
+  if (name == 0 || is_layers(context, name)) return;
+  const auto object = find_object(context, name);
+  if (object != nullptr) {
+    if (context.vertex.is_bound && context.vertex.name == name) {
+      if (!can_run_beside_list(context)) return;
+      set_bound(context, 0, nullptr);
+      run_beside_list(context, [] { found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 0); });
+    }
+    {
+      const std::lock_guard lock(context.group->mutex);
+      context.group->vertex_programs.by_name.erase(name);
+    }
+    delete_variants(context, *object);
+  }
+  found_driver.DeleteProgramsARB(1, &name);
 }
 
 void delete_programs(GLsizei n, const GLuint* names) {
   Context* const context = at_once();
   if (context == nullptr) return;
   if (n < 0) return context->raise(GL_INVALID_VALUE);
-  for (GLsizei i = 0; i < n; ++i) {
-    const auto object = find_object(*context, names[i]);
-    if (object == nullptr) continue;
-    {
-      const std::lock_guard lock(context->group->mutex);
-      context->group->vertex_programs.by_name.erase(names[i]);
-    }
-    if (context->vertex.name == names[i]) {
-      context->vertex.name = 0;
-      context->vertex.object = nullptr;
-      run_beside_list(*context, [context] { rebind(*context); });
-    }
-    delete_variants(*context, *object);
-  }
+  for (GLsizei i = 0; i < n; ++i) delete_program(*context, names[i]);
 }
 
 void generate_programs(GLsizei n, GLuint* names) {
   Context* const context = at_once();
   if (context == nullptr) return;
   if (n < 0) return context->raise(GL_INVALID_VALUE);
-  const std::lock_guard lock(context->group->mutex);
-  auto& all = context->group->vertex_programs.by_name;
-  GLuint name = 0;
-  for (GLsizei i = 0; i < n; ++i) {
-    do ++name;
-    while (all.contains(name));
-    all[name] = std::make_shared<VertexProgramObject>();
-    names[i] = name;
-  }
+  found_driver.GenProgramsARB(n, names);
 }
 
 GLboolean is_program(GLuint name) {
@@ -107,15 +124,27 @@ GLboolean is_program(GLuint name) {
   return context != nullptr && exists(*context, name) ? GL_TRUE : GL_FALSE;
 }
 
+// Makes a name known to the driver, which then gives it to no other program. False: it is that of another target.
+bool reserve(Context& context, GLuint name) {
+  const GLenum before = found_driver.GetError();
+  GLint bound = 0;
+  found_driver.GetProgramivARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
+  found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, name);
+  const bool is_ours = found_driver.GetError() == GL_NO_ERROR;
+  found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, static_cast<GLuint>(bound));
+  if (before != GL_NO_ERROR) context.raise(before);
+  return is_ours;
+}
+
 void load_program(GLenum target, GLuint name, const std::string& text) {
   run([=](Context& context) {
     using ninebit::gl_layer::VertexProgramKind;
     if (target != GL_VERTEX_PROGRAM_NV && target != GL_VERTEX_STATE_PROGRAM_NV) return context.raise(GL_INVALID_ENUM);
     if (name == 0) return context.raise(GL_INVALID_VALUE);
-    auto object = find_object(context, name);
-    if (object != nullptr && object->target != 0 && object->target != target) {
-      return context.raise(GL_INVALID_OPERATION);
-    }
+    const auto before = find_object(context, name);
+    const bool is_bound = bound_vertex_program(context) == name;
+    const bool is_other = before != nullptr && before->target != target;
+    if (is_other || (is_bound && target != GL_VERTEX_PROGRAM_NV)) return context.raise(GL_INVALID_OPERATION);
     const auto kind = target == GL_VERTEX_PROGRAM_NV ? VertexProgramKind::vertex : VertexProgramKind::state;
     VertexFault fault;
     auto program = parse_vertex_program(text, kind, context.features.extras.have(Extra::vertex_program1_1), fault);
@@ -125,24 +154,32 @@ void load_program(GLenum target, GLuint name, const std::string& text) {
       log_once("a vertex program is refused at byte " + std::to_string(fault.position) + ": " + fault.message);
       return context.raise(GL_INVALID_OPERATION);
     }
-    if (object == nullptr) {
-      object = std::make_shared<VertexProgramObject>();
-      const std::lock_guard lock(context.group->mutex);
-      context.group->vertex_programs.by_name[name] = object;
+    if (before == nullptr && (is_layers(context, name) || !reserve(context, name))) {
+      return context.raise(GL_INVALID_OPERATION);
     }
-    delete_variants(context, *object);
+    // Another thread may be drawing with the object of before: it stays as it is.
+    const auto object = std::make_shared<VertexProgramObject>();
     object->target = target;
     object->text = text;
     object->program = std::move(*program);
-    if (context.vertex.name != name || !context.vertex.is_bound) return;
-    context.vertex.object = object;
-    context.vertex.driver_name = 0;  // it is deleted
+    std::shared_ptr<VertexProgramObject> replaced = object;
+    {
+      const std::lock_guard lock(context.group->mutex);
+      std::swap(context.group->vertex_programs.by_name[name], replaced);
+    }
+    if (replaced != nullptr) delete_variants(context, *replaced);
+    if (!is_bound) return;
+    set_bound(context, name, object);
     rebind(context);
   });
 }
 
 void load_program_text(GLenum target, GLuint name, GLsizei length, const GLubyte* text) {
-  if (length < 0 || text == nullptr) return current()->raise(GL_INVALID_VALUE);
+  Context& context = *current();
+  if (length < 0 || text == nullptr) {
+    if (context.outside_begin()) raise_or_record(context, GL_INVALID_VALUE);
+    return;
+  }
   load_program(target, name, std::string(reinterpret_cast<const char*>(text), static_cast<std::size_t>(length)));
 }
 
@@ -169,7 +206,7 @@ void get_program(GLuint name, GLenum pname, GLint* params) {
   Context* const context = at_once();
   if (context == nullptr) return;
   const auto object = find_object(*context, name);
-  if (object == nullptr || object->target == 0) return context->raise(GL_INVALID_OPERATION);
+  if (object == nullptr) return context->raise(GL_INVALID_OPERATION);
   switch (pname) {
     case GL_PROGRAM_TARGET_NV:
       *params = static_cast<GLint>(object->target);
@@ -190,18 +227,18 @@ void get_program_text(GLuint name, GLenum pname, GLubyte* text) {
   if (context == nullptr) return;
   if (pname != GL_PROGRAM_STRING_NV) return context->raise(GL_INVALID_ENUM);
   const auto object = find_object(*context, name);
-  if (object == nullptr || object->target == 0) return context->raise(GL_INVALID_OPERATION);
+  if (object == nullptr) return context->raise(GL_INVALID_OPERATION);
   std::copy(object->text.begin(), object->text.end(), text);  // without a 0 behind it
 }
 
 // Parameters are the driver's, which records them in its lists.
 void set_parameters(GLenum target, GLuint index, GLsizei count, const GLfloat* values) {
   Context& context = *current();
-  context.vertex.used = true;
   if (!context.outside_begin()) return;
-  if (target != GL_VERTEX_PROGRAM_NV) return context.raise(GL_INVALID_ENUM);
+  if (target != GL_VERTEX_PROGRAM_NV) return raise_or_record(context, GL_INVALID_ENUM);
   const auto end = static_cast<GLuint>(kVertexParameters);
-  if (count < 0 || index >= end || static_cast<GLuint>(count) > end - index) return context.raise(GL_INVALID_VALUE);
+  const bool is_range = count >= 0 && index < end && static_cast<GLuint>(count) <= end - index;
+  if (!is_range) return raise_or_record(context, GL_INVALID_VALUE);
   for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
     found_driver.ProgramEnvParameter4fvARB(GL_VERTEX_PROGRAM_ARB, index + i, values + 4 * static_cast<std::size_t>(i));
   }
@@ -240,6 +277,9 @@ void get_parameter(GLenum target, GLuint index, GLenum pname, T* params) {
   if (context == nullptr) return;
   if (target != GL_VERTEX_PROGRAM_NV || pname != GL_PROGRAM_PARAMETER_NV) return context->raise(GL_INVALID_ENUM);
   if (index >= static_cast<GLuint>(kVertexParameters)) return context->raise(GL_INVALID_VALUE);
+  const MatrixSource source = context->vertex.matrices[index / 4].source;
+  const bool moves_state = source == MatrixSource::texture || source == MatrixSource::program;
+  if (moves_state && !can_run_beside_list(*context)) return;
   VertexVector value{};
   run_beside_list(*context, [&] { value = parameter(*context, index); });
   std::transform(value.begin(), value.end(), params, [](float x) { return static_cast<T>(x); });
@@ -258,6 +298,9 @@ std::optional<TrackedMatrix> named_matrix(GLenum matrix) {
       return TrackedMatrix{.source = MatrixSource::modelview};
     case GL_PROJECTION:
       return TrackedMatrix{.source = MatrixSource::projection};
+    case GL_COLOR:
+      log_once("glTrackMatrixNV: the colour matrix is not tracked");
+      return std::nullopt;
     case GL_MODELVIEW_PROJECTION_NV:
       return TrackedMatrix{.source = MatrixSource::modelview_projection};
     case GL_TEXTURE:
@@ -370,11 +413,9 @@ NINEBIT_VERTEX_PROCEDURE(TrackMatrixNV, (GLenum target, GLuint address, GLenum m
 // programs are none to the program that runs.
 namespace {
 
-bool is_layers(GLuint name) {
+bool is_hidden(GLuint name) {
   Context* const context = current();
-  if (context == nullptr || !context->vertex.used) return false;
-  const std::lock_guard lock(context->group->mutex);
-  return context->group->vertex_programs.driver_names.contains(name);
+  return context != nullptr && is_layers(*context, name);
 }
 
 bool has_nv_program(GLenum target) {
@@ -388,29 +429,24 @@ GLAPI void GLAPIENTRY glBindProgramARB(GLenum target, GLuint program) {
   const auto bind = find_driver().BindProgramARB;
   if (bind == nullptr) return;
   Context* const context = current();
-  if (context == nullptr || !context->vertex.used || target != GL_VERTEX_PROGRAM_ARB || context->in_begin) {
-    return bind(target, program);
-  }
-  if (context->open_list != nullptr && !context->list_in_begin()) {
-    return record(*context, [=] { glBindProgramARB(target, program); });
-  }
-  bind(target, is_layers(program) ? ~0U : program);
-  context->vertex.is_bound = false;
-  context->vertex.driver_name = 0;
+  const bool is_the_drivers =
+      !has_vertex_programs(context) || target != GL_VERTEX_PROGRAM_ARB || context->next_in_begin();
+  if (is_the_drivers) return bind(target, program);
+  if (context->open_list != nullptr) return record(*context, [=] { glBindProgramARB(target, program); });
+  bind_now(*context, program);
 }
 
 GLAPI void GLAPIENTRY glDeleteProgramsARB(GLsizei n, const GLuint* programs) {
   const auto call = find_driver().DeleteProgramsARB;
   if (call == nullptr) return;
-  if (n <= 0) return call(n, programs);
-  std::vector<GLuint> visible(programs, programs + n);
-  std::erase_if(visible, is_layers);
-  call(static_cast<GLsizei>(visible.size()), visible.data());
+  Context* const context = current();
+  if (n <= 0 || !has_vertex_programs(context) || context->in_begin) return call(n, programs);
+  delete_programs(n, programs);
 }
 
 GLAPI GLboolean GLAPIENTRY glIsProgramARB(GLuint program) {
   const auto call = find_driver().IsProgramARB;
-  return call != nullptr && !is_layers(program) ? call(program) : GLboolean{GL_FALSE};
+  return call != nullptr && !is_hidden(program) ? call(program) : GLboolean{GL_FALSE};
 }
 
 GLAPI void GLAPIENTRY glProgramStringARB(GLenum target, GLenum format, GLsizei length, const GLvoid* text) {
@@ -435,6 +471,16 @@ GLAPI void GLAPIENTRY glGetProgramivARB(GLenum target, GLenum pname, GLint* para
 // The names of program matrices.
 GLAPI void GLAPIENTRY glMatrixMode(GLenum mode) {
   const auto call = find_driver().MatrixMode;
-  const bool is_nv = mode >= GL_MATRIX0_NV && mode <= GL_MATRIX7_NV && has_vertex_programs(current());
-  if (call != nullptr) call(is_nv ? GL_MATRIX0_ARB + (mode - GL_MATRIX0_NV) : mode);
+  if (call == nullptr) return;
+  Context* const context = current();
+  if (!has_vertex_programs(context) || context->in_begin) return call(mode);
+  const bool is_nv = mode >= GL_MATRIX0_NV && mode <= GL_MATRIX7_NV;
+  if (is_nv && context->open_list != nullptr) {
+    if (context->list_in_begin()) return record_begin_error(*context);
+    return record(*context, [mode] { glMatrixMode(mode); });
+  }
+  const GLenum drivers = is_nv ? GL_MATRIX0_ARB + (mode - GL_MATRIX0_NV) : mode;
+  const bool executes = context->open_list == nullptr || context->open_list->mode == GL_COMPILE_AND_EXECUTE;
+  if (executes) context->vertex.matrix_mode = is_nv ? drivers : 0;
+  call(drivers);
 }

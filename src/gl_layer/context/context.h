@@ -170,8 +170,10 @@ class Context {
   [[nodiscard]] bool watches_draws() const { return touched; }
   // Whether commands that the layer has to see when they are executed go into a display list as its steps.
   [[nodiscard]] bool recording() const {
-    return open_list != nullptr && (touched || vertex.used || combiners_looked_up());
+    return open_list != nullptr && (touched || features.extras.have(Extra::vertex_program) || combiners_looked_up());
   }
+  // Whether the next command is between glBegin and glEnd, of a list or not.
+  [[nodiscard]] bool next_in_begin() const { return in_begin || (open_list != nullptr && open_list->in_begin); }
   // Whether the next command of the open list is between glBegin and glEnd.
   [[nodiscard]] bool list_in_begin() const { return in_begin || open_list->in_begin; }
 

@@ -17,6 +17,7 @@ unsigned unused_name(SharedVertexPrograms& shared) {
   unsigned name = --next;
   while (found_driver.IsProgramARB(name) == GL_TRUE) name = --next;
   shared.driver_names.insert(name);
+  shared.has_driver_names = true;
   return name;
 }
 
@@ -131,21 +132,28 @@ void bind_vertex_program(Context& context, unsigned arrays) {
   if (!state.is_bound) return;
   const std::lock_guard lock(context.group->mutex);
   SharedVertexPrograms& shared = context.group->vertex_programs;
-  unsigned name = 0;
-  if (state.object != nullptr && state.object->target == GL_VERTEX_PROGRAM_ARB) {
-    const VertexProgram& program = state.object->program;
-    const VertexVariant variant{read_matrices(program, state.matrices), arrays & program.attributes};
-    const auto [known, is_new] = state.object->variants.try_emplace(variant, 0U);
-    if (is_new) {
-      known->second = make_variant(shared, translate_vertex_program(program, variant.first, variant.second));
-      state.driver_name = known->second;
-    }
-    name = known->second;
+  const VertexProgram& program = state.object->program;
+  const VertexVariant variant{read_matrices(program, state.matrices), arrays & program.attributes};
+  const auto [known, is_new] = state.object->variants.try_emplace(variant, 0U);
+  if (is_new) {
+    known->second = make_variant(shared, translate_vertex_program(program, variant.first, variant.second));
+    state.driver_name = known->second;
   }
-  if (name == 0) name = name_without_text(shared);
+  const unsigned name = known->second != 0 ? known->second : name_without_text(shared);
   if (name != state.driver_name) found_driver.BindProgramARB(GL_VERTEX_PROGRAM_ARB, name);
   state.driver_name = name;
 }
+
+namespace {
+
+// Other functions that set arrays have more formats: integers of other types, GL_BGRA for the number of components.
+bool is_format_of_nv(unsigned type, int size, bool normalized) {
+  if (size < 1 || size > 4) return false;
+  if (type == GL_UNSIGNED_BYTE) return normalized;
+  return type == GL_FLOAT || type == GL_DOUBLE || (type == GL_SHORT && !normalized);
+}
+
+}  // namespace
 
 void find_attribute_array(Context& context, unsigned index) {
   const auto get = [index](GLenum pname) {
@@ -158,11 +166,31 @@ void find_attribute_array(Context& context, unsigned index) {
   const unsigned bit = 1U << index;
   const bool enabled = get(GL_VERTEX_ATTRIB_ARRAY_ENABLED) != 0;
   context.vertex.arrays = enabled ? context.vertex.arrays | bit : context.vertex.arrays & ~bit;
-  context.vertex.array[index] = {.type = static_cast<unsigned>(get(GL_VERTEX_ATTRIB_ARRAY_TYPE)),
-                                 .size = get(GL_VERTEX_ATTRIB_ARRAY_SIZE),
-                                 .stride = get(GL_VERTEX_ATTRIB_ARRAY_STRIDE),
-                                 .pointer = pointer,
-                                 .in_buffer = get(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING) != 0};
+  AttributeArray& array = context.vertex.array[index];
+  array = {.type = static_cast<unsigned>(get(GL_VERTEX_ATTRIB_ARRAY_TYPE)),
+           .size = get(GL_VERTEX_ATTRIB_ARRAY_SIZE),
+           .stride = get(GL_VERTEX_ATTRIB_ARRAY_STRIDE),
+           .pointer = pointer};
+  array.is_readable = pointer != nullptr && get(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING) == 0 &&
+                      is_format_of_nv(array.type, array.size, get(GL_VERTEX_ATTRIB_ARRAY_NORMALIZED) != 0);
+}
+
+unsigned bound_vertex_program(const Context& context) {
+  if (context.vertex.is_bound) return context.vertex.name;
+  GLint name = 0;
+  found_driver.GetProgramivARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &name);
+  return static_cast<unsigned>(name);
+}
+
+void find_attribute_arrays(Context& context) {
+  for (unsigned i = 0; i < static_cast<unsigned>(kVertexAttributes); ++i) find_attribute_array(context, i);
+}
+
+void find_element_arrays(Context& context) {
+  const unsigned arrays = element_arrays(context);
+  for (unsigned i = 0; i < static_cast<unsigned>(kVertexAttributes); ++i) {
+    if ((arrays >> i & 1) != 0) find_attribute_array(context, i);
+  }
 }
 
 std::array<VertexVector, 4> rows_of(const TrackedMatrix& matrix) {

@@ -23,13 +23,13 @@ namespace ninebit::gl_layer {
   X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv) X(TexSubImage1D) X(TexSubImage2D)
 // nullptr where the driver does not have them.
 #define NINEBIT_LATER_FUNCTIONS(X) \
-  X(ActiveTexture) X(AttachShader) X(BindAttribLocation) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
+  X(ActiveTexture) X(AttachShader) X(BindAttribLocation) X(BindBuffer) X(BindVertexArray) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
   X(CheckFramebufferStatus) X(ClearBufferfv) X(ColorMaski) X(CompileShader) X(CompressedTexImage1D) X(CompressedTexImage2D) \
   X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFencesNV) X(DeleteFramebuffers) X(DeleteObjectARB) X(DeleteProgram) \
-  X(DeleteRenderbuffers) X(DeleteShader) X(DetachShader) X(Disablei) X(DrawArraysInstanced) X(DrawBuffers) \
+  X(DeleteRenderbuffers) X(DeleteShader) X(DeleteVertexArrays) X(DetachShader) X(Disablei) X(DisableVertexAttribArray) X(DrawArraysInstanced) X(DrawBuffers) \
   X(DrawElementsBaseVertex) X(DrawArraysIndirect) \
   X(DrawElementsIndirect) X(DrawElementsInstanced) X(DrawElementsInstancedBaseVertex) X(MultiDrawArraysIndirect) \
-  X(MultiDrawElementsBaseVertex) X(MultiDrawElementsIndirect) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(FramebufferRenderbuffer) \
+  X(MultiDrawElementsBaseVertex) X(MultiDrawElementsIndirect) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(EnableVertexAttribArray) X(FramebufferRenderbuffer) \
   X(FinishFenceNV) X(FlushVertexArrayRangeNV) X(GenFencesNV) X(GetFenceivNV) X(IsFenceNV) X(SetFenceNV) X(TestFenceNV) X(VertexArrayRangeNV) \
   X(FramebufferTexture2D) X(GenerateMipmap) X(GenFramebuffers) X(GenRenderbuffers) X(GetActiveAttrib) X(GetActiveUniform) \
   X(GetAttachedShaders) X(GetAttribLocation) X(GetBooleani_v) X(GetHandleARB) X(GetInfoLogARB) X(GetObjectParameterivARB) \
@@ -42,7 +42,7 @@ namespace ninebit::gl_layer {
 // What NV_vertex_program is made of.
 #define NINEBIT_VERTEX_PROGRAM_FUNCTIONS(X) \
   X(ArrayElement) X(BindProgramARB) X(Color4f) X(DeleteProgramsARB) X(DisableVertexAttribArrayARB) \
-  X(EnableVertexAttribArrayARB) X(FogCoordf) X(GetProgramEnvParameterfvARB) X(GetProgramivARB) \
+  X(EnableVertexAttribArrayARB) X(FogCoordf) X(GenProgramsARB) X(GetProgramEnvParameterfvARB) X(GetProgramivARB) \
   X(GetVertexAttribPointervARB) X(GetVertexAttribfvARB) X(GetVertexAttribivARB) X(IsProgramARB) X(MatrixMode) \
   X(MultiTexCoord4f) X(Normal3f) X(ProgramEnvParameter4fvARB) X(ProgramStringARB) X(SecondaryColor3f) X(Vertex4f) \
   X(VertexAttrib4fARB) X(VertexAttribPointerARB)

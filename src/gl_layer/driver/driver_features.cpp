@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "src/gl_layer/driver/driver.h"
@@ -94,7 +95,14 @@ bool holds_vertex_programs() {
   };
   return at_least(GL_MAX_PROGRAM_ENV_PARAMETERS_ARB, 96) && at_least(GL_MAX_PROGRAM_PARAMETERS_ARB, 100) &&
          at_least(GL_MAX_PROGRAM_TEMPORARIES_ARB, 14) && at_least(GL_MAX_PROGRAM_ATTRIBS_ARB, 16) &&
-         at_least(GL_MAX_PROGRAM_INSTRUCTIONS_ARB, 256);
+         at_least(GL_MAX_PROGRAM_INSTRUCTIONS_ARB, 256) && driver_integer(GL_MAX_TEXTURE_COORDS) >= 8;
+}
+
+// The extension that another one adds to: the layer adds both, or none. It stands before the other in the list.
+std::optional<Extra> extended(Extra extra) {
+  if (extra == Extra::vertex_program1_1) return Extra::vertex_program;
+  if (extra == Extra::shared_texture_palette) return Extra::paletted_texture;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -126,10 +134,13 @@ DriverFeatures find_features() {
     if (has_word(extensions, one.name.data())) note_drivers_own(one.extra);
     const bool is_vertex_program = one.extra == Extra::vertex_program || one.extra == Extra::vertex_program1_1;
     if (!wanted_extras().have(one.extra) || has_word(extensions, one.name.data())) continue;
-    if (!is_vertex_program || (features.vertex_program && holds_vertex_programs())) {
-      features.extras.add(one.extra);
+    if (is_vertex_program && !(features.vertex_program && holds_vertex_programs())) {
+      log_once(std::string(one.name) +
+               " needs GL_ARB_vertex_program with 96 parameters and 8 texture coordinates: it is not added");
+    } else if (const auto base = extended(one.extra); base && !features.extras.have(*base)) {
+      log_once(std::string(one.name) + " is not added to the driver's own extension that it extends");
     } else {
-      log_once(std::string(one.name) + " needs GL_ARB_vertex_program with 96 parameters: it is not added");
+      features.extras.add(one.extra);
     }
   }
   features.texture_storage = has_word(extensions, "GL_ARB_texture_storage");

@@ -8,7 +8,8 @@ namespace ninebit::tools {
 
 // Changes an effect that effect_of() made and that draws the rectangle.
 // - Unless --size is given, the drawing gets the size of the first picture that a unit reads.
-// - A picture whose sides are not powers of two becomes a rectangle texture, and its unit's coordinates count texels. In
+// - A picture whose sides are not powers of two becomes a rectangle texture, and its unit's coordinates count texels.
+// In
 //   a drawing of its size the nearest texels are read by default.
 // - It stays a 2D texture, which the readers resample, if the program has texture-shader stages, whose operations name
 //   their target, or if a flag asks for what rectangle textures do not have: mip-maps, repeating, cylinders, borders.
