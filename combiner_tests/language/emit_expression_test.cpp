@@ -38,6 +38,7 @@ std::int64_t computed(const Graph& graph, const V& v, std::int64_t x, std::int64
   for (std::size_t i = 0; i < 4; ++i) a[i] = computed(graph, node.args[i], x, y);
   switch (node.opcode) {
     case Opcode::input:
+    case Opcode::sum_of_components:  // of vectors, which these expressions do not have
       break;
     case Opcode::add:
       return a[0] + a[1];
