@@ -298,7 +298,10 @@ TEST_F(Kit, TheXboxsStreamGivesTheColorsOfThePack) {
     const bool is_there = std::any_of(programs.begin(), programs.end(), [&](const WordsOfProgram& words) {
       for (const auto& [name, value] : row["words"].items()) {
         const auto word = words.find(name);
-        if (std::stoul(std::string(value), nullptr, 16) != (word == words.end() ? 0 : word->second)) return false;
+        // Whether a constant that the program does not read is each stage's own.
+        const unsigned long unread = name == "RC_ENABLE" ? 0x11000 : 0;
+        const unsigned long expected = word == words.end() ? 0 : word->second;
+        if (((std::stoul(std::string(value), nullptr, 16) ^ expected) & ~unread) != 0) return false;
       }
       return true;
     });
