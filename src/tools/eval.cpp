@@ -15,6 +15,7 @@
 #include "src/tools/eval/eval_engine.h"
 #include "src/tools/eval/eval_pictures.h"
 #include "src/tools/eval/eval_stages.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
 namespace {
