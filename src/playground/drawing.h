@@ -91,7 +91,7 @@ struct Drawn {
 // with a program.
 struct Probed {
   std::optional<TracedPixel> pixel{};
-  std::optional<Reply> refused{};  // if there is no pixel
+  std::optional<Reply> refused{};  // why it cannot be probed
   // Program and registers of that fragment; nullptr: there is none.
   [[nodiscard]] const Program* program() const;
   [[nodiscard]] const RegisterFile* registers() const;

@@ -26,7 +26,7 @@ void define_index_image(unsigned internal, const GivenPixels& given);
 // Whether a part belongs to an image of indices; if so it is replaced.
 [[nodiscard]] bool replace_indices(const GivenPixels& given);
 
-// The image, or the textures, are no longer of indices.
+// Forgets that the image, or the textures, hold indices.
 void forget_index_image(unsigned target, int level);
 void forget_paletted_textures(int count, const unsigned* names);
 

@@ -130,7 +130,7 @@ struct LowerLabels {
   }
 };
 
-// Where there is no room for all labels: every so many.
+// Every n-th label is drawn, so that they fit into the room: n.
 std::size_t step_of_labels(std::size_t count, double each, double room) {
   return std::max(std::size_t{1}, static_cast<std::size_t>(std::ceil(static_cast<double>(count) * each / room)));
 }

@@ -17,7 +17,7 @@ struct DrawnFile {
   int exit_code = kDone;           // of the faults that were printed
 };
 
-// Reads the file if it is an effect, which is told from its content. Prints its faults.
+// Reads the file if its content is an effect. Prints its faults.
 [[nodiscard]] DrawnFile read_effect_file(const std::string& file, const EffectReadOptions& options);
 
 // Readers in isolated child processes that can be interrupted. They add what is worth a warning to `warnings`, which
