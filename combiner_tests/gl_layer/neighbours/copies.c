@@ -1,5 +1,5 @@
-/* Copies a context's state by glXCopyContext, while it is current and afterwards. Prints the errors of the X server,
- * and what the other context has of the state then. */
+/* Copies a context's state by glXCopyContext, while it is current and afterwards: copies [combiners]. Prints the errors
+ * of the X server, and what the other context has of the state then. */
 #include <GL/glx.h>
 #include <stdio.h>
 
@@ -9,7 +9,8 @@ static int print_error(Display* display, XErrorEvent* error) {
   return 0;
 }
 
-int main(void) {
+int main(int argc, char** argv) {
+  (void)argv;
   int wanted[] = {GLX_RGBA, GLX_RED_SIZE, 8, GLX_DOUBLEBUFFER, None};
   Display* const display = XOpenDisplay(NULL);
   XVisualInfo* const visual = display ? glXChooseVisual(display, DefaultScreen(display), wanted) : NULL;
@@ -23,6 +24,7 @@ int main(void) {
   if (!from || !to || !glXMakeCurrent(display, window, from)) return 77;
   XSetErrorHandler(print_error);
   glEnable(GL_FOG);
+  if (argc > 1) glEnable(0x8522); /* GL_REGISTER_COMBINERS_NV */
   for (int i = 0; i < 2; ++i) {
     glXCopyContext(display, from, to, GL_ALL_ATTRIB_BITS);
     XSync(display, False);

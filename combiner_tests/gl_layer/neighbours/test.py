@@ -48,11 +48,15 @@ def other_contexts(kit):
 
 
 def copied_contexts(kit, environment):
-    """Mesa refuses to copy a context that draws by itself. A driver that copies it leaves the layer's state behind."""
+    """Mesa refuses to copy a context that draws by itself. The layer's state is never copied, which the log says."""
     program = compiled(kit, "copies", [], ["-lGL", "-lX11"])
     without, done = kit.run([program], environment), kit.run([program], environment, layer=True)
     kit.check(done.returncode == without.returncode == 0 and done.stdout == without.stdout and "fog 0" in done.stdout,
               f"glXCopyContext: {', '.join(done.stdout.splitlines())}")
+    done = kit.run([program, "combiners"], environment, layer=True)
+    said = "ninebit: glXCopyContext: the state of the extensions that the layer adds is not copied\n"
+    kit.check(done.returncode == 0 and done.stdout.count(said) == 1 and done.stdout.replace(said, "") == without.stdout,
+              f"glXCopyContext with combiners: {', '.join(done.stdout.splitlines())}")
 
 
 def run(kit):
