@@ -21,8 +21,9 @@ TEST_F(StudyDatapath, OperationsOfOneProfile) {
   EXPECT_EQ(json["profile"], "geforce256-8bit");
   ASSERT_EQ(json["rows"].size(), 8U + 4U * 6U + 1U + 2U + 1U + 1U);
   EXPECT_EQ(keys_of(json["rows"][0]),
-            (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct", "max_error",
-                                      "mean_error", "mean_bias", "worst", "worst_code", "worst_exact"}));
+            (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct",
+                                      "max_error_codes", "mean_error_codes", "mean_bias_codes", "worst", "worst_code",
+                                      "worst_exact_codes"}));
   const Outcome words = study({"--profile", "geforce256-8bit"});
   EXPECT_EQ(words.code, 0) << words.err;
   EXPECT_NE(words.out.find("geforce256-8bit: a product"), std::string::npos) << words.out;
@@ -40,7 +41,7 @@ TEST_F(StudyDatapath, ProgramsOverCombinationsAndTables) {
   ASSERT_EQ(over["stages"].size(), 12U);
   EXPECT_EQ(over["rows"][3]["component"], "a");
   EXPECT_EQ(over["rows"][3]["fragments"], 256);
-  EXPECT_GT(over["rows"][3]["max_error"], 0.0);
+  EXPECT_GT(over["rows"][3]["max_error_codes"], 0.0);
   EXPECT_EQ(over["rows"], inputs["rows"]);
   EXPECT_EQ(over["stages"], inputs["stages"]);
 }
@@ -55,7 +56,7 @@ TEST_F(StudyDatapath, ProgramsWithFixedInputs) {
   written.insert(written.end(), {"-o", folder_ / "out", "--quiet"});
   const Json set = json_of(study(written));
   const Json inputs = json_of(study({"--program", kArticle, "--inputs", file, "--json"}));
-  for (const char* key : {"max_error", "mean_error", "exact", "misrounded", "fragments"}) {
+  for (const char* key : {"max_error_codes", "mean_error_codes", "exact", "misrounded", "fragments"}) {
     EXPECT_EQ(set["rows"][3][key], inputs["rows"][3][key]) << key;
   }
   EXPECT_NE(set["question"].get<std::string>().find("--set col0=102,0,0,7"), std::string::npos) << set["question"];
@@ -126,7 +127,8 @@ TEST_F(StudyDatapath, Refusals) {
   expect_error(study({"--exhaustive-sum", "--forms", "x3"}), 2, {"x3", "biased-x2"});
   expect_error(study({"--forms", "x1"}), 2, {"--exhaustive-sum"});
   expect_error(study({"--program", kArticle, "--over", "tex0.x"}), 2, {"--over", "tex0.x"});
-  expect_error(study({"--program", kArticle, "--over", "tex0.r,tex0.g,tex0.b,tex1.r"}), 3, {"combinations"});
+  expect_error(study({"--program", kArticle, "--over", "tex0.r,tex0.g,tex0.b,primary.r"}), 3,
+               {"combinations", "alpha depends on tex0.r, tex0.g, tex0.b, primary.r together"});
   expect_error(study({"--program", kArticle, "--inputs", table}), 3, {"codes.csv:3:1", "900"});
   expect_error(study({"--program", kArticle, "--inputs", write_bytes(folder_ / "none.csv", "tex0.g\n")}), 3,
                {"no rows"});
