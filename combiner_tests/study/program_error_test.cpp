@@ -15,6 +15,7 @@
 #include "combiner_tests/study/support.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/trace.h"
+#include "ninebit/study/datapath_error.h"
 #include "ninebit/study/index_steps.h"
 #include "src/combiner/given_registers.h"
 #include "src/study/datapath/color_inputs.h"
@@ -498,6 +499,35 @@ TEST(ProgramErrors, ConstantsVary) {
   EXPECT_EQ(own.number("worst_exact_codes"), replaced.number("worst_exact_codes"));
   EXPECT_EQ(replaced.text("worst").find("primary.r 77, const0.r 200") != std::string::npos,
             own.text("worst") == "primary.r 77");
+}
+
+// Every column of a report's table that holds real numbers names their unit: codes or percent.
+void expect_units(const Study& study) {
+  const auto report = study.report(all_rows(study), study.units());
+  ASSERT_TRUE(report.ok());
+  int reals = 0;
+  for (const std::vector<ReportTable>* tables : {&report->tables, &report->summary}) {
+    for (const ReportTable& table : *tables) {
+      for (const auto& row : table.rows) {
+        ASSERT_EQ(row.size(), table.columns.size()) << table.title;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+          if (!std::holds_alternative<double>(row[i])) continue;
+          ++reals;
+          const std::string& head = table.columns[i];
+          EXPECT_TRUE(head.ends_with(", codes") || head.find('%') != std::string::npos) << table.title << ": " << head;
+        }
+      }
+    }
+  }
+  EXPECT_GT(reals, 5);
+}
+
+TEST(ProgramErrors, ColumnsOfTablesNameTheirUnit) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  const HardwareProfile small = profiles::geforce256_8bit;
+  expect_units(*valid(program_error_study({}, small, comparison(small),
+                                          {.components = {{Register::primary, kRed}}, .codes = {}})));
+  expect_units(*valid(datapath_study({}, std::vector{small, profiles::geforce2})));
 }
 
 TEST(ProgramErrors, RefusesWhatItCannotRunOver) {

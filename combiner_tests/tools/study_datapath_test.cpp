@@ -1,6 +1,8 @@
 // `ninebit study datapath`: operations, whole programs and AB + CD as users ask for them, and what is refused.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "combiner_tests/tools/program_support.h"
 
 namespace tools_test {
@@ -105,6 +107,46 @@ TEST_F(StudyDatapath, ProgramsUnderSeveralProfiles) {
   expect_error(study({"--exhaustive-sum", "--profile", "nv2a,geforce2"}), 2, {"one profile"});
   const Json operations = json_of(study({"--profile", "geforce2,nv2a", "--json"}));
   EXPECT_EQ(operations["rows"].size(), 2 * json_of(study({"--profile", "geforce2", "--json"}))["rows"].size());
+}
+
+// The page has each column of each CSV file, and errors have their unit in the column's head.
+TEST_F(StudyDatapath, ColumnsAreDocumented) {
+  const std::string page = read_bytes(NINEBIT_SOURCE_DIR "/docs/study/datapath.md");
+  const std::string columns = page.substr(page.find("## Columns"));
+  EXPECT_EQ(study({"--program", kArticle, "--over", "tex0.r", "-o", folder_ / "program", "--quiet"}).code, 0);
+  EXPECT_EQ(study({"--profile", "geforce2,nv2a", "-o", folder_ / "operations", "--quiet"}).code, 0);
+  std::size_t seen = 0;
+  for (const char* folder : {"program", "operations"}) {
+    for (const auto& [name, bytes] : files_in(folder_ / folder)) {
+      if (!name.ends_with(".csv") || name == "error.csv") continue;
+      std::istringstream head(bytes.substr(0, bytes.find("\r\n")));
+      for (std::string column; std::getline(head, column, ','); ++seen) {
+        EXPECT_NE(columns.find('`' + column + '`'), std::string::npos) << name << ": " << column;
+        const bool error = column.find("error") != std::string::npos || column.find("bias") != std::string::npos ||
+                           column.starts_with("added_") || column.starts_with("remaining_");
+        EXPECT_EQ(error || column == "worst_exact_codes", column.ends_with("_codes")) << name << ": " << column;
+      }
+    }
+  }
+  EXPECT_EQ(seen, 13U + 14U + 7U + 12U + 6U);
+}
+
+// 2^32 combinations of four inputs, of which red and green read two each: each is measured over its own.
+TEST_F(StudyDatapath, ChannelsThatSeparate) {
+  const std::string program = write_bytes(
+      folder_ / "product.rc1", "!!RC1.0\n{\n  rgb {\n    spare0 = col0 * tex0;\n  }\n}\nout.rgb = spare0.rgb;\n");
+  const std::string over = "primary.r,tex0.r,primary.g,tex0.g";
+  const Json json = json_of(study({"--program", program, "--over", over, "-o", folder_ / "out", "--quiet", "--json"}));
+  ASSERT_EQ(json["rows"].size(), 4U);
+  EXPECT_EQ(json["rows"][0]["over"], "primary.r, tex0.r");
+  EXPECT_EQ(json["rows"][1]["over"], "primary.g, tex0.g");
+  EXPECT_EQ(json["rows"][2]["over"], "none");
+  EXPECT_EQ(json["rows"][1]["fragments"], 65536);
+  const Files files = files_in(folder_ / "out");
+  EXPECT_TRUE(files.at("error-g.csv").starts_with("primary.g,tex0.g,error.g\n"));
+  EXPECT_TRUE(files.contains("error-r.npy") && files.contains("error-green.png"));
+  const Outcome said = study({"--program", program, "--over", over});
+  EXPECT_NE(said.out.find("green over primary.g, tex0.g: exact for "), std::string::npos) << said.out;
 }
 
 TEST_F(StudyDatapath, EveryCaseOfTheSum) {
