@@ -6,14 +6,17 @@
 #define NINEBIT_RASTER_LANES_LANE_GATHER_INL_H_
 #endif
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 #include "hwy/highway.h"
+#include "src/raster/lanes/lane_depth-inl.h"
 #include "src/raster/lanes/lane_operations-inl.h"
 #include "src/raster/lanes/lane_rows-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
 #include "src/raster/lanes/primitive_draw.h"
+#include "src/raster/lanes/tile_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -117,6 +120,50 @@ HWY_INLINE void push(D d, const PrimitiveDraw& current, std::size_t place, hn::M
     for (std::size_t i = 0; i < 3; ++i) {
       hn::StoreU(hn::Compress(weight[i], float_mask), df, weights + corner[i] * stride);
     }
+  }
+}
+
+// Fragments of triangle k in one row.
+struct RowFragments {
+  int y;
+  std::size_t place;   // in the tile, of the region's first pixel in the row
+  const V* inside;     // of all three edges, from that pixel on
+  std::uint64_t bits;  // for each fragment, from that pixel on
+};
+
+// Puts the fragments of a row into the batch, span by span, without tests.
+HWY_INLINE void push_row(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k, const RowFragments& row) {
+  FragmentReuse& fragments = current.tile.fragments;
+  const std::size_t tile_row = row.place / kTileSize;
+  const std::uint64_t columns = row.bits << row.place % kTileSize;
+  const auto count = static_cast<std::size_t>(std::popcount(row.bits));
+  if (fragments.overlaps(tile_row, columns) || fragments.gathering().count + count > kBatchSize) {
+    flush_lanes(current.tile, current.pass);
+  }
+  fragments.occupy(tile_row, columns);
+  LaneFragments& batch = fragments.gathering();
+  begin_run(batch, current);
+  for (std::uint64_t bits = row.bits; bits != 0; bits &= bits + (bits & -bits)) {
+    const int first = std::countr_zero(bits), end = first + std::countr_one(bits >> first);
+    const std::size_t place = row.place + static_cast<std::size_t>(first);
+    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(end - first),
+                                 static_cast<std::uint16_t>(batch.count)};
+    V places = hn::Add(hn::Set(kD, static_cast<std::int32_t>(place)), lane_numbers(kD));
+    V inside[3];
+    for (std::size_t i = 0; i < 3; ++i) inside[i] = hn::Add(row.inside[i], hn::Set(kD, t.inside_x[i][k] * first));
+    // The next fragments overwrite what follows the last lane.
+    std::size_t at = batch.count;
+    for (int column = first; column < end; column += kLanes, at += kLaneCount) {
+      hn::StoreU(places, kD, lanes_of(batch.place.data()) + at);
+      places = hn::Add(places, hn::Set(kD, kLanes));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VF edge = edge_at(t, k, i, t.left[k] + column, row.y, inside[i]);
+        hn::StoreU(hn::Mul(edge, hn::Set(kDF, current.corners->inv_w[i])), kDF,
+                   batch.weight[current.corners->corner[i]].data() + at);
+        inside[i] = hn::Add(inside[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
+      }
+    }
+    batch.count += static_cast<std::size_t>(end - first);
   }
 }
 

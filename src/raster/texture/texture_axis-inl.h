@@ -38,7 +38,7 @@ struct Axis {
   Wrap wrap;
   HWY_INLINE Axis(VI side, Wrap mode)
       : size(hn::ConvertTo(kDF, side)),
-        inverse(hn::Div(set(1.0F), size)),
+        inverse(hn::BitCast(kDF, hn::Sub(hn::Set(kDI, 2 * (127 << 23)), hn::BitCast(kDI, size)))),  // by exponents
         last(hn::Sub(side, hn::Set(kDI, 1))),
         wrap(mode) {}
 };
@@ -71,9 +71,16 @@ HWY_INLINE VF clamped(const Axis& axis, VF s) {
   return hn::Mul(hn::Min(s, set(1.0F)), axis.size);
 }
 
+// True if these whole numbers and fractions fit 32 bits when they are cut: then they wrap by their low bits.
+HWY_INLINE bool fit_integers(VF v) {
+  return hn::AllTrue(kDF, hn::Lt(hn::Abs(v), set(0x1p30F)));
+}
+
 // nearest_texel; no step rounds a float. The modes that clamp differ only in the border, which NEAREST never reads.
 HWY_INLINE VI texel_along(const Axis& axis, VF s) {
   if (axis.wrap == Wrap::repeat) {
+    const VF texels = hn::Mul(s, axis.size);
+    if (HWY_LIKELY(fit_integers(texels))) return hn::And(hn::ConvertTo(kDI, hn::Floor(texels)), axis.last);
     const VF u = hn::Floor(hn::Mul(near_enough(s), axis.size));
     return hn::ConvertTo(kDI, remainder(u, axis.size, axis.inverse));
   }
@@ -99,9 +106,8 @@ HWY_INLINE VI texels_along(const Axis& axis, VF s, const Rules& rules, VI& secon
   const int bits = rules.weight_bits;
   const float one = static_cast<float>(1 << bits);
   if (axis.wrap == Wrap::repeat && rules.cuts_weights) {
-    // Whole numbers wrap by their low bits.
     const VF steps = hn::Mul(s, hn::Mul(axis.size, set(one)));
-    if (hn::AllTrue(kDF, hn::Lt(hn::Abs(steps), set(0x1p30F)))) {
+    if (HWY_LIKELY(fit_integers(steps))) {
       const VI fixed = hn::Sub(hn::ConvertTo(kDI, hn::Floor(steps)), hn::Set(kDI, (1 << bits) / 2));
       const VI first = hn::ShiftRightSame(fixed, bits);
       weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));

@@ -212,33 +212,48 @@ HWY_INLINE std::int32_t face_step(const WordLevels& texture) {
   return is_same ? step : 0;
 }
 
-// Level 0, filtered linearly.
-template <class Sum, class Rules>
-HWY_INLINE void filter_base(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
-                            std::size_t count, LaneWords& to) {
-  const VI zero = hn::Zero(kDI);
-  const Level base(texture, 0);
+// Fragments that all read the same levels: those of the first, or level 0 linearly without `levels`.
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE void filter_same(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
+                            const LevelLanes* levels, std::size_t count, LaneWords& to) {
+  const int bits = rules.weight_bits;
+  const int level = levels == nullptr ? 0 : levels->level[0];
+  const bool has_next = levels != nullptr && levels->has_next;
+  const VI linear = hn::Zero(kDI);  // read where not kAllLinear
+  const VU next = hn::Set(kDU, has_next ? static_cast<std::uint32_t>(levels->next[0]) : 0);
+  const Level fine(texture, level), coarse(texture, std::min(level + 1, texture.count - 1));
   const std::int32_t step = face_step(texture);
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
-    const WordTaps taps =
-        texture.cube ? read_taps<true, true>(texture, rules, places, base.of_faces(texture, places.face, step), zero)
-                     : read_taps<true>(texture, rules, places, base, zero);
-    const VU words = Sum(taps, rules.weight_bits).words(rules.weight_bits, false);
-    hn::StoreU(hn::Xor(words, hn::Set(kDU, texture.flip)), kDU, to.data() + i);
+    const auto taps = [&](const Level& of)
+                          HWY_ATTR { return read_taps<kAllLinear>(texture, rules, places, of, linear); };
+    Sum sum(texture.cube ? read_taps<kAllLinear, true>(texture, rules, places, fine.of_faces(texture, places.face, step),
+                                                       linear)
+                         : taps(fine),
+            bits);
+    if (has_next) sum.blend(Sum(taps(coarse), bits), next, bits);
+    hn::StoreU(hn::Xor(sum.words(bits, has_next), hn::Set(kDU, texture.flip)), kDU, to.data() + i);
+  }
+}
+
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE void filter_all(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
+                           const LevelLanes* levels, std::size_t count, LaneWords& to) {
+  if (levels == nullptr || levels->are_same) {
+    filter_same<Sum, kAllLinear>(texture, rules, at, levels, count, to);
+  } else {
+    filter_levels<Sum, kAllLinear>(texture, rules, at, *levels, count, to);
   }
 }
 
 template <class Sum, class Rules>
 HWY_INLINE void filter_by(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
                           const LevelLanes* levels, std::size_t count, LaneWords& to) {
-  if (levels == nullptr) {
-    filter_base<Sum>(texture, rules, at, count, to);
-  } else if (levels->all_linear) {
-    filter_levels<Sum, true>(texture, rules, at, *levels, count, to);
+  if (levels == nullptr || levels->all_linear) {
+    filter_all<Sum, true>(texture, rules, at, levels, count, to);
   } else {
-    filter_levels<Sum, false>(texture, rules, at, *levels, count, to);
+    filter_all<Sum, false>(texture, rules, at, levels, count, to);
   }
 }
 
