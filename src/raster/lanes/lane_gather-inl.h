@@ -143,27 +143,42 @@ HWY_INLINE void push_row(const PrimitiveDraw& current, const TileTriangles& t, s
   fragments.occupy(tile_row, columns);
   LaneFragments& batch = fragments.gathering();
   begin_run(batch, current);
+  // Copies: the compiler would read them again for each vector, because what is stored might alias them.
+  const bool is_narrow = t.is_narrow[k];
+  float* weight[3];
+  V step[3];
+  VF inv_w[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    weight[i] = batch.weight[current.corners->corner[i]].data() + batch.count;
+    step[i] = hn::Set(kD, t.inside_x[i][k] * kLanes);
+    inv_w[i] = hn::Set(kDF, current.corners->inv_w[i]);
+  }
   for (std::uint64_t bits = row.bits; bits != 0; bits &= bits + (bits & -bits)) {
     const int first = std::countr_zero(bits), end = first + std::countr_one(bits >> first);
+    const auto count_of_span = static_cast<std::size_t>(end - first);
     const std::size_t place = row.place + static_cast<std::size_t>(first);
-    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(end - first),
+    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(count_of_span),
                                  static_cast<std::uint16_t>(batch.count)};
     V places = hn::Add(hn::Set(kD, static_cast<std::int32_t>(place)), lane_numbers(kD));
-    V inside[3];
-    for (std::size_t i = 0; i < 3; ++i) inside[i] = hn::Add(row.inside[i], hn::Set(kD, t.inside_x[i][k] * first));
+    V edge[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      edge[i] = hn::Add(row.inside[i], hn::Set(kD, t.inside_x[i][k] * first + t.threshold[i][k]));
+    }
     // The next fragments overwrite what follows the last lane.
-    std::size_t at = batch.count;
-    for (int column = first; column < end; column += kLanes, at += kLaneCount) {
-      hn::StoreU(places, kD, lanes_of(batch.place.data()) + at);
+    std::int32_t* const place_at = lanes_of(batch.place.data()) + batch.count;
+    for (std::size_t at = 0; at < count_of_span; at += kLaneCount) {
+      hn::StoreU(places, kD, place_at + at);
       places = hn::Add(places, hn::Set(kD, kLanes));
       for (std::size_t i = 0; i < 3; ++i) {
-        const VF edge = edge_at(t, k, i, t.left[k] + column, row.y, inside[i]);
-        hn::StoreU(hn::Mul(edge, hn::Set(kDF, current.corners->inv_w[i])), kDF,
-                   batch.weight[current.corners->corner[i]].data() + at);
-        inside[i] = hn::Add(inside[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
+        const VF e = HWY_LIKELY(is_narrow)
+                         ? hn::ConvertTo(kDF, edge[i])
+                         : wide_edge(t, k, i, t.left[k] + first + static_cast<int>(at), row.y);
+        hn::StoreU(hn::Mul(e, inv_w[i]), kDF, weight[i] + at);
+        edge[i] = hn::Add(edge[i], step[i]);
       }
     }
-    batch.count += static_cast<std::size_t>(end - first);
+    for (float*& to : weight) to += count_of_span;
+    batch.count += count_of_span;
   }
 }
 

@@ -28,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // True where three divisions by one sum use its reciprocal, because vectors divide slowly.
 #if HWY_NATIVE_FMA
-constexpr bool kHasQuotients = kLaneCount == 16;
+constexpr bool kHasQuotients = true;
 #else
 constexpr bool kHasQuotients = false;
 #endif
