@@ -226,13 +226,12 @@ HWY_INLINE void filter_same(const WordLevels& texture, const Rules& rules, const
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
-    const auto taps = [&](const Level& of)
-                          HWY_ATTR { return read_taps<kAllLinear>(texture, rules, places, of, linear); };
-    Sum sum(texture.cube ? read_taps<kAllLinear, true>(texture, rules, places, fine.of_faces(texture, places.face, step),
-                                                       linear)
-                         : taps(fine),
+    // Calls by name: the compiler would not inline a lambda.
+
+    Sum sum(texture.cube ? read_taps<kAllLinear, true>(texture, rules, places, fine.of_faces(texture, places.face, step), linear)
+                         : read_taps<kAllLinear>(texture, rules, places, fine, linear),
             bits);
-    if (has_next) sum.blend(Sum(taps(coarse), bits), next, bits);
+    if (has_next) sum.blend(Sum(read_taps<kAllLinear>(texture, rules, places, coarse, linear), bits), next, bits);
     hn::StoreU(hn::Xor(sum.words(bits, has_next), hn::Set(kDU, texture.flip)), kDU, to.data() + i);
   }
 }
