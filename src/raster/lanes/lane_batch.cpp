@@ -41,24 +41,33 @@ HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, const DrawC
 
 // Stores the combiners' results as bytes, see to_byte; components that nothing reads as 0.
 HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const DrawContext& context) {
-  constexpr hn::RebindToUnsigned<decltype(kD16)> du16;
-  constexpr hn::RebindToUnsigned<D> du;
+  constexpr hn::Repartition<s9, D> codes;
+  constexpr hn::RebindToUnsigned<decltype(codes)> d16;
+  constexpr hn::Half<decltype(d16)> half;
+  constexpr hn::RebindToUnsigned<D> words;
   const HardwareProfile& profile = context.state.profile;
   const int shift = profile.byte_shift;
-  const auto one = hn::Set(kD16, static_cast<s9>(profile.one)), most = hn::Set(kD16, 255);
-  for (std::size_t i = 0; i < count; i += kLaneCount) {
-    const auto byte = [&](std::size_t k) HWY_ATTR {
-      if (!context.wanted_color[k]) return hn::Zero(kD16);
-      const auto code = hn::LoadU(kD16, batch.out.plane[k].data() + i);
-      const auto wide =
-          shift == 0 ? code : hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
-      return hn::IfThenElse(hn::Lt(code, one), wide, most);
+  const std::array<bool, 4> wanted = context.wanted_color;
+  const auto below_one = hn::Set(codes, static_cast<s9>(profile.one - 1));
+  for (std::size_t i = 0; i < count; i += 2 * kLaneCount) {
+    // The bytes, in numbers of 16 bits whose upper halves hold anything.
+    const auto bytes = [&](std::size_t k) HWY_ATTR {
+      if (!wanted[k]) return hn::Zero(d16);
+      const auto code = hn::Load(codes, batch.out.plane[k].data() + i);
+      auto wide = code;
+      if (shift != 0) wide = hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
+      return hn::BitCast(d16, hn::Or(wide, hn::VecFromMask(codes, hn::Gt(code, below_one))));
     };
-    const auto pair = [&](std::size_t low, std::size_t high) HWY_ATTR {
-      return hn::PromoteTo(du, hn::BitCast(du16, hn::Or(byte(low), hn::ShiftLeft<8>(byte(high)))));
+    const auto pairs = [&](std::size_t low, std::size_t high) HWY_ATTR {
+      return hn::Or(hn::And(bytes(low), hn::Set(d16, 0xFF)), hn::ShiftLeft<8>(bytes(high)));
     };
-    const auto color = hn::Or(pair(kRed, kGreen), hn::ShiftLeft<16>(pair(kBlue, kAlpha)));
-    hn::Store(color, du, batch.color.data() + i);
+    const auto low = pairs(kRed, kGreen), high = pairs(kBlue, kAlpha);
+    const auto put = [&](hn::Vec<decltype(half)> a, hn::Vec<decltype(half)> b, std::size_t at) HWY_ATTR {
+      const auto color = hn::Or(hn::PromoteTo(words, a), hn::ShiftLeft<16>(hn::PromoteTo(words, b)));
+      hn::Store(color, words, batch.color.data() + at);
+    };
+    put(hn::LowerHalf(half, low), hn::LowerHalf(half, high), i);
+    put(hn::UpperHalf(half, low), hn::UpperHalf(half, high), i + kLaneCount);
   }
 }
 
@@ -106,8 +115,9 @@ struct SpanPart {
   std::size_t count;  // of them, or more than a vector holds
 };
 
+// Calls visit(part) for a span's vectors.
 template <class Visit>
-HWY_INLINE void for_parts(const LaneFragments::Span& span, const Visit& visit) {
+HWY_INLINE void for_parts(const LaneFragments::Span span, const Visit& visit) {
   for (std::size_t i = 0; i < span.count; i += kLaneCount) visit(SpanPart{span.place + i, span.first + i, span.count - i});
 }
 
