@@ -106,9 +106,8 @@ struct Places {
   VF s, t;
 };
 
-HWY_INLINE VU read_words(const WordLevels& texture, VI offset) {
-  const VU word = hn::GatherIndex(kDU, reinterpret_cast<const std::uint32_t*>(texture.first), offset);
-  return hn::Xor(word, hn::Set(kDU, texture.flip));
+HWY_INLINE VU gather_words(const WordLevels& texture, VI offset) {
+  return hn::GatherIndex(kDU, reinterpret_cast<const std::uint32_t*>(texture.first), offset);
 }
 
 // A level of each fragment.
@@ -162,12 +161,18 @@ HWY_INLINE WordTaps read_taps(const WordLevels& texture, const Rules& rules, con
   }
   const VI low_row = hn::Add(level.begin, hn::Mul(low, level.stride));
   const VI high_row = hn::Add(level.begin, hn::Mul(above, level.stride));
-  return {read_words(texture, hn::Add(low_row, left)),
-          read_words(texture, hn::Add(low_row, right)),
-          read_words(texture, hn::Add(high_row, left)),
-          read_words(texture, hn::Add(high_row, right)),
-          hn::BitCast(kDU, u),
-          hn::BitCast(kDU, v)};
+  WordTaps taps{gather_words(texture, hn::Add(low_row, left)),
+                gather_words(texture, hn::Add(low_row, right)),
+                gather_words(texture, hn::Add(high_row, left)),
+                gather_words(texture, hn::Add(high_row, right)),
+                hn::BitCast(kDU, u),
+                hn::BitCast(kDU, v)};
+  if (HWY_UNLIKELY(texture.flip != 0)) {
+    for (VU* const word : {&taps.low_left, &taps.low_right, &taps.high_left, &taps.high_right}) {
+      *word = hn::Xor(*word, hn::Set(kDU, texture.flip));
+    }
+  }
+  return taps;
 }
 
 // The words of fragments from i on, whose levels are `levels`.
