@@ -11,8 +11,11 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/combiner/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
+#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/profile_fields.h"
 #include "src/combiner/c99/ninebit_combiner.h"
 
 namespace ninebit::test {

@@ -7,6 +7,7 @@
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/index_cube.h"
 

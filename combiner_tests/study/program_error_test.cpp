@@ -14,6 +14,7 @@
 #include "combiner_tests/study/support.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/trace.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/study/index_steps.h"
 #include "src/study/datapath/program_inputs.h"
 

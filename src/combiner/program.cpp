@@ -1,5 +1,10 @@
 #include "ninebit/combiner/program.h"
 
+#include <algorithm>
+
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/combiner/state.h"
+
 namespace ninebit {
 
 Result<Program> compile(const CombinerState& state, const HardwareProfile& profile) {

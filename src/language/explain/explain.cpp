@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/explain/explain_notes.h"
 #include "src/language/explain/explain_terms.h"
 

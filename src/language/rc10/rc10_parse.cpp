@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/rc10/rc10_lexer.h"
 #include "src/language/rc10/rc10_parser.h"
 #include "src/language/source/foreign_language.h"

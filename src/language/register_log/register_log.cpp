@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/register_log/log_layout.h"
 #include "src/language/register_log/log_methods.h"
 #include "src/language/register_log/log_tracker.h"

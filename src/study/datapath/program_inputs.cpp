@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/combiner/given_registers.h"
 
 namespace ninebit {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"

@@ -11,7 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/combiner/state.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/surface.h"

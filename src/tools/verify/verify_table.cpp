@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "src/combiner/given_registers.h"
 #include "src/language/source/nearest_name.h"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/register_words.h"
