@@ -15,7 +15,7 @@
 #include "src/study/report/report_colors.h"
 #include "src/study/report/report_text.h"
 #include "src/system/hashing/openssl.h"
-#include "src/system/printable_text.h"
+#include "src/system/quoting.h"
 
 namespace ninebit {
 namespace {

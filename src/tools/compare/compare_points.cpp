@@ -10,10 +10,10 @@
 
 #include "ninebit/frame/pictures.h"
 #include "ninebit/image/image_io.h"
-#include "src/language/source/nearest_name.h"
 #include "src/shadow/ground_truth/judge.h"
 #include "src/study/report/page_texts.h"
 #include "src/system/hashing/openssl.h"
+#include "src/system/nearest_name.h"
 #include "src/tools/common/flag_values.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"

@@ -11,9 +11,11 @@
 #include <system_error>
 #include <utility>
 
-#include "src/language/source/nearest_name.h"
+#include "ninebit/language/profile_json.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "src/system/nearest_name.h"
 #include "src/system/process.h"
-#include "src/system/shell_word.h"
+#include "src/system/quoting.h"
 #include "src/system/stream.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/host.h"
