@@ -1,5 +1,4 @@
-#include "src/tools/verify/measured_pixels.h"
-
+// Measured tables of depth formats, fog, wrap modes, colour keys and combiner quads.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,8 +14,6 @@
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/fragment/fog.h"
-#include "src/tools/verify/measured_columns.h"
-#include "src/tools/verify/measured_combiners.h"
 #include "src/tools/verify/measured_rows.h"
 
 namespace ninebit::tools {
