@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "src/study/report/chart_axis.h"
-#include "src/study/report/plot_points.h"
 #include "src/study/report/report_colors.h"
 #include "src/study/report/report_text.h"
 #include "src/system/hashing/openssl.h"

@@ -475,6 +475,7 @@ std::string compare_page(const CompareFlags& flags, const Comparison& comparison
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
       "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n"
       "<title>Comparison – ninebit</title>\n<style>\n";
+  page += kReportLook;
   page += kCompareStyle;
   page += kPrintStyle;
   page += "</style>\n</head>\n<body>\n<noscript>This page needs JavaScript. report.json has its figures.</noscript>\n";
