@@ -10,6 +10,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -33,6 +34,15 @@ class GlContext {
   GlContext() = default;
   void* surface_ = nullptr;
   void* context_ = nullptr;
+};
+
+// While it lives, new contexts have the extensions of this list: names, "all" or "none".
+class WantedExtensions {
+ public:
+  explicit WantedExtensions(const char* list) { setenv("NINEBIT_GL_EXTENSIONS", list, 1); }
+  ~WantedExtensions() { unsetenv("NINEBIT_GL_EXTENSIONS"); }
+  WantedExtensions(const WantedExtensions&) = delete;
+  WantedExtensions& operator=(const WantedExtensions&) = delete;
 };
 
 inline constexpr int kPictureSize = 16;
