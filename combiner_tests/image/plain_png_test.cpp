@@ -1,5 +1,5 @@
 // Plain PNG files, which libpng reads alone: the same textures as OpenImageIO's, and what is left to that.
-#include "src/image/texture/plain_png.h"
+#include "src/image/texture/texture_file.h"
 
 #include <gtest/gtest.h>
 

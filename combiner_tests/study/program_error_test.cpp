@@ -16,6 +16,7 @@
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/study/datapath_error.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/study/index_steps.h"
 #include "src/combiner/given_registers.h"
 #include "src/study/datapath/color_inputs.h"

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/explain.h"
 #include "src/playground/texts.h"

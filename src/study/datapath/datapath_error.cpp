@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/datapath/operations.h"
 #include "src/system/parallel/parallel_loop.h"

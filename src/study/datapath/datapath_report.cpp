@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/study/datapath/operations.h"
 
 namespace ninebit {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/datapath/sum_kernels.h"
 #include "src/system/parallel/parallel_loop.h"

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/combiner/given_registers.h"
 #include "src/study/datapath/program_inputs.h"
 #include "src/study/datapath/program_report.h"

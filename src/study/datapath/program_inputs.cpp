@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/combiner/given_registers.h"
 #include "src/study/datapath/color_inputs.h"
 
