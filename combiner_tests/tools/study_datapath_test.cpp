@@ -22,10 +22,10 @@ TEST_F(StudyDatapath, OperationsOfOneProfile) {
   EXPECT_EQ(json["command"], "study datapath");
   EXPECT_EQ(json["profile"], "geforce256-8bit");
   ASSERT_EQ(json["rows"].size(), 8U + 4U * 6U + 1U + 2U + 1U + 1U);
-  EXPECT_EQ(keys_of(json["rows"][0]),
-            (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct",
-                                      "max_error_codes", "mean_error_codes", "mean_bias_codes", "worst", "worst_code",
-                                      "worst_exact_codes"}));
+  EXPECT_EQ(
+      keys_of(json["rows"][0]),
+      (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct", "max_error_codes",
+                                "mean_error_codes", "mean_bias_codes", "worst", "worst_code", "worst_exact_codes"}));
   const Outcome words = study({"--profile", "geforce256-8bit"});
   EXPECT_EQ(words.code, 0) << words.err;
   EXPECT_NE(words.out.find("geforce256-8bit: a product"), std::string::npos) << words.out;

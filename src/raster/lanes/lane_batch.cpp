@@ -118,7 +118,8 @@ struct SpanPart {
 // Calls visit(part) for a span's vectors.
 template <class Visit>
 HWY_INLINE void for_parts(const LaneFragments::Span span, const Visit& visit) {
-  for (std::size_t i = 0; i < span.count; i += kLaneCount) visit(SpanPart{span.place + i, span.first + i, span.count - i});
+  for (std::size_t i = 0; i < span.count; i += kLaneCount)
+    visit(SpanPart{span.place + i, span.first + i, span.count - i});
 }
 
 HWY_INLINE V load_stored(const TilePlanes& tile, const SpanPart& part) {
@@ -155,8 +156,8 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
   }
   const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
     const V color = hn::LoadU(kD, batch_colors + part.first);
-    const LaneResult<D> result = operate({draw, f, by_stencil, culled}, part.first, hn::FirstN(kD, part.count), color,
-                                         load_stored(tile, part));
+    const LaneResult<D> result =
+        operate({draw, f, by_stencil, culled}, part.first, hn::FirstN(kD, part.count), color, load_stored(tile, part));
     if (writes) hn::StoreU(result.depth_stencil, kD, lanes_of(tile.depth_stencil.data()) + part.place);
     if (operations.color) {
       hn::BlendedStore(stored_colors(draw, color), result.drawn, kD, lanes_of(tile.color.data()) + part.place);
