@@ -51,6 +51,18 @@ class NamedFiles {
 // Names a picture: sets its name and file, or the fault of a name that may not be read. Opens no file.
 void name_picture(const NamedFiles& beside, const std::string& name, SceneTexture& out);
 
+// The extension of a file in lower case: ".obj".
+[[nodiscard]] std::string lower_extension(const std::filesystem::path& file);
+
+struct SceneFile;
+
+// Reads a file of a format that needs no library: .gltf, .glb, .obj, .ply or .off. Nothing for another extension.
+[[nodiscard]] std::optional<Result<Scene>> read_own_format(const SceneFile& from, std::string_view content,
+                                                           std::string_view extension, const SceneReadOptions& options);
+
+// Gives a scene its file's name, and the axis that is to point up.
+void name_and_turn(const std::filesystem::path& file, std::optional<UpAxis> up, Scene& scene);
+
 // Scenes from memory, where no other file is at hand.
 
 // Reads the content of a .gltf, .glb, .obj, .ply or .off file, by the extension of its name, as read_scene() does.
