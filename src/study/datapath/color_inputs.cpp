@@ -99,7 +99,8 @@ class FinalDependences {
 std::array<InputSet, 4> inputs_of_color(const Program& program, bool own_alpha) {
   Registers registers;
   for (std::size_t r = 0; r < kRegisterCount; ++r) {
-    for (int c = 0; c < 4; ++c) at(registers, static_cast<Register>(r), c).of.set(input_bit(static_cast<Register>(r), c));
+    for (int c = 0; c < 4; ++c)
+      at(registers, static_cast<Register>(r), c).of.set(input_bit(static_cast<Register>(r), c));
   }
   registers[static_cast<std::size_t>(Register::zero)].fill(kZero);
   if (!own_alpha) at(registers, Register::spare0, kAlpha) = at(registers, Register::texture0, kAlpha);

@@ -116,12 +116,11 @@ class Writer {
   }
 
   [[nodiscard]] ReportTable table_of(const HardwareProfile& profile) const {
-    ReportTable table{
-        .title = fmt::format("Errors of {}", profile.name),
-        .columns = {"operation", "form", "inputs", "distinct codes", "exact, %", "max, codes", "mean, codes", "bias, codes",
-                    "worst at, codes", "gives, code", "exact, codes"},
-        .rows = {},
-        .caption = fmt::format("Code {} is 1.0.", profile.one.value)};
+    ReportTable table{.title = fmt::format("Errors of {}", profile.name),
+                      .columns = {"operation", "form", "inputs", "distinct codes", "exact, %", "max, codes",
+                                  "mean, codes", "bias, codes", "worst at, codes", "gives, code", "exact, codes"},
+                      .rows = {},
+                      .caption = fmt::format("Code {} is 1.0.", profile.one.value)};
     for (const StudyRow& row : rows_) {
       if (row.table != "rows" || row.text("profile") != profile.name) continue;
       table.rows.push_back({row["operation"], row["form"], row["cases"], row["distinct"],
@@ -216,8 +215,7 @@ class Writer {
       PlotSeries series{std::string(profile.name), {}};
       for (std::size_t i = 0; i < kOutputForms.size(); ++i) {
         const StudyRow* row = find(profile.name, "product", kOutputForms[i].name);
-        if (row != nullptr)
-          series.points.emplace_back(static_cast<double>(i + 1), row->number("mean_error_codes"));
+        if (row != nullptr) series.points.emplace_back(static_cast<double>(i + 1), row->number("mean_error_codes"));
       }
       plot.series.push_back(std::move(series));
     }

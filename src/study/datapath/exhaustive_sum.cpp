@@ -72,8 +72,8 @@ class ExhaustiveSum final : public Study {
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
     StudyReport out{.title = "AB + CD, every case", .answers = {}};
     ReportTable table{.title = "All cases by output form",
-                      .columns = {"profile", "form", "values of A", "cases", "exact", "inexact", "exact, %", "max, codes",
-                                  "mean, codes", "bias, codes", "sum of codes", "sum of codes²"},
+                      .columns = {"profile", "form", "values of A", "cases", "exact", "inexact", "exact, %",
+                                  "max, codes", "mean, codes", "bias, codes", "sum of codes", "sum of codes²"},
                       .rows = {}};
     Plot exact{.file = "exact-by-a",
                .title = "Share of exact results by A",
@@ -101,12 +101,11 @@ class ExhaustiveSum final : public Study {
       out.answers.push_back(
           fmt::format("{}, {}: {} of {} cases of AB + CD are exact ({:.3f} %); largest error {:.4f} codes, mean error "
                       "over all cases {:.4f} codes; the sum of the codes' squares is {}.",
-                      profile_, form.name, sum.exact, sum.cases, percent(sum.exact, sum.cases),
-                      sum.max_error, sum.per_case(sum.sizes) * codes_of_unit(), sum.squares));
+                      profile_, form.name, sum.exact, sum.cases, percent(sum.exact, sum.cases), sum.max_error,
+                      sum.per_case(sum.sizes) * codes_of_unit(), sum.squares));
       table.rows.push_back({profile_, std::string(form.name), sum.values, sum.cases, sum.exact, sum.cases - sum.exact,
-                            percent(sum.exact, sum.cases), sum.max_error,
-                            sum.per_case(sum.sizes) * codes_of_unit(), sum.per_case(sum.errors) * codes_of_unit(),
-                            sum.codes, sum.squares});
+                            percent(sum.exact, sum.cases), sum.max_error, sum.per_case(sum.sizes) * codes_of_unit(),
+                            sum.per_case(sum.errors) * codes_of_unit(), sum.codes, sum.squares});
       exact.series.push_back(std::move(shares));
       mean.series.push_back(std::move(means));
     }

@@ -174,12 +174,11 @@ Result<std::vector<MeasuredColor>> measured_colors(const HardwareProfile& profil
     }
     if (Fragments::too_many(profile, own.components)) {
       const std::string_view name = std::array{"red", "green", "blue", "alpha"}[c];
-      return too_many_combinations(inputs.components, fmt::format(", and {} depends on {} together", name,
-                                                                  names_of(own.components)));
+      return too_many_combinations(inputs.components,
+                                   fmt::format(", and {} depends on {} together", name, names_of(own.components)));
     }
-    const auto same = std::find_if(out.begin(), out.end(), [&](const MeasuredColor& one) {
-      return one.fragments.components() == own.components;
-    });
+    const auto same = std::find_if(
+        out.begin(), out.end(), [&](const MeasuredColor& one) { return one.fragments.components() == own.components; });
     if (same != out.end()) {
       same->components[c] = true;
       continue;

@@ -81,18 +81,19 @@ class ProgramReportWriter {
 
   StudyReport write() {
     out_.title = "Error of a program, by stage";
-    ReportTable totals{.title = "Error of the colour",
-                       .columns = {"component", "fragments", "exact, %", "misrounded, %", "max, codes", "mean, codes",
-                                   "bias, codes", "worst at, codes", "gives, code", "exact, codes"},
-                       .rows = {},
-                       .caption = fmt::format("Code {} is 1.0. Misrounded: another code is nearer to the exact value.",
-                                              one_)};
+    ReportTable totals{
+        .title = "Error of the colour",
+        .columns = {"component", "fragments", "exact, %", "misrounded, %", "max, codes", "mean, codes", "bias, codes",
+                    "worst at, codes", "gives, code", "exact, codes"},
+        .rows = {},
+        .caption = fmt::format("Code {} is 1.0. Misrounded: another code is nearer to the exact value.", one_)};
     ReportTable stages{.title = "Error that each stage adds, and error that remains if all later stages are exact",
                        .columns = {"component", "stage", "name", "added: max, codes", "mean, codes", "bias, codes",
                                    "adds most at, codes", "remaining: max, codes", "mean, codes", "bias, codes"},
                        .rows = {},
-                       .caption = "For every fragment, the errors that the stages add sum to the colour's error; so "
-                                  "their biases sum to its bias."};
+                       .caption =
+                           "For every fragment, the errors that the stages add sum to the colour's error; so "
+                           "their biases sum to its bias."};
     Plot histogram{.file = "histogram",
                    .title = "Errors of the colour",
                    .x_label = "error, in codes, to the nearest whole number",
@@ -197,16 +198,17 @@ class ProgramReportWriter {
              (*sum.worst)["worst"], (*sum.worst)["worst_code"], (*sum.worst)["worst_exact_codes"]});
     const std::string name = name_in_answers(c);
     if (exact == fragments) {
-      out_.answers.push_back(fmt::format("{}: exact for all {} fragments.", name, fragments));
+      const bool same = separated() && (*sum.worst)["over"] == StudyValue(std::string("none"));
+      out_.answers.push_back(same ? fmt::format("{}: the same for all inputs, and exact.", kComponentNames[c])
+                                  : fmt::format("{}: exact for all {} fragments.", name, fragments));
       return false;
     }
-    out_.answers.push_back(
-        fmt::format("{}: exact for {:.2f} % of {} fragments, not the nearest code for {:.2f} %; largest error {:.3f} "
-                    "codes ({} give {}, exact {:.3f}), mean error "
-                    "{:.3f}, bias {:.3f} codes.",
-                    name, percent(exact, fragments), fragments, percent(misrounded, fragments), sum.most,
-                    sum.worst->text("worst"), sum.worst->text("worst_code"), sum.worst->number("worst_exact_codes"),
-                    sum.mean(), plain(sum.bias())));
+    out_.answers.push_back(fmt::format(
+        "{}: exact for {:.2f} % of {} fragments, not the nearest code for {:.2f} %; largest error {:.3f} "
+        "codes ({} give {}, exact {:.3f}), mean error "
+        "{:.3f}, bias {:.3f} codes.",
+        name, percent(exact, fragments), fragments, percent(misrounded, fragments), sum.most, sum.worst->text("worst"),
+        sum.worst->text("worst_code"), sum.worst->number("worst_exact_codes"), sum.mean(), plain(sum.bias())));
     return true;
   }
 
@@ -232,7 +234,8 @@ class ProgramReportWriter {
     std::uint64_t all = 0;
     double reach = 1.0;  // of the errors of all components
     for (const StudyRow& row : rows_) {
-      if (row.table == "histogram" && row.count("count") > 0) reach = std::max(reach, std::abs(row.number("error_codes")));
+      if (row.table == "histogram" && row.count("count") > 0)
+        reach = std::max(reach, std::abs(row.number("error_codes")));
     }
     for (const StudyRow& row : rows_) {
       if (!is_of(row, "histogram", c) || std::abs(row.number("error_codes")) > reach) continue;
@@ -348,8 +351,9 @@ class ProgramReportWriter {
       others += (i == 2 ? "" : i + 1 == inputs.size() ? " and " : ", ") + inputs[i].name();
     }
     return {.file = fmt::format("error-{}", kComponentNames[c]),
-            .title = others.empty() ? fmt::format("Error of {}", kComponentNames[c])
-                                    : fmt::format("Largest error of {} over all values of {}", kComponentNames[c], others),
+            .title = others.empty()
+                         ? fmt::format("Error of {}", kComponentNames[c])
+                         : fmt::format("Largest error of {} over all values of {}", kComponentNames[c], others),
             .x_label = inputs[0].name() + ", as code",
             .y_label = inputs[1].name() + ", as code",
             .x_first = static_cast<double>(fragments.lowest(0)),
@@ -360,9 +364,9 @@ class ProgramReportWriter {
             .height = static_cast<int>(fragments.values(1)),
             .values = std::vector<float>(fragments.values(0) * fragments.values(1)),
             .caption = "In codes: 1 is a register's last bit. " +
-                       (others.empty() ? std::string("One pixel per fragment.")
-                                       : fmt::format("One pixel for all values of {}: the error of the largest size.",
-                                                     others))};
+                       (others.empty()
+                            ? std::string("One pixel per fragment.")
+                            : fmt::format("One pixel for all values of {}: the error of the largest size.", others))};
   }
 
   const Program& program_;

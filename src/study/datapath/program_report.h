@@ -10,8 +10,8 @@
 
 namespace ninebit {
 
-// The report on the rows of `done` of `units` units. Where a component of the colour is measured over all combinations of
-// two or more inputs, a map shows its error over the first two, the largest over all values of the others.
+// The report on the rows of `done` of `units` units. Where a component of the colour is measured over all combinations
+// of two or more inputs, a map shows its error over the first two, the largest over all values of the others.
 [[nodiscard]] StudyReport program_report(const Program& program, std::span<const MeasuredColor> colors,
                                          std::span<const StudyRow> rows, std::size_t done, std::size_t units);
 
