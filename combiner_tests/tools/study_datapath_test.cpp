@@ -90,6 +90,11 @@ TEST_F(StudyDatapath, ProgramsUnderSeveralProfiles) {
   EXPECT_EQ(both["rows"], rows);
   const Files files = files_in(folder_ / "out");
   EXPECT_TRUE(files.contains("nv2a-error.csv") && files.contains("geforce256-8bit-error.npy"));
+  // One plot for a slide has the series of both, but for those that are 0 everywhere.
+  const std::string& slide = files.at("added-by-stage.svg");
+  EXPECT_NE(slide.find("nv2a, alpha"), std::string::npos);
+  EXPECT_NE(slide.find("geforce256-8bit, alpha"), std::string::npos);
+  EXPECT_EQ(slide.find("nv2a, red"), std::string::npos);
   const Outcome said = of("nv2a,geforce256-8bit", {});
   EXPECT_NE(said.out.find("\ngeforce256-8bit, alpha: exact for "), std::string::npos) << said.out;
   // Its parts are merged as those of any study.

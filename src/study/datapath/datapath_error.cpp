@@ -82,15 +82,17 @@ StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& sec
 
 // Limits for rows from files. Results and exact values are clamped to [-1, 1]; a dot product's bias may go a little
 // beyond.
-constexpr double kMostCode = 65536.0, kMostError = 16.0 * kMostCode, kMostCases = 0x1p63, kLongestInputs = 4096.0;
+constexpr double kMostCode = 65536.0, kMostErrorInCodes = 16.0 * kMostCode, kMostCases = 0x1p63,
+                 kLongestInputs = 4096.0;
 
 RowRule errors_rule(const HardwareProfile& profile, std::string_view operation, const std::string& form) {
   return {.fields = {exactly("profile", std::string(profile.name)), exactly("operation", std::string(operation)),
                      exactly("form", form), count_up_to("cases", kMostCases), count_up_to("exact", kMostCases),
-                     count_up_to("distinct", kMostCode), real_in("max_error_codes", 0.0, kMostError),
-                     real_in("mean_error_codes", 0.0, kMostError), real_in("mean_bias_codes", -kMostError, kMostError),
+                     count_up_to("distinct", kMostCode), real_in("max_error_codes", 0.0, kMostErrorInCodes),
+                     real_in("mean_error_codes", 0.0, kMostErrorInCodes),
+                     real_in("mean_bias_codes", -kMostErrorInCodes, kMostErrorInCodes),
                      text_up_to("worst", kLongestInputs), whole_in("worst_code", -kMostCode, kMostCode),
-                     real_in("worst_exact_codes", -kMostError, kMostError)}};
+                     real_in("worst_exact_codes", -kMostErrorInCodes, kMostErrorInCodes)}};
 }
 
 RowRule differences_rule(const HardwareProfile& first, const HardwareProfile& second, std::string_view operation,

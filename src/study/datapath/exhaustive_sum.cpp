@@ -17,7 +17,7 @@ namespace ninebit {
 namespace {
 
 // Limits for rows from files: results are clamped to [-1, 1]; sums are whole numbers below 2^47.
-constexpr double kMostError = 16.0, kMostSum = 0x1p47;
+constexpr double kMostError = 16.0 * 65536.0, kMostSum = 0x1p47;
 
 class ExhaustiveSum final : public Study {
  public:

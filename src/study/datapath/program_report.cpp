@@ -198,7 +198,9 @@ class ProgramReportWriter {
              (*sum.worst)["worst"], (*sum.worst)["worst_code"], (*sum.worst)["worst_exact_codes"]});
     const std::string name = name_in_answers(c);
     if (exact == fragments) {
-      out_.answers.push_back(fmt::format("{}: exact for all {} fragments.", name, fragments));
+      const bool same = separated() && (*sum.worst)["over"] == StudyValue(std::string("none"));
+      out_.answers.push_back(same ? fmt::format("{}: the same for all inputs, and exact.", kComponentNames[c])
+                                  : fmt::format("{}: exact for all {} fragments.", name, fragments));
       return false;
     }
     out_.answers.push_back(fmt::format(
