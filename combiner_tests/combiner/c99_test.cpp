@@ -51,10 +51,18 @@ constexpr std::array kFieldsInC{field_in_c<&nbc_profile::one>("one"),
                                 field_in_c<&nbc_profile::mux_by_lowest_bit>("mux_by_lowest_bit"),
                                 field_in_c<&nbc_profile::color_sum_inverts>("color_sum_inverts")};
 
+static_assert(sizeof(nbc_profile) == sizeof(const char*) + 11 * sizeof(int) + 4 * sizeof(bool) &&
+                  kFieldsInC.size() == 15,
+              "kFieldsInC must have each field of nbc_profile");
+
 nbc_profile profile_in_c(const HardwareProfile& profile) {
   nbc_profile c{};
   c.name = "a profile";
-  for (const FieldInC& field : kFieldsInC) field.set(c, find_profile_field(field.name)->get(profile).value);
+  for (const FieldInC& field : kFieldsInC) {
+    const auto* const known = find_profile_field(field.name);
+    EXPECT_NE(known, nullptr) << field.name;
+    if (known != nullptr) field.set(c, known->get(profile).value);
+  }
   return c;
 }
 

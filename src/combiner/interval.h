@@ -1,6 +1,6 @@
 // Intervals of whole numbers: the rules by which the range of a sum, a product or a choice follows from those of its
-// values. Three analyses use them, because they walk through different things: the compiler of batches through linear
-// forms that fit lanes of 16 bits (value_graph.h), the emitters through the rules' own operations
+// values. Three analyses share them. They stay apart because each walks through something else: the compiler of batches
+// through linear forms that fit lanes of 16 bits (value_graph.h), the emitters through the rules' own operations
 // (language/emit/emit_expression.h), and explain through terms of text (language/explain/explain_terms.h).
 #pragma once
 
@@ -37,7 +37,7 @@ template <class Number>
   return {same ? std::max(low, Number{0}) : low, high};
 }
 
-// The values of both.
+// The smallest interval that holds both.
 template <class Number>
 [[nodiscard]] constexpr IntervalOf<Number> either(const IntervalOf<Number>& a, const IntervalOf<Number>& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};

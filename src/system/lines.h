@@ -1,5 +1,5 @@
-// The one reader of lines: of a text, and of a file that arrives in pieces. A line ends with \n or \r\n; models' files,
-// where \r alone ends one as well, have scene/files/text_scan.h.
+// Reads lines: of a text, and of a file that arrives in pieces. Models' files, where \r alone ends a line as well, have
+// scene/files/text_scan.h.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,14 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // a text ma
   return text.substr(mark_size(text));
 }
 
-// The line without the \r before its \n.
+// The line without a \r at its end.
 [[nodiscard]] inline std::string_view without_return(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
 }
 
-// Takes the first line off the text: returns it without its end. An empty text has no lines.
+// Takes the first line off the text and returns it without its end: \n, \r\n, or a \r that ends the text. An empty
+// text has no lines.
 inline std::string_view take_line(std::string_view& text) {
   const std::string_view line = text.substr(0, text.find('\n'));
   text.remove_prefix(std::min(line.size() + 1, text.size()));
@@ -51,8 +52,8 @@ class LinePieces {
   // Call it once next() has nothing more; the piece must stay valid until then.
   void add(std::string_view piece) { piece_ = piece; }
 
-  // The next line that has its end, without \n; valid until the next call. Of a line that is longer than `longest`, it
-  // is empty.
+  // The next line that has its end, without \n but with a \r before it; valid until the next call. Empty where the line
+  // is longer than `longest`.
   [[nodiscard]] std::optional<std::string_view> next() {
     if (ended_) begin_line();
     const std::size_t end = piece_.find('\n');

@@ -1,5 +1,5 @@
-// Foreign text in messages, on terminals and in commands: which bytes are shown as they are, and how the others are
-// escaped.
+// Foreign text in messages, on terminals, in commands and in markup: which bytes are shown as they are, and how the
+// others are escaped.
 #pragma once
 
 #include <algorithm>

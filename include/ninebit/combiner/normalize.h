@@ -1,4 +1,4 @@
-// What compile() does with a valid state, as constexpr functions.
+// A valid state in the form that compile() evaluates, by constexpr functions.
 #pragma once
 
 #include <cstddef>

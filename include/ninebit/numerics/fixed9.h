@@ -1,4 +1,4 @@
-// The register value: a signed integer code, 1.0 = profile.one (255 with nine bits).
+// Conversions between codes, bytes and real numbers, as a profile has them: 1.0 = profile.one (255 with nine bits).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The words of a hardware profile's fields and of their evidence. Headers that only pass a profile on include this one,
-// so that a changed field compiles the files that read profiles, and no others.
+// The words of a hardware profile's fields and of their evidence. Headers that only pass a profile on include this one:
+// a changed field then recompiles fewer files.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ enum class Evidence : std::uint8_t {
 
 // The numbers that the combiners compute in. With each of them registers start as codes and outputs end as codes.
 enum class Arithmetic : std::uint8_t {
-  integer,  // codes, as in hardware, governed by all the fields below
+  integer,  // codes, as in hardware, by the fields of HardwareProfile
   exact,    // fractions without rounding; converted to a code only for the frame buffer
   float32   // 32-bit floats, as in emulators' shaders; converted to a code only for the frame buffer
 };

@@ -1,4 +1,4 @@
-// The files that a scene file refers to.
+// The files that a scene file refers to, and the formats that ninebit reads itself.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,8 @@ void name_picture(const NamedFiles& beside, const std::string& name, SceneTextur
 
 struct SceneFile;
 
-// Reads a file of a format that needs no library: .gltf, .glb, .obj, .ply or .off. Nothing for another extension.
+// Reads a file of a format that ninebit reads itself: .gltf, .glb, .obj, .ply or .off; glTF 1.0 and compressed meshes
+// need their libraries. Nothing for another extension.
 [[nodiscard]] std::optional<Result<Scene>> read_own_format(const SceneFile& from, std::string_view content,
                                                            std::string_view extension, const SceneReadOptions& options);
 

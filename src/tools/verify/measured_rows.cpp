@@ -197,12 +197,12 @@ std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profil
   return {texel[0], texel[1], texel[2], texel[3]};
 }
 
-// The same; it and its alpha are shown over what the table states.
+// A texel of a DXT3 block and its alpha, shown over the stated background.
 std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile) {
   return shown(texel_of(row, S3tcFormat::dxt3, {row.byte("alpha4")}, 0, 0, profile), row);
 }
 
-// Likewise.
+// A texel of a DXT5 block and its alpha, shown over the stated background.
 std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile) {
   return shown(
       texel_of(row, S3tcFormat::dxt5, {row.byte("alpha0"), row.byte("alpha1"), row.byte("alpha_index")}, 0, 0, profile),

@@ -1,4 +1,4 @@
-// What the files share that compute a profile's results for the rows of measured tables: the values of the picture, in
+// Shared by the files that compute a profile's results for the rows of measured tables: the values of the picture, in
 // the order of their columns.
 #pragma once
 
