@@ -118,8 +118,11 @@ struct SpanPart {
 // Calls visit(part) for a span's vectors.
 template <class Visit>
 HWY_INLINE void for_parts(const LaneFragments::Span span, const Visit& visit) {
-  for (std::size_t i = 0; i < span.count; i += kLaneCount)
+  std::size_t i = 0;
+  do {
     visit(SpanPart{span.place + i, span.first + i, span.count - i});
+    i += kLaneCount;
+  } while (HWY_UNLIKELY(i < span.count));
 }
 
 HWY_INLINE V load_stored(const TilePlanes& tile, const SpanPart& part) {

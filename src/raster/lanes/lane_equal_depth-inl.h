@@ -6,8 +6,6 @@
 #define NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
 #endif
 
-#include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 

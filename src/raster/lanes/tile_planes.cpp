@@ -22,7 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 void load_rows(TilePlanes&, TileRow, int, int) {}
 void store_rows(const TilePlanes&, TileRow, int, int) {}
 void find_farthest(const TilePlanes&, FarthestDepths&) {}
-void fill_planes(TilePlanes&, std::uint32_t, std::uint32_t) {}
+void fill_words(TileWords&, std::uint32_t) {}
 
 #else
 
@@ -155,12 +155,9 @@ void store_rows(const TilePlanes& tile, TileRow to, int row, int count) {
   hwy::FlushStream();
 }
 
-void fill_planes(TilePlanes& tile, std::uint32_t depth_stencil, std::uint32_t color) {
+void fill_words(TileWords& words, std::uint32_t value) {
   static_assert(kTileWords % kLanes == 0);
-  for (std::size_t i = 0; i < kTileWords; i += kLanes) {
-    hn::Store(hn::Set(kD32, depth_stencil), kD32, tile.depth_stencil.data() + i);
-    hn::Store(hn::Set(kD32, color), kD32, tile.color.data() + i);
-  }
+  for (std::size_t i = 0; i < kTileWords; i += kLanes) hn::Store(hn::Set(kD32, value), kD32, words.data() + i);
 }
 
 void find_farthest(const TilePlanes& tile, FarthestDepths& to) {
@@ -193,7 +190,7 @@ namespace {
 HWY_EXPORT(load_rows);
 HWY_EXPORT(store_rows);
 HWY_EXPORT(find_farthest);
-HWY_EXPORT(fill_planes);
+HWY_EXPORT(fill_words);
 
 // A row of which only some pixels may be drawn: the draw's pixels are copied to and from it.
 struct Staging {
@@ -337,8 +334,11 @@ void fill_tile(TilePlanes& tile, const ClearValues& values) {
   const std::array<std::uint8_t, 4> stored = stored_color(tile.target.color_format, values.color);
   std::uint32_t color = 0;
   std::memcpy(&color, stored.data(), sizeof(color));
-  HWY_DYNAMIC_DISPATCH(fill_planes)
-  (tile, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil), color);
+  HWY_DYNAMIC_DISPATCH(fill_words)(tile.color, color);
+  if (tile.keeps_depth_stencil) return;
+  HWY_DYNAMIC_DISPATCH(fill_words)
+  (tile.depth_stencil, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
+  tile.keeps_depth_stencil = !tile.contents.draws_depth_stencil;
 }
 
 void store_tile(const TilePlanes& tile) {
