@@ -80,6 +80,12 @@ test('what the schema refuses stays out, with a sentence; an expression moves', 
     view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: JSON.stringify(effect) } });
   });
   await page.waitForFunction(() => document.querySelector('[data-key="pass.cull"]').value === 'back');
+  // And the effect's text what is chosen.
+  await set(page, 'pass.color_mask', 'g');
+  const shown = await page.evaluate(() => JSON.parse(globalThis.ninebit.page.program.editor.view.state.doc.toString()));
+  assert.equal(shown.passes[0].color_mask, 'g');
+  assert.deepEqual(shown, (await stateOf(page)).effect);
+  await waitForHash(page, nativeHash(await stateOf(page)));
   assert.deepEqual(page.complaints, []);
   await page.close();
 });
