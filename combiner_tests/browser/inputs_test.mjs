@@ -25,7 +25,7 @@ async function set(page, key, value) {
 test('pass, tests, fog, scene and picture are edited by controls, with the native picture', async () => {
   const page = await openPage(browser);
   const before = await stateOf(page);
-  await page.evaluate(() => globalThis.ninebit.store.change('inputs', (state) => { state.effect.scene = { mesh: 'torus:24' }; }));
+  await page.select('#panel-inputs fieldset:not([data-unit]) select', 'torus:48');
   await openGroups(page);
   const steps = [
     [['pass.cull', 'front']], [['pass.polygon_mode', 'line'], ['pass.line_width', '2']], [['pass.color_mask', 'rg']],
@@ -48,7 +48,7 @@ test('pass, tests, fog, scene and picture are edited by controls, with the nativ
   for (const key of ['pass.cull', 'pass.polygon_mode', 'pass.line_width', 'pass.color_mask', 'pass.depth', 'pass.blend.source', 'pass.blend.destination', 'pass.clear.depth', 'pass.clear.color',
     'scene.fov', 'scene.look_at', 'effect.color_format', 'texture0.lod_bias', 'texture0.border_color', 'pass.depth.function']) await set(page, key, '');
   await set(page, 'effect.size', '256, 256');
-  await page.evaluate(() => globalThis.ninebit.store.change('inputs', ({ effect: now }) => { delete now.scene; }));
+  await page.select('#panel-inputs fieldset:not([data-unit]) select', 'rectangle');
   assert.deepEqual(await stateOf(page), before);
   assert.deepEqual(page.complaints, []);
   await page.close();
@@ -68,6 +68,8 @@ test('what the schema refuses stays out, with a sentence; an expression moves', 
   }
   await set(page, 'pass.line_width', '');
   assert.equal(await page.$eval('[data-key="pass.line_width"]', (input) => input.getAttribute('aria-invalid')), 'false');
+  assert.match(await page.$eval('[data-group="Scene and light"]', ({ textContent }) => textContent), /choose a mesh/);
+  await page.select('#panel-inputs fieldset:not([data-unit]) select', 'sphere:48');
   await set(page, 'scene.light', 'min(1, time), 2, sin(time * 2)');
   assert.deepEqual((await stateOf(page)).effect.scene.light, ['min(1, time)', 2, 'sin(time * 2)']);
   await page.waitForFunction(() => !document.querySelector('.clock').hidden);
