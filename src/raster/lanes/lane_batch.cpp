@@ -159,8 +159,8 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
   }
   const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
     const V color = hn::LoadU(kD, batch_colors + part.first);
-    const LaneResult<D> result = operate({draw, f, by_stencil, culled}, part.first, hn::FirstN(kD, part.count), color,
-                                         load_stored(tile, part));
+    const LaneResult<D> result =
+        operate({draw, f, by_stencil, culled}, part.first, hn::FirstN(kD, part.count), color, load_stored(tile, part));
     if (writes) hn::StoreU(result.depth_stencil, kD, lanes_of(tile.depth_stencil.data()) + part.place);
     if (operations.color) {
       hn::BlendedStore(stored_colors(draw, color), result.drawn, kD, lanes_of(tile.color.data()) + part.place);

@@ -170,9 +170,8 @@ HWY_INLINE void push_row(const PrimitiveDraw& current, const TileTriangles& t, s
       hn::StoreU(places, kD, place_at + at);
       places = hn::Add(places, hn::Set(kD, kLanes));
       for (std::size_t i = 0; i < 3; ++i) {
-        const VF e = HWY_LIKELY(is_narrow)
-                         ? hn::ConvertTo(kDF, edge[i])
-                         : wide_edge(t, k, i, t.left[k] + first + static_cast<int>(at), row.y);
+        const VF e = HWY_LIKELY(is_narrow) ? hn::ConvertTo(kDF, edge[i])
+                                           : wide_edge(t, k, i, t.left[k] + first + static_cast<int>(at), row.y);
         hn::StoreU(hn::Mul(e, inv_w[i]), kDF, weight[i] + at);
         edge[i] = hn::Add(edge[i], step[i]);
       }

@@ -280,8 +280,8 @@ bool streams_rows(const RenderTarget& target, const TileContents& contents, bool
   } else {
     for (const Plane<std::uint8_t>& plane : target.color) take(plane);
   }
-  return are_aligned && bytes_a_pixel * static_cast<std::size_t>(target.width) *
-                                static_cast<std::size_t>(target.height) > kSmall;
+  return are_aligned &&
+         bytes_a_pixel * static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height) > kSmall;
 }
 
 // True if vectors can read and write the target's rows.

@@ -233,8 +233,9 @@ HWY_INLINE void filter_same(const WordLevels& texture, const Rules& rules, const
     places.face = load_place(texture.cube, at, i, places.s, places.t);
     // Calls by name: the compiler would not inline a lambda.
 
-    Sum sum(texture.cube ? read_taps<kAllLinear, true>(texture, rules, places, fine.of_faces(texture, places.face, step), linear)
-                         : read_taps<kAllLinear>(texture, rules, places, fine, linear),
+    Sum sum(texture.cube
+                ? read_taps<kAllLinear, true>(texture, rules, places, fine.of_faces(texture, places.face, step), linear)
+                : read_taps<kAllLinear>(texture, rules, places, fine, linear),
             bits);
     if (has_next) sum.blend(Sum(read_taps<kAllLinear>(texture, rules, places, coarse, linear), bits), next, bits);
     hn::StoreU(hn::Xor(sum.words(bits, has_next), hn::Set(kDU, texture.flip)), kDU, to.data() + i);
