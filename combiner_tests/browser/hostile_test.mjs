@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { addressOf } from '../../src/playground/web/permalink.js';
 import { newState } from '../../src/playground/web/state.js';
-import { clickPixel, hashOf, launch, nativeHash, openEffect, openPage, root, stateOf, type, waitForHash } from './support.mjs';
+import { clickPixel, hashOf, launch, nativeHash, openEffect, openPage, openTab, root, stateOf, type, waitForHash } from './support.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -62,7 +62,7 @@ test('links with values of the wrong kind get one sentence and the first effect'
 
 test('typing such values keeps the last state and names the place', async () => {
   const page = await openPage(browser);
-  await page.select('#file-choice select', 'effect.json');
+  await openTab(page, 'effect.json');
   const old = await stateOf(page);
   const cases = [[(effect) => { effect.passes = [null]; }, /^\d+:\d+ .*must be an object/], [(effect) => { effect.passes[0].constants = { const0: 5 }; }, /^\d+:\d+ .*const0/],
     [(effect) => { effect.scene = { camera: 'x' }; }, /^\d+:\d+ .*camera/], [(effect) => { effect.passes[0].program = {}; }, /^\d+:\d+ .*program/]];

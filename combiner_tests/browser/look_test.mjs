@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { clickPixel, expectedHashes, folderOf, hashOf, launch, native, nativeTrace, openEffect, openPage, root, stateOf, waitForHash, waitForReady } from './support.mjs';
+import { clickPixel, expectedHashes, folderOf, hashOf, launch, native, nativeTrace, openEffect, openPage, openTab, root, stateOf, waitForHash, waitForReady } from './support.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -306,7 +306,7 @@ test('while an effect plays, the usual picture is shown without marks', async ()
 
 test('the editor completes an effect by its schema', async () => {
   const page = await openPage(browser);
-  await page.select('#file-choice select', 'effect.json');
+  await openTab(page, 'effect.json');
   await page.focus('.cm-content');
   await page.evaluate(() => {
     const { view } = globalThis.ninebit.page.program.editor;

@@ -98,6 +98,12 @@ export async function openEffect(page, name) {
   await page.waitForFunction(() => document.getElementById('picture').dataset.hash !== undefined, { timeout: 30_000 });
 }
 
+/** Shows a file of the effect in the editor. */
+export async function openTab(page, file) {
+  await page.$$eval('#files [role=tab]', (tabs, wanted) => tabs.find(({ dataset }) => dataset.file === wanted).click(), file);
+  await page.waitForFunction((wanted) => document.querySelector('#files [aria-selected=true]').dataset.file === wanted, {}, file);
+}
+
 /** Drops files on the picture. `content`: base64, or a number of zero bytes. */
 export function dropOn(page, files) {
   return page.evaluate((all) => {

@@ -113,6 +113,37 @@ TEST(LayerLists, WrongListCommands) {
   EXPECT_EQ(number_of_combiners(), 4);
 }
 
+// A list is one after its glEndList; one that it replaces is one until then. The layer has parts of it before.
+TEST(LayerLists, AListIsOneAfterItsEnd) {
+  NINEBIT_GL_CONTEXT(context);
+  for (const GLboolean before : {GLboolean{GL_FALSE}, GLboolean{GL_TRUE}}) {
+    SCOPED_TRACE(static_cast<int>(before));
+    glNewList(1, GL_COMPILE);
+    set_constant(0, 1, 0);
+    EXPECT_EQ(glIsList(1), before);
+    set_constant(0, 0, 1);
+    EXPECT_EQ(glIsList(1), before);
+    glEndList();
+    EXPECT_EQ(glIsList(1), GL_TRUE);
+  }
+}
+
+// As an error of a program's own call, and as nothing where a list has it.
+TEST(LayerLists, ACallOfListZero) {
+  NINEBIT_GL_CONTEXT(context);
+  show_constant({1, 0, 0, 1});
+  glCallList(0);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  glNewList(1, GL_COMPILE);
+  set_constant(0, 1, 0);
+  glCallList(0);
+  glEndList();
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  glCallList(1);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(drawn(), kGreen);
+}
+
 TEST(LayerLists, RedefinitionAndDeletion) {
   NINEBIT_GL_CONTEXT(context);
   show_constant({1, 0, 0, 1});

@@ -366,5 +366,32 @@ TEST(PlaygroundDrawing, RecordsWhatThePassCombines) {
   EXPECT_NE(fault_of_answer(ask(engine, request)).find("has no program"), std::string::npos);
 }
 
+TEST(PlaygroundDraw, DrawsTheChosenFunctionAndProgramOfASource) {
+  const std::string text =
+      "void f(float x) {\n  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);\n"
+      "  GLfloat c[4] = { x, 0, 0, 1 };\n  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, c);\n"
+      "  glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV, "
+      "GL_RGB);\n"
+      "  glDrawArrays(GL_TRIANGLES, 0, 3);\n  c[1] = 1;\n  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, c);\n"
+      "  glDrawArrays(GL_TRIANGLES, 0, 3);\n}\n"
+      "void g(void) { glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2); }\n";
+  PageJson request = draw_request();
+  request["files"] = {{"two.c", text}};
+  request["effect"]["passes"][0]["program"] = "two.c";
+  const auto drawn = [&](Engine& engine) { return fault_of_answer(ask(engine, request)); };
+  Engine engine;
+  EXPECT_NE(drawn(engine), "");
+  request["choices"] = {{"two.c", {{"function", "f"}, {"defines", {{"x", "1"}}}}}};
+  EXPECT_NE(drawn(engine).find("pick one with #1 to #2"), std::string::npos);
+  for (const int number : {1, 2}) {
+    request["effect"]["passes"][0]["program"] = "two.c#" + std::to_string(number);
+    ASSERT_EQ(drawn(engine), "");
+    const std::vector<std::uint8_t> pixel(engine.bytes().begin(), engine.bytes().begin() + 3);
+    EXPECT_EQ(pixel, (std::vector<std::uint8_t>{255, static_cast<std::uint8_t>(number == 2 ? 255 : 0), 0})) << number;
+  }
+  request["choices"] = {{"two.c", 7}};
+  EXPECT_NE(drawn(engine), "");
+}
+
 }  // namespace
 }  // namespace ninebit::test

@@ -7,10 +7,12 @@
 
 #include "combiner_tests/playground/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/explain.h"
 #include "ninebit/language/profile_json.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/combiner/given_registers.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/pixel_shader/shader_instruction.h"
@@ -115,6 +117,107 @@ TEST(PlaygroundRead, TakesAProfileOfOnesOwn) {
   const PageJson wrong{{"base", "geforce2"}, {"name", "mine"}, {"general_combiners", 99}};
   const std::string fault = fault_of_answer(ask({{"do", "read"}, {"text", three}, {"profile", wrong}}));
   EXPECT_NE(fault.find("general_combiners must be a whole number from 1 to 8"), std::string::npos) << fault;
+}
+
+// Two functions that set combiners, the second from a value that the text does not give; a header gives a register.
+constexpr std::string_view kTwoFunctions = R"(#include "lib/source.h"
+void by_texel(void) {
+  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
+  glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, SOURCE, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+}
+void by_constant(const float *color) {
+  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
+  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color);
+  glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+}
+)";
+constexpr std::string_view kSourceHeader = "#define SOURCE GL_TEXTURE1_ARB\n";
+
+PageJson read_source(const PageJson& choice, std::string_view text = kTwoFunctions) {
+  return ask({{"do", "read"},
+              {"text", text},
+              {"name", "programs/two.c"},
+              {"files", {{"programs/two.c", text}, {"programs/lib/source.h", kSourceHeader}}},
+              {"choice", choice}});
+}
+
+TEST(PlaygroundRead, ListsTheFunctionsOfASourceAndReadsTheChosenOne) {
+  const PageJson all = read_source(PageJson::object());
+  ASSERT_EQ(fault_of_answer(all), "");
+  EXPECT_EQ(all["form"], "source");
+  EXPECT_FALSE(all["valid"]) << all;
+  ASSERT_EQ(all["functions"].size(), 2U) << all;
+  EXPECT_EQ(all["functions"][0]["name"], "by_texel");
+  EXPECT_EQ(all["functions"][0]["needs"], PageJson::array());
+  EXPECT_EQ(all["functions"][1]["needs"], PageJson::array({"color"})) << all;
+  EXPECT_EQ(all["programs"], 1);
+  // What is included gives the texture unit.
+  EXPECT_EQ(read_source({{"function", "by_texel"}})["textures"], PageJson::array({1}));
+  const PageJson asks = read_source({{"function", "by_constant"}});
+  EXPECT_NE(asks["faults"][0]["message"].get<std::string>().find("'color'"), std::string::npos) << asks;
+  const PageJson given = read_source({{"function", "by_constant"}, {"defines", {{"color", "1,0.5,0,1"}}}});
+  ASSERT_TRUE(given["valid"]) << given;
+  EXPECT_EQ(given["constants"]["const0"], PageJson::parse("[1.0, 0.5, 0.0, 1.0]"));
+  EXPECT_EQ(given["functions"][1]["needs"], PageJson::array());
+  const PageJson outside = ask({{"do", "read"},
+                                {"text", "#include \"../lib/source.h\"\n" + std::string(kTwoFunctions)},
+                                {"name", "programs/two.c"},
+                                {"files", {{"lib/source.h", "#error no\n"}}},
+                                {"choice", {{"function", "by_texel"}}}});
+  EXPECT_FALSE(outside["valid"]) << "a source reads what is beside it or below";
+}
+
+TEST(PlaygroundRead, CountsTheProgramsThatANumberPicks) {
+  const std::string text =
+      "void f(void) {\n  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);\n  glDrawArrays(GL_TRIANGLES, 0, 3);\n"
+      "  glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);\n  glDrawArrays(GL_TRIANGLES, 0, 3);\n}\n";
+  const PageJson none = read_source(PageJson::object(), text);
+  EXPECT_FALSE(none["valid"]);
+  EXPECT_EQ(none["programs"], 2) << none;
+  for (const int number : {1, 2}) {
+    const PageJson one = read_source({{"program", number}}, text);
+    EXPECT_EQ(one["general_combiners"], number) << one;
+    EXPECT_EQ(one["programs"], 2) << one;
+  }
+  EXPECT_FALSE(read_source({{"program", 3}}, text)["valid"]);
+  EXPECT_FALSE(read_source({{"program", 1}}, "!!RC1.0\nout.rgb = tex0;\n")["valid"]);
+}
+
+TEST(PlaygroundRead, NamesWhatAShadersConditionsNeed) {
+  const std::string text = "ps.1.1\n#if BRIGHT\nmov_x2 r0, v0\n#else\nmov r0, v0\n#endif\n";
+  EXPECT_EQ(read_source(PageJson::object(), text)["needs"], PageJson::array({"BRIGHT"}));
+  const PageJson given = read_source({{"defines", {{"BRIGHT", "1"}}}}, text);
+  EXPECT_TRUE(given["valid"]) << given;
+  EXPECT_EQ(given["needs"], PageJson::array());
+}
+
+TEST(PlaygroundRead, RefusesChoicesOfOtherKinds) {
+  for (const PageJson& choice :
+       {PageJson(7), PageJson{{"function", 7}}, PageJson{{"function", ""}}, PageJson{{"program", 0}},
+        PageJson{{"defines", {{"a", 1}}}}, PageJson{{"defines", {{"a", ""}}}}, PageJson{{"defines", "a=1"}},
+        PageJson{{"other", 1}}}) {
+    EXPECT_NE(fault_of_answer(read_source(choice)), "") << choice;
+  }
+}
+
+TEST(PlaygroundRead, SaysThatATextOfAnotherFormHasNoChoice) {
+  const std::string text = "!!RC1.0\nout.rgb = tex0;\n";
+  const auto fault = [&](const PageJson& choice) {
+    return read_source(choice, text)["faults"][0]["message"].get<std::string>();
+  };
+  EXPECT_NE(fault({{"function", "f"}}).find("is chosen, and this is an !!RC1.0 program"), std::string::npos);
+  EXPECT_NE(fault({{"defines", {{"a", "1"}}}}).find("and this is an !!RC1.0 program"), std::string::npos);
+  EXPECT_TRUE(read_source(PageJson::object(), text)["valid"]);
+}
+
+TEST(PlaygroundConvert, WritesTheChosenFunction) {
+  const PageJson answer = ask({{"do", "convert"},
+                               {"text", kTwoFunctions},
+                               {"to", "json"},
+                               {"choice", {{"function", "by_constant"}, {"defines", {{"color", "1,0.5,0,1"}}}}}});
+  ASSERT_EQ(fault_of_answer(answer), "");
+  const PageJson constants = ask({{"do", "read"}, {"text", answer["text"]}})["constants"];
+  EXPECT_EQ(constants["const0"], PageJson::parse("[1.0, 0.5, 0.0, 1.0]"));
 }
 
 TEST(PlaygroundConvert, WritesWhatConvertWrites) {

@@ -36,7 +36,7 @@ std::size_t pixels_of_pass(const Effect& effect, const EffectPass& pass) {
 }  // namespace
 
 Reply Engine::combiners(Request& request) {
-  request.allow({"effect", "files", "profile", "size", "name", "time", "frame", "pass"});
+  request.allow({"effect", "files", "choices", "profile", "size", "name", "time", "frame", "pass"});
   RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const auto& passes = asked.what.effect.passes;

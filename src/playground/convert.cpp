@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "ninebit/combiner/evaluate_arrays.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/trace.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/combiner/given_registers.h"
 #include "src/effect/traced_pixel.h"
 #include "src/playground/texts.h"
@@ -69,19 +71,21 @@ void set_given_constants(const RequestRegisters& registers, Program& program) {
 }  // namespace
 
 Reply convert_text(Request& request) {
-  request.allow({"text", "profile", "to"});
-  const std::string text = request.word("text"), to = request.word("to");
+  request.allow({"text", "profile", "to", "name", "files", "choice"});
+  const std::string text = request.word("text"), to = request.word("to"), name = request.word_or("name", "text");
+  const FileTexts files = request.texts("files");
+  const SourceSelection choice = request.choice();
   const ChosenProfile chosen = request.profile("profile");
   const Form* const form = find_form(to);
   if (!request.failed() && (form == nullptr || form->print == nullptr)) {
     std::string names;
-    for (const std::string& name : written_form_names()) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& one : written_form_names()) names += (names.empty() ? "" : ", ") + one;
     request.reader().fault(request.find("to")->offset,
                            json::in_quotes(to) + " is not a form to write; expected one of " + names);
   }
   if (request.failed()) return request.refused();
   const HardwareProfile& profile = chosen.profile();
-  const auto program = valid_program(text, "text", profile);
+  const auto program = valid_program({text, name}, profile, files, choice);
   if (!program) return refusals(program.faults(), text);
   const auto printed = form->print(*program, chip_of(profile), profile);
   if (!printed) return refusal("cannot be written as " + to + ": " + printed.error().message, "text");
@@ -96,7 +100,7 @@ Reply trace_text(Request& request) {
   const HardwareProfile& profile = chosen.profile();
   const RequestRegisters registers = request_registers(request, profile);
   if (request.failed()) return request.refused();
-  const auto parsed = valid_program(text, "text", profile);
+  const auto parsed = valid_program({text, "text"}, profile);
   if (!parsed) return refusals(parsed.faults(), text);
   Program program = normalize(parsed->state, profile);
   set_given_constants(registers, program);
@@ -140,7 +144,7 @@ Reply evaluate_pictures(Request& request, std::span<const std::uint8_t> buffer, 
     return refusal("the buffer has " + std::to_string(buffer.size()) + " bytes; expected " +
                    std::to_string(pictures.size()) + " pictures of the same size, four bytes a pixel");
   }
-  const auto parsed = valid_program(text, "text", profile);
+  const auto parsed = valid_program({text, "text"}, profile);
   if (!parsed) return refusals(parsed.faults(), text);
   Program program = normalize(parsed->state, profile);
   set_given_constants(registers, program);

@@ -12,10 +12,6 @@
 namespace ninebit::playground {
 namespace {
 
-void read_texts(Request& request, LastDrawing& what) {
-  for (auto& [name, text] : request.texts("files")) what.files.insert_or_assign(name, std::move(text));
-}
-
 Json pass_names(const Effect& effect) {
   Json names = Json::array();
   for (const EffectPass& pass : effect.passes) names.push_back(pass.name);
@@ -46,7 +42,8 @@ RequestedEffect requested_effect(Request& request) {
   RequestedEffect out;
   const std::string text = request.inner("effect");
   out.what.name = request.word_or("name", "effect");
-  read_texts(request, out.what);
+  out.what.files = request.texts("files");
+  out.what.choices = request.choices();
   if (request.failed()) {
     out.refused = request.refused();
     return out;
@@ -83,7 +80,7 @@ Drawn draw_effect(const LastDrawing& what, const Shelf& shelf, const EffectOptio
     drawn.refused = refusal(std::move(complaint), "effect");
     return drawn;
   }
-  ShelfReaders shelf_readers(what.files, shelf);
+  ShelfReaders shelf_readers(what, shelf);
   shelf_readers.reuse(std::exchange(kept.textures, {}));
   if (!kept.profile.is_same(what.profile)) {
     // The renderer's profile has views into the text of the kept one, so an equal profile does not replace it.
@@ -173,7 +170,7 @@ Json hashes_of(const Surface& surface) {
 }
 
 Reply Engine::draw(Request& request) {
-  request.allow({"effect", "files", "profile", "size", "name", "time", "frame", "hash"});
+  request.allow({"effect", "files", "choices", "profile", "size", "name", "time", "frame", "hash"});
   RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const bool hashed = request.flag_or("hash", true);
@@ -212,7 +209,7 @@ Reply Engine::pixel(Request& request) {
 }
 
 Reply Engine::compare(Request& request) {
-  request.allow({"effect", "files", "profiles", "size", "name", "time", "frame"});
+  request.allow({"effect", "files", "choices", "profiles", "size", "name", "time", "frame"});
   RequestedEffect asked = requested_effect(request);
   if (asked.refused) return *asked.refused;
   const json::Value* const profiles = request.value("profiles");

@@ -30,9 +30,6 @@ inline constexpr std::string_view kRoomFile = "index_room.gltf";
 // A scene file that was put, or the room.
 [[nodiscard]] Result<Scene> shelf_scene(const std::string& name, const Shelf& shelf, std::optional<UpAxis> up);
 
-// The file texts of a request by name.
-using FileTexts = std::map<std::string, std::string, std::less<>>;
-
 // The reason why this effect cannot be drawn here: too many pixels, texels or polygons. Nothing: empty.
 [[nodiscard]] std::string complaint_about_mesh(const std::string& mesh);
 [[nodiscard]] std::string complaint_about_amount(const Effect& effect, const Shelf& shelf);
@@ -41,7 +38,8 @@ using FileTexts = std::map<std::string, std::string, std::less<>>;
 class ShelfReaders {
  public:
   // The views must outlive the readers.
-  ShelfReaders(const FileTexts& texts, const Shelf& shelf) : texts_(texts), shelf_(shelf) {}
+  ShelfReaders(const LastDrawing& what, const Shelf& shelf)
+      : texts_(what.files), choices_(what.choices), shelf_(shelf) {}
 
   // Takes textures from those that were made before of the same shelf. The profile does not change a texture here.
   void reuse(std::vector<CachedTexture> textures) { reused_ = std::move(textures); }
@@ -61,6 +59,7 @@ class ShelfReaders {
   Result<TextureSamples> samples_of(const std::string& name, bool opaque, bool any_sides);
 
   const FileTexts& texts_;
+  const ProgramChoices& choices_;
   const Shelf& shelf_;
   std::vector<TextFault> program_faults_{};
   std::vector<std::string> warnings_{};

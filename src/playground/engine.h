@@ -53,10 +53,11 @@ struct KeptDrawing {
 
 // The last drawing, for "pixel".
 struct LastDrawing {
-  std::string name{};                                       // of the effect
-  Effect effect{};                                          // with the size of the request
-  ChosenProfile profile{};                                  // that it was drawn with
-  std::map<std::string, std::string, std::less<>> files{};  // the texts of the request
+  std::string name{};        // of the effect
+  Effect effect{};           // with the size of the request
+  ChosenProfile profile{};   // that it was drawn with
+  FileTexts files{};         // the texts of the request
+  ProgramChoices choices{};  // how they are read
 };
 
 class Judging;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMostSeconds = 1e6;
 constexpr int kMostFrames = 1'000'000'000;
+constexpr int kMostPrograms = 1'000'000;  // of one function, or set-ups of a log
 
 // The end of a bracketed value that starts at `at` of a text that is JSON.
 std::size_t end_of_brackets(std::string_view text, std::size_t at) {
@@ -83,21 +84,63 @@ std::optional<double> Request::real_of(const json::Value& value, double lowest, 
   return number >= lowest && number <= highest ? std::optional(number) : std::nullopt;
 }
 
-std::vector<std::pair<std::string, std::string>> Request::texts(std::string_view key) {
-  std::vector<std::pair<std::string, std::string>> all;
+bool Request::is_object(const json::Value& value) {
+  if (value.type == json::Type::object) return true;
+  reader_.wrong_type(value, "an object");
+  return false;
+}
+
+FileTexts Request::texts(std::string_view key) {
+  FileTexts all;
   const json::Value* const found = find(key);
-  if (found == nullptr) return all;
-  if (found->type != json::Type::object) {
-    reader_.wrong_type(*found, "an object");
-    return all;
-  }
+  if (found == nullptr || !is_object(*found)) return all;
   for (const json::Value& child : found->children) {
     if (child.type != json::Type::string) {
       reader_.fault(child.offset, json::in_quotes(child.key) + " must be a string, the text of a file");
       continue;
     }
-    all.emplace_back(child.key, child.text);
+    all.insert_or_assign(child.key, child.text);
   }
+  return all;
+}
+
+SourceSelection Request::choice_in(const json::Value& value) {
+  SourceSelection out;
+  if (!reader_.object(value, {"function", "defines", "program"})) return out;
+  if (const json::Value* const function = json::Reader::find(value, "function")) {
+    if (function->type == json::Type::string && !function->text.empty()) {
+      out.functions.push_back(function->text);
+    } else {
+      reader_.wrong_type(*function, "the name of a function");
+    }
+  }
+  if (const json::Value* const program = json::Reader::find(value, "program")) {
+    int number = 1;
+    reader_.integer(*program, 1, kMostPrograms, number);
+    out.program = static_cast<std::size_t>(number);
+  }
+  const json::Value* const defines = json::Reader::find(value, "defines");
+  if (defines == nullptr || !is_object(*defines)) return out;
+  for (const json::Value& define : defines->children) {
+    if (define.type == json::Type::string && !define.key.empty() && !define.text.empty()) {
+      out.definitions.push_back({define.key, define.text});
+    } else {
+      reader_.fault(define.offset, "defines: " + json::in_quotes(define.key) + " must have a value, as a string");
+    }
+  }
+  return out;
+}
+
+SourceSelection Request::choice() {
+  const json::Value* const found = find("choice");
+  return found == nullptr ? SourceSelection{} : choice_in(*found);
+}
+
+ProgramChoices Request::choices() {
+  ProgramChoices all;
+  const json::Value* const found = find("choices");
+  if (found == nullptr || !is_object(*found)) return all;
+  for (const json::Value& child : found->children) all.insert_or_assign(child.key, choice_in(child));
   return all;
 }
 

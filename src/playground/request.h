@@ -1,14 +1,15 @@
 // A request to the playground's engine.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/language/profile_json.h"
+#include "ninebit/language/source_code.h"
 #include "src/language/json/json_reader.h"
 #include "src/playground/reply.h"
 
@@ -24,6 +25,11 @@ struct ChosenProfile {
     return own.has_value() == other.own.has_value() && (own ? text == other.text : shipped == other.shipped);
   }
 };
+
+// The file texts of a request by name.
+using FileTexts = std::map<std::string, std::string, std::less<>>;
+// What is chosen of programs whose texts leave a choice, by the names of their files.
+using ProgramChoices = std::map<std::string, SourceSelection, std::less<>>;
 
 // A request, an object with the key "do". Where a value is missing, of another type or out of range, its reader adds a
 // fault and returns a value without meaning: take the faults before the values are used.
@@ -46,7 +52,11 @@ class Request {
   // The number that a value is, if it is one of this range.
   [[nodiscard]] static std::optional<double> real_of(const json::Value& value, double lowest, double highest);
   // The members of an object of strings; none without the key.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> texts(std::string_view key);
+  [[nodiscard]] FileTexts texts(std::string_view key);
+  // "choice", {"function", "defines", "program"}, each of which may be missing: what is chosen of one text.
+  [[nodiscard]] SourceSelection choice();
+  // "choices", an object of such objects by the names of files.
+  [[nodiscard]] ProgramChoices choices();
   // The value of a key, which must be there.
   [[nodiscard]] const json::Value* value(std::string_view key);
   [[nodiscard]] const json::Value* find(std::string_view key) const { return json::Reader::find(root_, key); }
@@ -63,6 +73,10 @@ class Request {
   [[nodiscard]] json::Reader& reader() { return reader_; }
 
  private:
+  // Whether a value is one; else that is a fault.
+  bool is_object(const json::Value& value);
+  SourceSelection choice_in(const json::Value& value);
+
   std::string_view text_;
   const json::Value& root_;
   TextFaults& faults_;

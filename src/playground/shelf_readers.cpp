@@ -108,9 +108,13 @@ EffectReaders ShelfReaders::readers() {
 
 Result<TextProgram> ShelfReaders::read_program(const std::string& name, const HardwareProfile& profile) {
   program_faults_.clear();
-  const auto found = texts_.find(name);
+  const NumberedName named = numbered_name(name, texts_);
+  const auto found = texts_.find(named.file);
   if (found == texts_.end()) return Diagnostic{.message = "is not among the files of the request", .file = name};
-  const auto parsed = valid_program(found->second, name, profile);
+  const auto choice = choices_.find(named.file);
+  SourceSelection selection = choice == choices_.end() ? SourceSelection{} : choice->second;
+  if (named.number) selection.program = *named.number;
+  const auto parsed = valid_program({found->second, name}, profile, texts_, selection);
   if (parsed) return *parsed;
   program_faults_ = refusals(parsed.faults(), found->second).faults();
   return Diagnostic{.message = parsed.faults()[0].message, .file = name, .line = parsed.faults()[0].line};

@@ -5,7 +5,7 @@ import { stateOfDropped } from '../../../src/playground/web/effect_drop.js';
 
 const effect = () => ({ ninebit: 'effect', version: 1, profile: 'nv2a', passes: [{ program: 'a.rc1' }] });
 const program = new File(['!!RC1.0\nout.rgb = tex0;\n'], 'a.rc1');
-const shelf = { embedded: {} };
+const shelf = { embedded: new Map() };
 
 test('a profile.json is the profile of the effect that it was dropped with', async () => {
   const own = { base: 'geforce2', name: 'mine', half: 127 };

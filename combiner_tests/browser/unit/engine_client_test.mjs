@@ -61,9 +61,9 @@ test('a newer request of a key takes the place of one that waits', async () => {
 
 test('a newer request about the drawing before it waits behind that drawing', async () => {
   const { made, worker } = engine();
-  const live = new Live({ state: { effect: {}, files: {}, profile: 'nv2a', pass: 0 } }, made, {}, {});
+  const live = new Live({ state: { effect: {}, files: {}, choices: {}, profile: 'nv2a', pass: 0 } }, made, {}, {});
   const running = made.ask({ do: 'a' }), old = live.losses(), trace = made.ask({ do: 'pixel' });
-  live.store.state = { effect: {}, files: {}, profile: 'geforce2', pass: 0 };
+  live.store.state = { effect: {}, files: {}, choices: {}, profile: 'geforce2', pass: 0 };
   const newer = live.losses();
   await assert.rejects(old, Replaced);
   for (let n = 0; n < 4; n++) worker.answer({ answer: {} });

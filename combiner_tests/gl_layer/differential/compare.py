@@ -4,6 +4,7 @@
 Where they differ, the program runs again without the layer: what then differs, the driver does by itself. The exit status
 is 1 if an output differs by the layer, 77 if there is no driver.
 """
+import concurrent.futures
 import os
 import subprocess
 import sys
@@ -37,27 +38,32 @@ class Comparison:
 
 
 def compare(program, layer, count, first_seed=0):
+    """Compares `count` processes that do not crash without the layer, as many at a time as there are processors."""
     found = Comparison()
-    for seed in range(first_seed, first_seed + 2 * count):
-        if found.compared == count:
-            break
+
+    def both(seed):
         without = output(program, seed, None)
-        if without[0] == 77:
-            found.has_driver = False
-            break
-        if without[0] < 0:
-            found.crashes.append(seed)
-            continue
-        found.compared += 1
-        with_layer = output(program, seed, layer)
-        found.pictures.update(line for line in without[1].splitlines() if line.startswith("picture"))
-        found.errors += without[1].count("error")
-        if without != with_layer:
-            repeated = any(output(program, seed, None) != without for _ in range(3))
-            (found.by_driver if repeated else found.by_layer).append(seed)
-            lines = zip(without[1].splitlines(), with_layer[1].splitlines())
-            first = next((f"{a!r} became {b!r}" for a, b in lines if a != b), "one output is longer")
-            print(f"seed {seed}: exit {without[0]} and {with_layer[0]}, {first}")
+        return seed, without, output(program, seed, layer) if without[0] >= 0 and without[0] != 77 else None
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for seed, without, with_layer in pool.map(both, range(first_seed, first_seed + 2 * count)):
+            if without[0] == 77:
+                found.has_driver = False
+            if found.compared == count or not found.has_driver:
+                pool.shutdown(cancel_futures=True)
+                break
+            if without[0] < 0:
+                found.crashes.append(seed)
+                continue
+            found.compared += 1
+            found.pictures.update(line for line in without[1].splitlines() if line.startswith("picture"))
+            found.errors += without[1].count("error")
+            if without != with_layer:
+                repeated = any(output(program, seed, None) != without for _ in range(3))
+                (found.by_driver if repeated else found.by_layer).append(seed)
+                lines = zip(without[1].splitlines(), with_layer[1].splitlines())
+                first = next((f"{a!r} became {b!r}" for a, b in lines if a != b), "one output is longer")
+                print(f"seed {seed}: exit {without[0]} and {with_layer[0]}, {first}")
     return found
 
 

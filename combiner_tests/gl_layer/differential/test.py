@@ -10,6 +10,6 @@ def run(kit):
     folder = kit.folder("differential")
     program = folder / "random_calls"
     build(["gcc", "-std=gnu99", "-O2", HERE / "differential/random_calls.c", "-o", program, "-lEGL", "-lGL"])
-    count = int(os.environ.get("NINEBIT_GL_PROCESSES", "500"))
+    count = int(os.environ.get("NINEBIT_GL_PROCESSES", "60"))
     found = compare(program, kit.ninebit_path.parent / "libninebit_gl.so", count)
     kit.check(found.good(), found.text())

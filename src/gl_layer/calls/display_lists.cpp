@@ -200,8 +200,10 @@ bool is_list_type(GLenum type) {
 }  // namespace
 
 void close_driver_list(Context& context) {
+  OpenList& open = *context.open_list;
+  if (open.driver_number == open.number) open.replaces = found_driver.IsList(open.number) == GL_TRUE;
   found_driver.EndList();
-  add_step(*context.open_list);
+  add_step(open);
 }
 
 void open_driver_list(Context& context) {
@@ -316,7 +318,8 @@ GLAPI void GLAPIENTRY glCallList(GLuint list) {
   Context* const context = current();
   if (context == nullptr) return find_driver().CallList(list);
   if (context->open_list != nullptr) {
-    if (goes_into_steps(*context)) return record(*context, [list] { glCallList(list); });
+    // Alone, 0 is an error; in a list it is a list that does not exist.
+    if (list != 0 && goes_into_steps(*context)) return record(*context, [list] { glCallList(list); });
     if (!context->list_in_begin()) prepare_list_for_vertices(*context, 0);
     context->open_list->draws = true;
     return found_driver.CallList(list);
@@ -357,7 +360,7 @@ GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
   const GLint base = driver_integer(GL_LIST_BASE);
   for (GLsizei i = 0; i < n; ++i) {
     const GLuint list = static_cast<GLuint>(base) + list_offset(lists, type, i);
-    if (list != 0) glCallList(list);  // alone, 0 is an error; here it is a list that does not exist
+    if (list != 0) glCallList(list);  // as in a list
   }
 }
 
@@ -379,6 +382,11 @@ GLAPI void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range) {
 
 GLAPI GLboolean GLAPIENTRY glIsList(GLuint list) {
   const Context* const context = current();
-  if (context != nullptr && !context->in_begin && is_step_list(*context, list)) return GL_FALSE;
-  return find_driver().IsList(list);
+  if (context == nullptr || context->in_begin) return find_driver().IsList(list);
+  if (is_step_list(*context, list)) return GL_FALSE;
+  const OpenList* const open = context->open_list.get();
+  // The driver has its first part already, which is none before glEndList.
+  if (open != nullptr && open->number == list && open->driver_number != list)
+    return open->replaces ? GL_TRUE : GL_FALSE;
+  return found_driver.IsList(list);
 }

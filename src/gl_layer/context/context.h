@@ -54,6 +54,7 @@ struct OpenList {
   unsigned number = 0;          // the program's
   unsigned mode = 0;            // GL_COMPILE or GL_COMPILE_AND_EXECUTE
   unsigned driver_number = 0;   // of the driver's list that is open
+  bool replaces = false;        // with the first step: whether there was a list of that number before
   bool stale = false;           // whether a command in the driver's list changes what shaders depend on
   bool in_begin = false;        // between glBegin and glEnd
   bool half_begin = false;      // it has only one of a pair of glBegin and glEnd

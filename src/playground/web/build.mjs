@@ -25,9 +25,9 @@ async function bundled(name) {
   return outputFiles[0].text;
 }
 
-/** The gallery: effects, their programs, their pictures by the names that effects give them. */
+/** The gallery: effects, their programs, sizes of their pictures by the names that effects give them, and the pictures one after the other. */
 function gallery() {
-  const content = { effects: {}, programs: {}, files: {} };
+  const content = { effects: {}, programs: {}, files: {} }, pictures = [];
   const read = (name) => readFileSync(join(effectsFolder, name));
   for (const name of readdirSync(effectsFolder).sort()) {
     if (!name.endsWith('.json') || name === 'expected_hashes.json') continue;
@@ -37,9 +37,10 @@ function gallery() {
     content.programs[`programs/${name}`] = read(`programs/${name}`).toString();
   }
   for (const name of readdirSync(join(effectsFolder, 'textures')).sort()) {
-    content.files[`textures/${name}`] = read(`textures/${name}`).toString('base64');
+    pictures.push(read(`textures/${name}`));
+    content.files[`textures/${name}`] = pictures.at(-1).length;
   }
-  return content;
+  return { content, pictures: textOfBytes(Buffer.concat(pictures)) };
 }
 
 /** A file packed with LZMA by Python, which Emscripten needs anyway: Node has none. */
@@ -51,9 +52,11 @@ function packed(file) {
 /** JSON that cannot end its script element. */
 const inScript = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
 
+const { content, pictures } = gallery();
 const parts = {
   STYLE: readFileSync(join(here, 'style.css'), 'utf8'),
-  CONTENT: inScript(gallery()),
+  CONTENT: inScript(content),
+  PICTURES: pictures,
   ENGINE: readFileSync(`${engine}.js`, 'utf8'),
   WASM: textOfBytes(packed(`${engine}.wasm`)),
   SIZE: String(statSync(`${engine}.wasm`).size),
@@ -63,7 +66,7 @@ const parts = {
 for (const name of ['ENGINE', 'WORKER', 'SCRIPT']) {
   if (/<\/script/i.test(parts[name])) throw new Error(`${name} would end its own element`);
 }
-const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\/\*(STYLE|CONTENT|ENGINE|WASM|SIZE|WORKER|SCRIPT)\*\//g, (_, name) => parts[name]);
+const page = readFileSync(join(here, 'page.html'), 'utf8').replace(/\/\*(STYLE|CONTENT|PICTURES|ENGINE|WASM|SIZE|WORKER|SCRIPT)\*\//g, (_, name) => parts[name]);
 const bytes = Buffer.byteLength(page);
 if (bytes > most) throw new Error(`the page has ${bytes} bytes; expected ${most} at most`);
 writeFileSync(`${output}.part`, page);

@@ -2,6 +2,7 @@
  * The same with `ninebit`: a shell script that writes the files and runs the program.
  */
 import { element, save } from './dom.js';
+import { isBelow, programIn } from './files.js';
 import { fileIn } from './shelf.js';
 
 /** A word for a shell. @param {string} word */
@@ -14,16 +15,44 @@ function hereDocument(name, text) {
   return `cat > ${quoted(name)} <<'${end}'\n${text.replace(/\n?$/, '\n')}${end}\n`;
 }
 
-/** Whether a file of that name is below the folder and is not one that the script writes itself. @param {string} name */
-const isBelow = (name) => /^[^/\\\0-\x1f-][^\\\0-\x1f]*$/.test(name) && !name.split('/').some((/** @type {string} */ part) => ['', '.', '..'].includes(part)) &&
-  !/^program-\d+\.txt$/.test(name) && !['effect.json', 'profile.json', 'picture.png', 'playground.sh'].includes(name);
+/** A program whose text leaves a choice, read as chosen. @typedef {{from: string, number: number, choice: import('./state.js').Choice, to: string}} Converted */
 
-/** The effect and its files by names that lie in one folder. @param {import('./state.js').State} state */
-export function inOneFolder({ effect, files }) {
+/** The file and the number as `ninebit` takes them. @param {{from: string, number: number}} program */
+const nameOf = ({ from, number }) => (number ? `${from}#${number}` : from);
+
+/**
+ * The effect and its files by names that lie in one folder. Effects cannot name functions or values: where some are chosen, the
+ * effect names what the program is converted to.
+ * @param {import('./state.js').State} state
+ * @returns {{effect: any, texts: [string, string][], converted: Converted[]}} `converted`: with names as in `texts`
+ */
+export function inOneFolder({ effect, files, choices }) {
   const names = new Map(Object.keys(files).map((name, at) => [name, isBelow(name) ? name : `program-${at}.txt`]));
-  const passes = effect.passes.map((/** @type {any} */ pass) => (names.has(pass.program) ? { ...pass, program: names.get(pass.program) } : pass));
-  return { effect: { ...effect, passes }, texts: Object.entries(files).map(([name, text]) => /** @type {[string, string]} */ ([names.get(name), text])) };
+  /** @type {Map<string, Converted>} */
+  const converted = new Map();
+  const passes = effect.passes.map((/** @type {any} */ pass) => {
+    if (typeof pass.program !== 'string') return pass;
+    const { file, number } = programIn(files, pass.program);
+    const from = names.get(file);
+    if (from === undefined) return pass;
+    const program = nameOf({ from, number });
+    const { [file]: choice } = choices;
+    if (!choice?.function && Object.keys(choice?.defines ?? {}).length === 0) return { ...pass, program };
+    if (!converted.has(program)) {
+      let to = `${from}${number ? `-${number}` : ''}.json`;
+      const taken = [...names.values(), ...[...converted.values()].map((other) => other.to)];
+      while (taken.includes(to)) to = to.replace(/json$/, 'program.json');
+      converted.set(program, { from, number, choice, to });
+    }
+    return { ...pass, program: converted.get(program)?.to };
+  });
+  const texts = Object.entries(files).map(([name, text]) => /** @type {[string, string]} */ ([names.get(name), text]));
+  return { effect: { ...effect, passes }, texts, converted: [...converted.values()] };
 }
+
+/** The flags that name what is chosen. @param {import('./state.js').Choice} choice */
+const flagsOf = ({ function: name, defines = {} }) => [...name ? [`--function ${quoted(name)}`] : [],
+  ...Object.entries(defines).map(([key, value]) => `--define ${quoted(`${key}=${value}`)}`)].join(' ');
 
 /**
  * @param {import('./state.js').State} state
@@ -33,7 +62,7 @@ export function inOneFolder({ effect, files }) {
  */
 export function commandsOf(state, pixel, { time, frame } = { time: 0, frame: 0 }) {
   const { profile } = state;
-  const { effect, texts } = inOneFolder(state);
+  const { effect, texts, converted } = inOneFolder(state);
   const name = 'effect.json';
   const folders = [...new Set(texts.map(([file]) => file).filter((file) => file.includes('/')).map((file) => file.replace(/\/[^/]*$/, '')))];
   const lines = [];
@@ -45,7 +74,9 @@ export function commandsOf(state, pixel, { time, frame } = { time: 0, frame: 0 }
   const pictures = sources.filter((source) => /\.\w+$/.test(source)).map(fileIn);
   if (effect.scene?.mesh && /\.\w+$/.test(effect.scene.mesh)) pictures.push(effect.scene.mesh);
   for (const picture of pictures) lines.push(`# Needs ${picture.replaceAll('\n', ' ')}; the gallery's files are in scenes/effects.\n`);
-  const flags = `--profile ${typeof profile === 'string' ? quoted(profile) : 'profile.json'}${time ? ` --time ${time}` : ''}${frame ? ` --frame ${frame}` : ''}`;
+  const own = `--profile ${typeof profile === 'string' ? quoted(profile) : 'profile.json'}`;
+  for (const program of converted) lines.push(`ninebit convert ${quoted(nameOf(program))} ${flagsOf(program.choice)} ${own} --to json -o ${quoted(program.to)}\n`);
+  const flags = `${own}${time ? ` --time ${time}` : ''}${frame ? ` --frame ${frame}` : ''}`;
   lines.push(`ninebit draw ${name} ${flags} -o picture.png\n`);
   if (pixel) lines.push(`ninebit trace --effect ${name} ${flags} --pixel ${pixel.x},${pixel.y}\n`);
   return lines.join('');

@@ -76,11 +76,24 @@ export class Editor {
     this.view.dispatch({ effects: this.language.reconfigure(this.words) });
   }
 
-  /** Forgets all histories: other files are opened. */
-  forget() {
+  /** Forgets the history of a file, or all: other files are opened. @param {string} [file] */
+  forget(file) {
+    if (file !== undefined) {
+      if (file === this.file) this.file = null;
+      this.kept.delete(file);
+      return;
+    }
     this.file = null;
     this.kept.clear();
     this.view.setState(this.fresh(''));
+  }
+
+  /** A file has another name, and keeps its history. @param {string} from @param {string} to */
+  rename(from, to) {
+    if (this.file === from) this.file = to;
+    const kept = this.kept.get(from);
+    this.kept.delete(from);
+    if (kept) this.kept.set(to, kept);
   }
 
   /** Shows a file. A change of the text that is shown can be undone in the editor. @param {string} file @param {string} text */

@@ -2,8 +2,10 @@
  * An effect file dropped together with the files that it names: what `ninebit gl-run --dump-frame` writes, for one.
  */
 import { messageOf } from './dom.js';
+import { includedIn, isBelow, programIn, sourcesFile } from './files.js';
+import { complaint } from './schema.js';
 import { fileIn } from './shelf.js';
-import { bare, checkedEffect, checkedState, mostCharacters, profileFile, stateOf } from './state.js';
+import { bare, checkedEffect, checkedState, kindOfChoice, mostCharacters, profileFile, stateOf } from './state.js';
 
 /** @param {string} path */
 const fileName = (path) => path.split('/').pop();
@@ -40,6 +42,63 @@ export async function findEffect(files) {
   return undefined;
 }
 
+/** The schema of what archives say of sources. */
+const kindOfSources = {
+  type: 'object', required: ['programs'],
+  properties: { ninebit: { const: 'sources' }, version: { const: 1 }, programs: { type: 'object', additionalProperties: {
+    ...kindOfChoice, required: ['source'], properties: { ...kindOfChoice.properties, source: { type: 'string' }, number: { type: 'integer', minimum: 1 } } } } },
+};
+
+/**
+ * The sources of which an archive's programs were made, by the programs' names.
+ * @param {File[]} files
+ * @returns {Promise<Map<string, {source: string, number?: number} & import('./state.js').Choice>>}
+ */
+async function sourcesIn(files) {
+  const file = files.find(({ name }) => name === sourcesFile);
+  if (!file) return new Map();
+  try {
+    const found = JSON.parse(await textOf(file));
+    const wrong = complaint(kindOfSources, found, 'it');
+    if (wrong) throw new Error(wrong);
+    return new Map(Object.entries(found.programs));
+  } catch (error) {
+    throw new Error(`${sourcesFile}: ${messageOf(error)}`);
+  }
+}
+
+/** A pass's program as a file and a number, unless a file has the whole name. @param {string} program @param {File[]} files */
+function numberedFile(program, files) {
+  if (files.some(({ name }) => name === fileName(program))) return { source: program };
+  const { file, number } = programIn({}, program);
+  return { source: file, number };
+}
+
+/** @param {File} file */
+async function textOf(file) {
+  if (file.size > mostCharacters) throw new Error(`${file.name}: a program has at most ${mostCharacters / 1e6} MB`);
+  return file.text();
+}
+
+/**
+ * The texts of files that programs include, and that those include, by the names by which they are found.
+ * @param {Record<string, string>} programs
+ * @param {File[]} files
+ */
+export async function included(programs, files) {
+  const all = /** @type {Record<string, string>} */ (bare({}));
+  const waiting = Object.values(programs);
+  for (const text of waiting) {
+    for (const name of includedIn(text)) {
+      const file = files.find((candidate) => candidate.name === fileName(name));
+      if (!file || name in programs || name in all || !isBelow(name)) continue;
+      all[name] = await textOf(file);
+      waiting.push(all[name]);
+    }
+  }
+  return all;
+}
+
 /**
  * The state of an effect whose files are the others that were dropped: they are found by their names without folders. A
  * profile.json among them is its profile.
@@ -60,15 +119,18 @@ export async function stateOfDropped(effect, name, files, shelf) {
     if (!file) throw new Error(`${name}: drop the file ${fileName(path)}, which it names, together with it`);
     return file;
   };
-  const shelved = async (/** @type {string} */ path) => (path in shelf.embedded ? path : shelf.take(find(path)));
-  const programs = /** @type {Record<string, string>} */ (bare({}));
+  const shelved = async (/** @type {string} */ path) => (shelf.embedded.has(path) ? path : shelf.take(find(path)));
+  const programs = /** @type {Record<string, string>} */ (bare({})), choices = /** @type {Record<string, import('./state.js').Choice>} */ (bare({}));
+  const sources = await sourcesIn(files);
   for (const pass of effect.passes) {
     if (typeof pass?.program !== 'string') continue;
-    const file = find(pass.program);
-    if (file.size > mostCharacters) throw new Error(`${file.name}: a program has at most ${mostCharacters / 1e6} MB`);
-    pass.program = file.name;
-    programs[file.name] = await file.text();
+    const { source: path, number = 0, ...choice } = sources.get(pass.program) ?? numberedFile(pass.program, files);
+    const file = find(path);
+    pass.program = number ? `${file.name}#${number}` : file.name;
+    programs[file.name] = await textOf(file);
+    if (Object.keys(choice).length) choices[file.name] = bare(choice);
   }
+  Object.assign(programs, await included(programs, files));
   for (const texture of Object.values(effect.textures ?? {})) {
     const source = String(texture?.source ?? '');
     if (generated.test(source)) continue;
@@ -78,7 +140,7 @@ export async function stateOfDropped(effect, name, files, shelf) {
   }
   const mesh = effect.scene?.mesh;
   if (typeof mesh === 'string' && !generatedMesh.test(mesh)) effect.scene.mesh = await shelved(mesh);
-  const state = stateOf(effect, programs);
+  const state = { ...stateOf(effect, programs), files: programs, choices };
   const own = files.find((file) => file.name === profileFile);
   if (!own) return state;
   if (own.size > mostCharacters) throw new Error(`${profileFile}: a profile has at most ${mostCharacters / 1e6} MB`);

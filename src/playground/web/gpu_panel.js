@@ -69,10 +69,11 @@ export class GpuPanel {
   /** @param {() => boolean} current whether nothing newer was asked for */
   async run(current) {
     const { state } = this.store;
-    const { effect, files, profile, pass } = state;
+    const { effect, pass } = state;
     await this.shelf.loadFor(effect);
     const { moment } = this.live;
-    const { answer, bytes } = await this.engine.ask({ do: 'combiners', effect, files, profile, pass, ...moment }, { key: 'gpu' });
+    const request = { ...Live.request(state, moment), hash: undefined, do: 'combiners', pass };
+    const { answer, bytes } = await this.engine.ask(request, { key: 'gpu' });
     const picture = await this.engine.ask(Live.request(state, moment), { key: 'gpu-draw' });
     if (!current()) return;
     const fragments = fragmentsOf(answer, bytes);

@@ -3,7 +3,9 @@
  */
 import { cameraSliders } from './camera.js';
 import { choice, element, replaceChildren } from './dom.js';
+import { GeneratedPictures, isGenerated } from './generated_pictures.js';
 import { fileIn } from './shelf.js';
+import { MoreInputs } from './more_inputs.js';
 import { bare, passOf } from './state.js';
 
 const vectors = ['uv', 'screen', 'projected', 'position', 'normal', 'from-light', 'light-vector', 'view-vector', 'half-vector',
@@ -30,10 +32,14 @@ export class InputsPanel {
     this.store = store;
     this.shelf = shelf;
     this.about = about;
+    this.more = new MoreInputs(store);
+    this.generated = new GeneratedPictures(shelf.engine, shelf);
     /** The constants that the program sets itself. @type {Record<string, number[]>} */
     this.ofProgram = {};
     /** Hears of chosen files. @type {((files: File[]) => void)|undefined} */
     this.onfiles = undefined;
+    /** Hears that the panel was made anew. */
+    this.onshown = () => {};
     /** Where the engine put the camera. @type {{position: number[], target: number[]}|null} */
     this.view = null;
     /** How many pictures there were when the panel was shown: later ones have thumbnails, too. */
@@ -77,9 +83,21 @@ export class InputsPanel {
           choice('Secondary colour', colours, pass.secondary ?? 'constant:0,0,0', (value) => this.edit((/** @type {any} */ now) => { now.secondary = value; }))),
         element('fieldset', {}, element('legend', {}, 'Constants'), this.constant('const0'), this.constant('const1'),
           element('p', { class: 'quiet' }, 'They replace the program’s own constants.'))),
+      element('div', { class: 'mores' }, ...this.more.groups(), element('p', { class: 'quiet' }, 'The rest is in the tab effect.json.')),
       element('p', { class: 'quiet' }, 'Drop pictures, a program, or a glTF, OBJ, PLY or OFF file on the page, or ',
         element('label', { class: 'link' }, 'choose one', element('input', { type: 'file', class: 'hidden-file', id: 'choose-file', multiple: true })), '.'));
+    this.onshown();
     this.parent.querySelector('#choose-file')?.addEventListener('change', (/** @type {any} */ event) => this.onfiles?.([...event.target.files]));
+  }
+
+  /** Fills in the pictures of generated textures, once nothing is more urgent. */
+  update() {
+    const { state } = this.store;
+    for (const place of /** @type {NodeListOf<HTMLElement>} */ (this.parent.querySelectorAll('[data-generated]'))) {
+      const unit = passOf(state).units?.[Number(place.dataset.generated)];
+      const drawing = this.generated.of(state.effect.textures?.[unit?.texture] ?? {});
+      drawing?.then((picture) => { if (picture && place.isConnected) place.replaceWith(thumbnail(picture)); });
+    }
   }
 
   /** @param {(pass: any, effect: any) => void} change */
@@ -93,10 +111,9 @@ export class InputsPanel {
     const now = effect.scene?.mesh ?? rectangle;
     const mesh = choice('Mesh', [rectangle, ...this.about.meshes, ...this.shelf.meshes()], now, (value) => {
       this.edit((pass, edited) => {
-        edited.scene ??= {};
-        if (value === rectangle) delete edited.scene.mesh;
-        else edited.scene.mesh = value;
-        if (Object.keys(edited.scene).length === 0) delete edited.scene;
+        // A scene is that of a mesh.
+        if (value === rectangle) delete edited.scene;
+        else edited.scene = { ...edited.scene, mesh: value };
       });
       this.view = null;
       this.show();
@@ -119,15 +136,17 @@ export class InputsPanel {
     const files = this.shelf.names();
     const title = (/** @type {string} */ name) => name.replace(/^([a-z0-9-]+:)?(textures|dropped)\//, '$1');
     const sources = [off, ...this.about.textures, ...[...files, ...files.map((name) => `normals:${name}`)].map((name) => [name, title(name)])];
-    const picture = this.shelf.pictures.get(fileIn(String(texture?.source ?? '')));
+    const source = String(texture?.source ?? '');
+    const picture = isGenerated(source) ? undefined : this.shelf.pictures.get(fileIn(source));
     const rows = [choice('Texture', sources, texture?.source ?? off, (value) => this.setSource(number, value))];
     if (texture) {
       rows.push(
         this.sampler('Filter', 'filter', ['nearest', 'linear', 'bilinear-mipmap', 'trilinear'], texture),
         this.sampler('Wrap', 'wrap', ['repeat', 'clamp', 'clamp-to-edge', 'mirrored-repeat', 'clamp-to-border'], texture),
-        choice('Coordinates', coordinates, unit.coordinates ?? 'uv', (value) => this.edit((pass) => { pass.units[number].coordinates = value; })));
+        choice('Coordinates', coordinates, unit.coordinates ?? 'uv', (value) => this.edit((pass) => { pass.units[number].coordinates = value; })),
+        this.more.ofTexture(number, texture));
     }
-    return element('fieldset', { 'data-unit': number }, element('legend', {}, number < chip ? `Texture ${number}` : `Texture ${number}: the chip has ${chip} units`), picture ? thumbnail(picture) : null, ...rows);
+    return element('fieldset', { 'data-unit': number }, element('legend', {}, number < chip ? `Texture ${number}` : `Texture ${number}: the chip has ${chip} units`), picture ? thumbnail(picture) : texture ? element('span', { 'data-generated': number, hidden: true }) : null, ...rows);
   }
 
   /**

@@ -2,9 +2,14 @@
  * Keeps the page in step with the state: reads the program, draws the picture, traces the chosen pixel.
  */
 import { Replaced } from './engine_client.js';
-import { programOf } from './state.js';
+import { programIn } from './files.js';
+import { passOf, programOf } from './state.js';
 
 /** When the picture is drawn. @typedef {{time: number, frame: number}} Moment */
+
+/** Choices without empty values, which say that nothing is chosen. @param {Record<string, import('./state.js').Choice>} choices */
+const readable = (choices) => Object.fromEntries(Object.entries(choices).map(([file, { function: name, defines = {} }]) => [file, {
+  ...(name && { function: name }), defines: Object.fromEntries(Object.entries(defines).filter(([key, value]) => key && value)) }]));
 
 /** @param {unknown} error @returns {any} */
 const asError = (error) => (error instanceof Error ? error : new Error(String(error)));
@@ -32,19 +37,31 @@ export class Live {
   }
 
   /** The request that draws a state. @param {import('./state.js').State} state @param {Moment} [moment] */
-  static request({ effect, files, profile }, { time, frame } = { time: 0, frame: 0 }) {
-    return { do: 'draw', effect, files, profile, time, frame, hash: false };
+  static request({ effect, files, choices, profile }, { time, frame } = { time: 0, frame: 0 }) {
+    return { do: 'draw', effect, files, choices: readable(choices), profile, time, frame, hash: false };
+  }
+
+  /**
+   * What a request about a pass's program says of it.
+   * @param {import('./state.js').State} state
+   * @param {any} [pass]
+   */
+  static program(state, pass = passOf(state)) {
+    const { file, number } = programIn(state.files, pass.program ?? '');
+    const text = state.files[file] ?? '';
+    const { [file]: choice } = readable(state.choices);
+    // What is included may include more.
+    return { text, name: file, profile: state.profile, choice: { ...choice, ...(number && { program: number }) }, ...(/#\s*include/.test(text) && { files: state.files }) };
   }
 
   async read() {
     const { state } = this.store;
-    const text = programOf(state);
-    if (text === undefined) {
+    if (programOf(state) === undefined) {
       this.view.read({ form: '', faults: [], notes: [], explanation: 'This pass has no program: the primary colour is drawn.', constants: {} });
       return;
     }
     try {
-      const { answer } = await this.engine.ask({ do: 'read', text, profile: state.profile }, { key: 'read' });
+      const { answer } = await this.engine.ask({ do: 'read', ...Live.program(state) }, { key: 'read' });
       this.view.read(answer);
     } catch (caught) {
       const error = asError(caught);
@@ -105,15 +122,15 @@ export class Live {
 
   /** @param {any[]} profiles */
   async compare(profiles) {
-    const { effect, files } = this.store.state;
+    const { effect, files, choices } = this.store.state;
     await this.shelf.loadFor(effect);
-    return this.engine.ask({ do: 'compare', effect, files, profiles, ...this.moment }, { key: 'compare' });
+    return this.engine.ask({ do: 'compare', effect, files, choices: readable(choices), profiles, ...this.moment }, { key: 'compare' });
   }
 
   /** @param {string} to */
   convert(to) {
-    const text = programOf(this.store.state);
-    if (text === undefined) return Promise.reject(new Error('This pass has no program.'));
-    return this.engine.ask({ do: 'convert', text, profile: this.store.state.profile, to }, { key: 'convert' });
+    const { state } = this.store;
+    if (programOf(state) === undefined) return Promise.reject(new Error('This pass has no program.'));
+    return this.engine.ask({ do: 'convert', ...Live.program(state), to }, { key: 'convert' });
   }
 }

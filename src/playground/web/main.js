@@ -7,12 +7,21 @@ import { keptFiles, keptState } from './kept.js';
 import { Page, say } from './page.js';
 import { opened } from './permalink.js';
 import { bare, passOf, stateOf, Store } from './state.js';
+import { bytesOfText } from './text_bytes.js';
 
 const asked = new URLSearchParams(location.search);
 /** In a frame of another page: picture, editor and trace alone, and nothing is kept. */
 const embedded = asked.has('embed');
 
 const content = bare(JSON.parse(byId('content').textContent));
+content.files = pictureFiles(content.files);
+
+/** The page's pictures by their names. @param {Record<string, number>} sizes in the order of their bytes @returns {Map<string, Uint8Array>} */
+function pictureFiles(sizes) {
+  const all = bytesOfText(byId('pictures').textContent);
+  let at = 0;
+  return new Map(Object.entries(sizes).map(([name, size]) => [name, all.subarray(at, at += size)]));
+}
 
 /** The effect that is there at first: the one that the address names; the tests have their own. */
 function first() {

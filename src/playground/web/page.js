@@ -6,6 +6,7 @@ import { Clock } from './clock.js';
 import { ConvertPanel } from './convert_panel.js';
 import { afterPause, byId, choice, element, nextFrame, replaceChildren } from './dom.js';
 import { acceptDrops } from './drop.js';
+import { allFiles } from './files.js';
 import { Flip } from './flip.js';
 import { Gallery } from './gallery.js';
 import { GpuPanel } from './gpu_panel.js';
@@ -116,6 +117,7 @@ export class Page {
     /** The picture follows each change; panels and the trace follow a pause. */
     this.soon = nextFrame(() => this.draw());
     this.later = afterPause(150, () => this.updatePanels());
+    this.inputs.onshown = afterPause(200, () => this.inputs.update());
     this.link = afterPause(400, () => { this.keep().catch(unwritten); });
     /** The last writing of the address: each waits for the one before, which may have failed. @type {Promise<void>} */
     this.writing = Promise.resolve();
@@ -200,7 +202,7 @@ export class Page {
     if (what === 'all') {
       this.live.pixel = null;
       this.clock.reset();
-      this.program.shows = 'program';
+      this.program.file = null;
       this.trace.clear();
       this.strip.clear();
       this.sweep.clear();
@@ -209,8 +211,11 @@ export class Page {
       this.inputs.view = null;
       this.program.editor.forget();
     }
-    if (what === 'all' || (what === 'inputs' && this.program.shows === 'effect')) this.inputs.show();
+    if (what === 'all' || (what === 'inputs' && this.program.editing)) this.inputs.show();
+    // Controls change the effect's text, where that is shown.
+    if (what === 'inputs' && this.program.shows === 'effect' && !this.program.editing) this.program.show();
     if (what === 'all') this.program.show();
+    if (what === 'files' || what === 'choices') this.program.show();
     if (what === 'pass') this.inputs.show();
     if (what === 'all') this.showSteps();
     if (what === 'all' || what === 'profile') {
@@ -230,7 +235,7 @@ export class Page {
 
   /** Reads the program and draws. A drawing that still waits gives way to a newer one. */
   async draw() {
-    if (this.program.shows === 'program') this.live.read();
+    if (this.program.shows !== 'effect') this.live.read();
     await this.live.draw();
   }
 
@@ -256,7 +261,11 @@ export class Page {
   /** @param {any} answer */
   read(answer) {
     const notes = (answer.notes ?? []).map((/** @type {any} */ note) => ({ ...note, severity: 'info' }));
-    this.program.setFaults('read', [...(answer.faults ?? []), ...notes]);
+    const all = [...(answer.faults ?? []), ...notes];
+    // Places are those of the program's own text.
+    const placed = this.program.shows === 'program';
+    this.program.setFaults('read', placed ? all : all.map((fault) => ({ ...fault, line: undefined, column: undefined })));
+    this.program.offer(answer);
     byId('form').textContent = answer.form ? `read as: ${this.forms.get(answer.form) ?? answer.form}` : '';
     byId('explanation').textContent = answer.explanation ?? '';
     this.inputs.setConstants(answer.constants ?? {});
@@ -330,13 +339,15 @@ export class Page {
     const tab = this.panel(), shadow = this.shadow.settings(), sweep = this.sweep.settings();
     return {
       ...(pixel && { pixel: [pixel.x, pixel.y] }), ...(tab !== 'inputs' && { tab }), ...(shadow && { shadow }), ...(sweep && { sweep }),
+      ...(this.program.file !== null && { file: this.program.file }),
       ...(this.losses.kind && { losses: [this.losses.kind, this.losses.stage] }), ...(this.flip.on && { flip: true }),
     };
   }
 
   /** Looks at what a link says; what cannot be is left out. @param {any} view */
   look(view) {
-    const { pixel, tab, shadow, sweep, losses, flip } = view ?? {};
+    const { pixel, tab, shadow, sweep, losses, flip, file } = view ?? {};
+    if (typeof file === 'string' && allFiles(this.store.state).includes(file)) this.program.openFile(file);
     if (typeof shadow === 'object' && shadow !== null) this.shadow.take(shadow);
     this.sweep.take(sweep);
     if (Array.isArray(losses)) this.losses.take(String(losses[0]), /^\d$/.test(losses[1]) ? losses[1] : '');

@@ -4,6 +4,7 @@
 import { enlarged, png, zip } from './archive.js';
 import { inOneFolder } from './command_line.js';
 import { choice, element, save } from './dom.js';
+import { sourcesFile, sourcesOf } from './files.js';
 import { Live } from './live.js';
 import { fileIn, roomFile } from './shelf.js';
 import { profileFile } from './state.js';
@@ -71,7 +72,7 @@ export class SavePanel {
   /** The effect with the page's profile, and what it reads, by names that lie in one folder. @returns {Promise<[string, Uint8Array][]>} */
   async files() {
     const { state } = this.store;
-    const { effect, texts } = inOneFolder(state);
+    const { effect, texts, converted } = inOneFolder(state);
     // Without one, `ninebit draw` takes another than the page.
     if (typeof state.profile === 'string') effect.profile = state.profile;
     const mesh = String(effect.scene?.mesh ?? '');
@@ -81,6 +82,12 @@ export class SavePanel {
     /** @type {[string, Uint8Array][]} */
     const files = [['effect.json', text(effect)], ...texts.map(([name, content]) => /** @type {[string, Uint8Array]} */ ([name, text(content)]))];
     if (typeof state.profile === 'object') files.push([profileFile, text(state.profile)]);
+    if (converted.length) files.push([sourcesFile, text(sourcesOf(converted))]);
+    for (const { from, number, choice: chosen, to } of converted) {
+      const request = { ...Live.program({ ...state, files: Object.fromEntries(texts), choices: { [from]: chosen } }, { program: from }), to: 'json' };
+      if (number) request.choice.program = number;
+      files.push([to, text((await this.engine.ask({ ...request, do: 'convert' })).answer.text)]);
+    }
     const sources = Object.values(effect.textures ?? {}).flatMap((texture) => fileIn(String(/** @type {any} */ (texture)?.source ?? '')).split(','));
     for (const name of new Set([...sources, mesh])) {
       const bytes = this.shelf.bytesOf(name);

@@ -5,9 +5,6 @@ import { decodePicture, mostBytes } from './decode_picture.js';
 import { messageOf } from './dom.js';
 import { keepFile } from './kept.js';
 
-/** @param {string} text base64 */
-export const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-
 /** Names of mesh files. */
 export const meshEnding = /\.(gltf|glb|obj|ply|off)$/i;
 
@@ -31,7 +28,7 @@ const picturesOf = ({ textures }) => Object.values(textures ?? {}).flatMap(({ so
 export class Shelf {
   /**
    * @param {import('./engine_client.js').Engine} engine
-   * @param {Record<string, string>} embedded files of the page, base64, by the names that effects give them
+   * @param {Map<string, Uint8Array>} embedded files of the page by the names that effects give them
    */
   constructor(engine, embedded) {
     this.engine = engine;
@@ -52,7 +49,7 @@ export class Shelf {
 
   /** Names of pictures to choose from. */
   names() {
-    return [...Object.keys(this.embedded), ...[...this.dropped.keys()].filter((name) => !meshEnding.test(name))];
+    return [...this.embedded.keys(), ...[...this.dropped.keys()].filter((name) => !meshEnding.test(name))];
   }
 
   /** Names of meshes to choose from: the room, which the engine has, and what was dropped. */
@@ -62,9 +59,10 @@ export class Shelf {
 
   /** Puts a file of the page into the engine, once. @param {string} name */
   load(name) {
-    if (!(name in this.embedded)) return Promise.resolve();
+    const bytes = this.embedded.get(name);
+    if (!bytes) return Promise.resolve();
     if (!this.loading.has(name)) {
-      const loading = this.put(name, new Blob([bytesOf(this.embedded[name])]));
+      const loading = this.put(name, new Blob([/** @type {BlobPart} */ (bytes)]));
       this.loading.set(name, loading);
       // The next drawing tries again.
       loading.catch(() => this.loading.delete(name));
@@ -74,7 +72,7 @@ export class Shelf {
 
   /** The content of a file of the page or one that was dropped; `null`: there is none of that name. @param {string} name */
   bytesOf(name) {
-    return this.dropped.get(name) ?? (Object.hasOwn(this.embedded, name) ? bytesOf(this.embedded[name]) : null);
+    return this.dropped.get(name) ?? this.embedded.get(name) ?? null;
   }
 
   /** The room's file. @returns {Promise<Uint8Array>} */

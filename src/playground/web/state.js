@@ -3,13 +3,18 @@
  *
  * @typedef {object} State
  * @property {any} effect the JSON of an effect file
- * @property {Record<string, string>} files the effect's programs by name
+ * @property {Record<string, string>} files the effect's programs by name, and what they include
+ * @property {Record<string, Choice>} choices how programs are read whose texts leave a choice, by their files
  * @property {number} pass which pass the panels are about
  * @property {any} profile a name, or the JSON of a profile file
  * @property {string} other the profile to compare with, or "arithmetic"
+ *
+ * @typedef {{function?: string, defines?: Record<string, string>}} Choice the function of a source, and values that a source or a
+ *     pixel shader does not give
  */
 
 import effectSchema from '../../../docs/effect.schema.json' with { type: 'json' };
+import { programFile, programIn } from './files.js';
 import { complaint } from './schema.js';
 
 /** The name under which the editor offers the effect itself. */
@@ -59,7 +64,7 @@ export function newState() {
       textures: { tex0: { source: 'checker:64', filter: 'nearest' } },
       passes: [{ name: 'draw', program: 'program.rc1', units: [{ texture: 'tex0', coordinates: 'uv' }] }],
     },
-    files: { 'program.rc1': newProgram }, pass: 0, profile: 'nv2a', other: defaultOther,
+    files: { 'program.rc1': newProgram }, choices: {}, pass: 0, profile: 'nv2a', other: defaultOther,
   });
 }
 
@@ -71,16 +76,27 @@ export function newState() {
  */
 export function stateOf(effect, programs) {
   const files = Object.create(null);
-  for (const pass of effect.passes) if (pass.program) files[pass.program] = programs[pass.program] ?? '';
+  for (const { program } of effect.passes) {
+    if (!program) continue;
+    const { file } = programIn(programs, program);
+    files[file] = programs[file] ?? '';
+  }
   const first = Math.max(0, effect.passes.findIndex((/** @type {any} */ pass) => pass.program));
-  return { effect: copied(effect), files, pass: first, profile: effect.profile ?? 'geforce2', other: defaultOther };
+  return { effect: copied(effect), files, choices: Object.create(null), pass: first, profile: effect.profile ?? 'geforce2', other: defaultOther };
 }
+
+/** The schema of a choice. */
+export const kindOfChoice = {
+  type: 'object', additionalProperties: false,
+  properties: { function: { type: 'string' }, defines: { type: 'object', additionalProperties: { type: 'string' } } },
+};
 
 /** A state's schema, beside the effect's own. */
 const kindOfState = {
   type: 'object', required: ['effect', 'files'],
   properties: {
     files: { type: 'object', additionalProperties: { type: 'string' } },
+    choices: { type: 'object', additionalProperties: kindOfChoice },
     pass: { type: 'integer', minimum: 0 },
     profile: { anyOf: [{ type: 'string' }, { type: 'object', properties: { base: { type: 'string' }, name: { type: 'string' } } }] },
     other: { type: 'string' },
@@ -102,16 +118,16 @@ export function checkedEffect(found) {
 export function checkedState(found) {
   const wrong = complaint(kindOfState, found, 'the state');
   if (wrong) throw new Error(wrong);
-  const { effect, files, pass = 0, profile = 'nv2a', other = defaultOther } = found;
+  const { effect, files, choices = {}, pass = 0, profile = 'nv2a', other = defaultOther } = found;
   checkedEffect(effect);
-  return bare({ effect, files, pass: pass < effect.passes.length ? pass : 0, profile, other });
+  return bare({ effect, files, choices, pass: pass < effect.passes.length ? pass : 0, profile, other });
 }
 
 /** The pass that the panels are about. @param {State} state */
 export const passOf = (state) => state.effect.passes[state.pass] ?? state.effect.passes[0] ?? {};
 
-/** The text of that pass's program, or `undefined`. @param {State} state */
-export const programOf = (state) => state.files[passOf(state).program];
+/** The text of that pass's program, or `undefined`. @param {State} state @returns {string|undefined} */
+export const programOf = (state) => state.files[programFile(state) ?? ''];
 
 /** A size as a pair. @param {State} state @returns {[number, number]} */
 export function sizeOf(state) {
@@ -136,7 +152,7 @@ export class Store {
     this.onstep = () => {};
   }
 
-  /** @param {(what: string) => void} listener `what`: "all", "text", "inputs", "profile", "pass" or "other" */
+  /** @param {(what: string) => void} listener `what`: "all", "text", "inputs", "profile", "pass", "files", "choices" or "other" */
   listen(listener) {
     this.listeners.push(listener);
   }

@@ -5,7 +5,7 @@
 import { traceDiagram } from '../../page/web/trace_diagram.js';
 import { choice } from './dom.js';
 import { boxesOfLines } from './source_lines.js';
-import { passOf } from './state.js';
+import { passOf, programOf } from './state.js';
 
 /**
  * What the texture-shader stages before the combiners did to the traced fragment, a line a stage; empty: there are none.
@@ -84,7 +84,7 @@ export class TracePanel {
     const names = state.effect.passes.map((/** @type {any} */ { name }, /** @type {number} */ at) => name ?? `pass ${at + 1}`);
     const traced = state.effect.passes[names.indexOf(pass)];
     const { program } = passOf(state);
-    return traced && program && traced.program === program ? boxesOfLines(state.files[program] ?? '') : [];
+    return traced && program && traced.program === program ? boxesOfLines(programOf(state) ?? '') : [];
   }
 
   /** @param {string|undefined} box */

@@ -1,0 +1,85 @@
+/**
+ * The files of an effect as a person sees them: programs of its passes, what sources include, the effect itself.
+ */
+import { effectFile, passOf, profileFile } from './state.js';
+
+/** @typedef {import('./state.js').State} State */
+
+/** The number behind the name of a program in a source or a log. */
+const numbered = /^(.+)#(\d{1,9})$/;
+
+/** The name of the file of sources that an archive holds. */
+export const sourcesFile = 'sources.json';
+
+/**
+ * A pass's program as its file and, of FILE#N, the number; a file of the whole name goes before.
+ * @param {Record<string, unknown>} files
+ * @param {string} program
+ * @returns {{file: string, number: number}} 0: there is none
+ */
+export function programIn(files, program) {
+  const found = program in files ? null : numbered.exec(program);
+  return found ? { file: found[1], number: Number(found[2]) } : { file: program, number: 0 };
+}
+
+/** The file of the program of the pass that the panels are about, or `undefined`. @param {State} state @returns {string|undefined} */
+export function programFile(state) {
+  const { program } = passOf(state);
+  return typeof program === 'string' ? programIn(state.files, program).file : undefined;
+}
+
+/** Names of programs' files, in the order of the passes. @param {State} state @returns {string[]} */
+export const programFiles = ({ effect, files }) => [...new Set(/** @type {string[]} */ (effect.passes.flatMap(
+  (/** @type {any} */ { program }) => (typeof program === 'string' ? [programIn(files, program).file] : []))))];
+
+/** All names that have a tab: programs, other texts, the effect. @param {State} state @returns {string[]} */
+export const allFiles = (state) => [...new Set([...programFiles(state), ...Object.keys(state.files), effectFile])];
+
+/** Whether a file of that name is below the folder and is not one that the page writes itself. @param {string} name */
+export const isBelow = (name) => /^[^/\\\0-\x1f-][^\\\0-\x1f]*$/.test(name) && !name.split('/').some((/** @type {string} */ part) => ['', '.', '..'].includes(part)) &&
+  !/^program-\d+\.txt$/.test(name) && ![effectFile, profileFile, sourcesFile, 'picture.png', 'playground.sh'].includes(name);
+
+/** Why a file cannot have a name, in one sentence; `null`: it can. @param {State} state @param {string} name */
+export function faultOfName(state, name) {
+  if (!isBelow(name) || numbered.test(name) || name.length > 200) {
+    return `${JSON.stringify(name)} is no name for a file; expected one such as lights.c or lib/lights.h`;
+  }
+  return allFiles(state).includes(name) ? `There is a file ${name}; expected another name` : null;
+}
+
+/** A name that no file has. @param {State} state @param {string} wanted such as program.rc1 */
+export function freeName(state, wanted) {
+  const [, stem, ending] = /** @type {RegExpExecArray} */ (/^(.*?)(\.[^.]*)?$/s.exec(wanted));
+  for (let number = 1; ; number++) {
+    const name = `${stem}${number > 1 ? `-${number}` : ''}${ending ?? ''}`;
+    if (!allFiles(state).includes(name)) return name;
+  }
+}
+
+/** Gives a file another name, in passes and choices, too. @param {State} state @param {string} from @param {string} to */
+export function rename(state, from, to) {
+  for (const pass of state.effect.passes) {
+    if (typeof pass.program !== 'string') continue;
+    const { file, number } = programIn(state.files, pass.program);
+    if (file === from) pass.program = number ? `${to}#${number}` : to;
+  }
+  for (const of of [state.files, state.choices]) {
+    const all = Object.entries(of);
+    for (const [name] of all) delete of[name];
+    // The file keeps its place.
+    for (const [name, value] of all) of[name === from ? to : name] = value;
+  }
+}
+
+/** @param {State} state @param {string} name */
+export function remove(state, name) {
+  delete state.files[name];
+  delete state.choices[name];
+}
+
+/** Names in quotation marks that a text includes. @param {string} text @returns {string[]} */
+export const includedIn = (text) => [...text.matchAll(/^[ \t]*#[ \t]*include[ \t]*"([^"\n]+)"/gm)].map(([, name]) => name.replaceAll('\\', '/').replace(/^(\.\/)+/, ''));
+
+/** What an archive says of programs that were made of sources, so that the page opens the sources again. @param {import('./command_line.js').Converted[]} converted */
+export const sourcesOf = (converted) => ({ ninebit: 'sources', version: 1, programs: Object.fromEntries(converted.map(({ from, number, choice, to }) => [to, {
+  source: from, ...(number && { number }), ...choice }])) });

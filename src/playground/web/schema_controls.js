@@ -1,0 +1,124 @@
+/**
+ * Controls for values of an effect, made from its schema: a choice for words, a field for numbers, lists and texts. A value that the
+ * schema refuses stays out of the effect, and a sentence below its field says why.
+ */
+import effectSchema from '../../../docs/effect.schema.json' with { type: 'json' };
+import { choice, element } from './dom.js';
+import { complaint } from './schema.js';
+import { bare } from './state.js';
+
+/** @param {any} schema with a reference to what it means @returns {any} */
+const resolved = (schema) => (schema.$ref ? { .../** @type {any} */ (effectSchema.$defs)[schema.$ref.replace('#/$defs/', '')], description: schema.description } : schema);
+
+/** A key in words. @param {string} key */
+const words = (key) => key.replaceAll('_', ' ');
+
+/** What a text means as a number or as an expression that moves. @param {string} text */
+const single = (text) => (/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : text);
+
+/** The parts between commas that no parentheses enclose. @param {string} text */
+function parts(text) {
+  let depth = 0, from = 0;
+  const found = [];
+  for (let at = 0; at <= text.length; at++) {
+    if (text[at] === '(') depth++;
+    else if (text[at] === ')') depth--;
+    else if (at === text.length || (text[at] === ',' && depth === 0)) {
+      found.push(text.slice(from, at).trim());
+      from = at + 1;
+    }
+  }
+  return found;
+}
+
+/** The kinds of values that a schema allows. @param {any} schema @returns {any[]} */
+const kindsOf = (schema) => (schema.anyOf ? schema.anyOf.map(resolved) : [schema]);
+
+/** The value that a text stands for; `undefined`: none. @param {any} schema @param {string} text */
+export function valueOf(schema, text) {
+  if (text.trim() === '') return undefined;
+  const kinds = kindsOf(schema);
+  const list = kinds.find(({ type }) => type === 'array');
+  const values = parts(text).map(single);
+  if (list && (values.length > 1 || kinds.length === 1)) return values;
+  return schema.type === 'string' ? text.trim() : single(text.trim());
+}
+
+/** A value as its text. @param {any} value */
+const textOf = (value) => (value === undefined ? '' : Array.isArray(value) ? value.join(', ') : String(value));
+
+/** What a field expects, for the field's own hint. @param {any} schema @returns {string} */
+function hint(schema) {
+  const kinds = kindsOf(schema);
+  const { items, minItems } = kinds.find(({ type }) => type === 'array') ?? {};
+  const count = items ? `${minItems} values with commas` : '';
+  const { minimum, maximum } = kinds.find(({ type }) => type === 'number' || type === 'integer') ?? {};
+  return [schema.description, count, maximum === undefined ? '' : `${minimum} to ${maximum}`].filter(Boolean).join(' ');
+}
+
+/**
+ * @param {string} label
+ * @param {string} path names the field, for the keyboard and the tests
+ * @param {any} schema
+ * @param {any} value
+ * @param {(value: any) => void} change takes `undefined` for none
+ */
+function field(label, path, schema, value, change) {
+  const fault = element('small', { class: 'fault', role: 'alert' });
+  const input = element('input', { type: 'text', value: textOf(value), placeholder: 'default', title: hint(schema), 'data-key': path, spellcheck: 'false', autocomplete: 'off', maxlength: 1000,
+    onchange: () => {
+      const wanted = valueOf(schema, input.value);
+      const wrong = wanted === undefined ? null : complaint(schema, wanted, label, effectSchema);
+      fault.textContent = wrong ?? '';
+      input.setAttribute('aria-invalid', String(Boolean(wrong)));
+      if (!wrong) change(wanted);
+    } });
+  return element('div', {}, element('label', { class: 'field' }, element('span', {}, label), input), fault);
+}
+
+/** @param {string} label @param {string} path @param {string[]} options @param {string} value @param {(value: string) => void} change */
+function select(label, path, options, value, change) {
+  const made = choice(label, [['', 'default'], ...options.map((option) => /** @type {[string, string]} */ ([option, words(option)]))], value, change);
+  made.querySelector('select').dataset.key = path;
+  return made;
+}
+
+/**
+ * The controls of some keys of an object.
+ * @param {any} schema of the object
+ * @param {string[]} keys
+ * @param {any} value the object, or `undefined`
+ * @param {(edit: (object: any) => void) => void} change edits the object, which is made if it is not there
+ * @param {{path?: string, before?: string, options?: Record<string, string[]>}} [more] `before`: a word before each name; `options`: the words of keys that
+ *     have some besides the schema's
+ * @returns {HTMLElement[]}
+ */
+export function controlsOf(schema, keys, value, change, { path = '', before = '', options = {} } = {}) {
+  return keys.flatMap((key) => {
+    const own = resolved(schema.properties[key]);
+    const now = value?.[key], label = before + words(key), place = path + key;
+    const set = (/** @type {any} */ wanted) => change((object) => {
+      if (wanted === undefined) delete object[key];
+      else object[key] = wanted;
+    });
+    const listed = options[key] ?? own.enum;
+    if (listed) return select(label, place, listed, now ?? '', (wanted) => set(wanted || undefined));
+    if (own.type === 'boolean') return select(label, place, ['yes', 'no'], now === undefined ? '' : now ? 'yes' : 'no', (wanted) => set(wanted ? wanted === 'yes' : undefined));
+    const object = kindsOf(own).find(({ type }) => type === 'object');
+    if (!object) return field(label, place, own, now, set);
+    const inside = controlsOf(object, Object.keys(object.properties), now ?? undefined, (edit) => change((outer) => {
+      const inner = outer[key] ?? bare({});
+      edit(inner);
+      if (Object.keys(inner).length) outer[key] = inner;
+      else delete outer[key];
+    }), { path: `${place}.`, before: `${label}: ` });
+    if (!kindsOf(own).some(({ type }) => type === 'null')) return inside;
+    return [select(label, place, ['off'], now === null ? 'off' : '', (wanted) => set(wanted ? null : undefined)), ...inside];
+  });
+}
+
+/** The schema of a place of the effect. @param {'effect'|'scene'|'texture'|'pass'} place @returns {any} */
+export function schemaOf(place) {
+  const { properties } = effectSchema;
+  return { effect: effectSchema, scene: properties.scene, texture: properties.textures.additionalProperties, pass: properties.passes.items }[place];
+}
