@@ -26,7 +26,8 @@ struct TileContents {
   bool writes_stencil = false;
   std::array<bool, 4> color{};       // held and written back
   bool draws_depth_stencil = false;  // true if a pass writes depth or stencil
-  bool clears = false;               // true if tiles begin with clear values: all planes are held and written
+  bool clears = false;  // true if tiles begin with clear values: all planes are held, and written but for a depth that
+                        // is discarded
 
   [[nodiscard]] bool has_color() const { return color[0] || color[1] || color[2] || color[3]; }
 };
