@@ -1,7 +1,7 @@
 # The target ninebit_installable builds everything that `cmake --install` copies out of the build folder. An installation
 # begins with a check that all of it is there, so that it is whole or does not begin. Each rule belongs to a component, of
-# which cmake/packages.cmake makes a Debian package: program, libraries, development (the default), python, gl, doc; of gl32,
-# the layer for programs of 32 bits, it makes none.
+# which cmake/packages.cmake makes a Debian package: program, libraries, development (the default), python, doc, gl; of gl32,
+# the layer for programs of 32 bits, one of the architecture i386.
 add_custom_target(ninebit_installable)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 

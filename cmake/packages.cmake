@@ -31,18 +31,26 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src)
 set(minor ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})  # the SONAMEs', too
 set(exact "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 
-# ninebit_package(COMPONENT NAME SECTION SYNOPSIS TEXT [DEPENDS ...] [RECOMMENDS ...] [SUGGESTS ...] [CONTROL file ...] [ALL])
-# `ALL`: of no architecture, and without programs. Lines of TEXT have at most 75 characters.
+# ninebit_package(COMPONENT NAME SECTION SYNOPSIS TEXT [DEPENDS ...] [RECOMMENDS ...] [SUGGESTS ...] [CONTROL file ...]
+#                 [MULTI_ARCH same|foreign] [ALL] [ARCHITECTURE name])
+# `ALL`: of no architecture, and without programs. `ARCHITECTURE`: another one than that of the build; what it needs is then
+# not found by CPack. Lines of TEXT have at most 75 characters.
 macro(ninebit_package component name section synopsis text)
-  cmake_parse_arguments(DEB "ALL" "" "DEPENDS;RECOMMENDS;SUGGESTS;CONTROL" ${ARGN})
+  cmake_parse_arguments(DEB "ALL" "ARCHITECTURE;MULTI_ARCH" "DEPENDS;RECOMMENDS;SUGGESTS;CONTROL" ${ARGN})
   string(TOUPPER ${component} upper)
   list(APPEND CPACK_COMPONENTS_ALL ${component})
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name})
   set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section})
+  if(DEB_MULTI_ARCH)  # for which CPack has no variable before 3.31
+    string(APPEND CPACK_DEBIAN_${upper}_PACKAGE_SECTION "\nMulti-Arch: ${DEB_MULTI_ARCH}")
+  endif()
   set(CPACK_COMPONENT_${upper}_DESCRIPTION "${synopsis}\n${text}")
   set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS ON)
   if(DEB_ALL)
-    set(CPACK_DEBIAN_${upper}_PACKAGE_ARCHITECTURE all)
+    set(DEB_ARCHITECTURE all)
+  endif()
+  if(DEB_ARCHITECTURE)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_ARCHITECTURE ${DEB_ARCHITECTURE})
     set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS OFF)
   endif()
   set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA ${DEB_CONTROL})
@@ -68,12 +76,20 @@ and draws the shadow techniques that were built on them.
 if(NINEBIT_BUILD_PROGRAM)
   ninebit_package(program ninebit graphics "GeForce 2 register combiners and shadow techniques, bit for bit"
     "${what}This program renders scenes; it evaluates, traces, explains, converts and
-verifies combiner programs, and measures and proves what they compute." RECOMMENDS ninebit-gl SUGGESTS ninebit-doc z3)
-  if(TARGET ninebit_gl)
-    ninebit_package(gl ninebit-gl graphics "register combiners for OpenGL drivers that have none"
+verifies combiner programs, and measures and proves what they compute."
+    MULTI_ARCH foreign RECOMMENDS ninebit-gl SUGGESTS ninebit-doc z3)
+  set(layer ninebit-gl graphics "register combiners for OpenGL drivers that have none"
       "${what}This layer adds GL_NV_register_combiners to the OpenGL driver of a
 program: `ninebit gl-run` loads it."
-      DEPENDS "ninebit ${exact}" RECOMMENDS libgl1)
+      MULTI_ARCH same RECOMMENDS libgl1)
+  if(TARGET ninebit_gl)
+    ninebit_package(gl ${layer} DEPENDS "ninebit ${exact}")
+  endif()
+  # The same for programs of 32 bits, beside it. Its only library is C's, as new as the build's.
+  if(TARGET ninebit_gl32)
+    execute_process(COMMAND getconf GNU_LIBC_VERSION OUTPUT_VARIABLE libc COMMAND_ERROR_IS_FATAL ANY)
+    string(REGEX MATCH "[0-9.]+" libc "${libc}")
+    ninebit_package(gl32 ${layer} ARCHITECTURE i386 DEPENDS "ninebit ${exact}" "libc6 (>= ${libc})")
   endif()
 endif()
 if(NINEBIT_SHARED)

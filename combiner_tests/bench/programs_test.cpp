@@ -5,6 +5,7 @@
 
 #include "combiner_tests/bench/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/shadow/index_cube.h"

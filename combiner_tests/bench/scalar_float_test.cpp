@@ -7,6 +7,7 @@
 #include <set>
 
 #include "combiner_tests/bench/support.h"
+#include "ninebit/combiner/normalize.h"
 #include "src/bench/programs.h"
 
 namespace bench_test {

@@ -9,6 +9,7 @@
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

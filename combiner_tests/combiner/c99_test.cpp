@@ -6,56 +6,69 @@
 #include <array>
 #include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/combiner/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
+#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/profile_fields.h"
 #include "src/combiner/c99/ninebit_combiner.h"
 
 namespace ninebit::test {
 namespace {
 
-nbc_profile profile_in_c(const HardwareProfile& p) {
-  return {"a profile",
-          p.one,
-          p.lowest,
-          p.lowest_output,
-          p.half,
-          p.expand_offset,
-          p.byte_shift,
-          static_cast<nbc_narrowing>(p.general_narrowing.value),
-          static_cast<nbc_narrowing_point>(p.narrowing_point.value),
-          static_cast<nbc_narrowing>(p.final_narrowing.value),
-          p.general_combiners,
-          p.texture_units,
-          p.per_stage_constants,
-          p.blue_to_alpha,
-          p.mux_by_lowest_bit,
-          p.color_sum_inverts};
+// A field of the C files' profile, by its name in the table of all fields.
+struct FieldInC {
+  const char* name;
+  int (*get)(const nbc_profile& profile);
+  void (*set)(nbc_profile& profile, int value);
+};
+
+template <auto kMember>
+constexpr FieldInC field_in_c(const char* name) {
+  return {name, [](const nbc_profile& p) { return static_cast<int>(p.*kMember); },
+          [](nbc_profile& p, int v) { p.*kMember = static_cast<std::decay_t<decltype(p.*kMember)>>(v); }};
+}
+
+constexpr std::array kFieldsInC{field_in_c<&nbc_profile::one>("one"),
+                                field_in_c<&nbc_profile::lowest>("lowest"),
+                                field_in_c<&nbc_profile::lowest_output>("lowest_output"),
+                                field_in_c<&nbc_profile::half>("half"),
+                                field_in_c<&nbc_profile::expand_offset>("expand_offset"),
+                                field_in_c<&nbc_profile::byte_shift>("byte_shift"),
+                                field_in_c<&nbc_profile::general_narrowing>("general_narrowing"),
+                                field_in_c<&nbc_profile::narrowing_point>("narrowing_point"),
+                                field_in_c<&nbc_profile::final_narrowing>("final_narrowing"),
+                                field_in_c<&nbc_profile::general_combiners>("general_combiners"),
+                                field_in_c<&nbc_profile::texture_units>("texture_units"),
+                                field_in_c<&nbc_profile::per_stage_constants>("per_stage_constants"),
+                                field_in_c<&nbc_profile::blue_to_alpha>("blue_to_alpha"),
+                                field_in_c<&nbc_profile::mux_by_lowest_bit>("mux_by_lowest_bit"),
+                                field_in_c<&nbc_profile::color_sum_inverts>("color_sum_inverts")};
+
+static_assert(sizeof(nbc_profile) == sizeof(const char*) + 11 * sizeof(int) + 4 * sizeof(bool) &&
+                  kFieldsInC.size() == 15,
+              "kFieldsInC must have each field of nbc_profile");
+
+nbc_profile profile_in_c(const HardwareProfile& profile) {
+  nbc_profile c{};
+  c.name = "a profile";
+  for (const FieldInC& field : kFieldsInC) {
+    const auto* const known = find_profile_field(field.name);
+    EXPECT_NE(known, nullptr) << field.name;
+    if (known != nullptr) field.set(c, known->get(profile).value);
+  }
+  return c;
 }
 
 bool is_same_profile(const nbc_profile& a, const nbc_profile& b) {
-  const auto tied = [](const nbc_profile& p) {
-    return std::array<int, 15>{p.one,
-                               p.lowest,
-                               p.lowest_output,
-                               p.half,
-                               p.expand_offset,
-                               p.byte_shift,
-                               p.general_narrowing,
-                               p.narrowing_point,
-                               p.final_narrowing,
-                               p.general_combiners,
-                               p.texture_units,
-                               p.per_stage_constants,
-                               p.blue_to_alpha,
-                               p.mux_by_lowest_bit,
-                               p.color_sum_inverts};
-  };
-  return tied(a) == tied(b);
+  return std::all_of(kFieldsInC.begin(), kFieldsInC.end(),
+                     [&](const FieldInC& field) { return field.get(a) == field.get(b); });
 }
 
 nbc_input in_c(const CombinerInput& in) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

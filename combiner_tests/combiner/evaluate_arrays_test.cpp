@@ -10,6 +10,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

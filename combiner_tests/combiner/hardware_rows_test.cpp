@@ -10,6 +10,7 @@
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/hardware/csv.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/numerics/fixed9.h"
 
 namespace ninebit::test {
 namespace {

@@ -9,6 +9,7 @@
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

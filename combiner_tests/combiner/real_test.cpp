@@ -12,6 +12,7 @@
 #include "combiner_tests/oracle/real_oracle.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate_real.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

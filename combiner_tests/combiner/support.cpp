@@ -8,6 +8,7 @@
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/oracle/real_oracle.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

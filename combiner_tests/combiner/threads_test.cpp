@@ -9,6 +9,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/batch_program.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

@@ -10,6 +10,8 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/numerics/fixed9.h"
 
 namespace ninebit::test {
 namespace {

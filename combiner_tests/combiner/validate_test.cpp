@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/support.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

@@ -10,6 +10,7 @@
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/effect/effect_files.h"
 #include "ninebit/effect/effect_json.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {

@@ -15,6 +15,7 @@
 #include "ninebit/effect/generated_meshes.h"
 #include "ninebit/effect/generated_textures.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/effect/tangents.h"
 
 namespace ninebit::test {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <ninebit/combiner/batch_program.h>
+#include <ninebit/combiner/normalize.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 TEST(Examples, BatchProgram) {
   using namespace ninebit;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <ninebit/numerics/hardware_profile.h>
 #include <ninebit/study/combiner_fields.h>
 
 TEST(Examples, CombinerFields) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ninebit/numerics/datapath.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 TEST(Examples, Datapath) {
   using namespace ninebit;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <ninebit/numerics/hardware_profile.h>
 #include <ninebit/study/datapath_error.h>
 
 TEST(Examples, DatapathError) {

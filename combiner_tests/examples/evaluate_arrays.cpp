@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ninebit/combiner/evaluate_arrays.h>
+#include <ninebit/combiner/normalize.h>
 
 #include <vector>
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <ninebit/combiner/normalize.h>
 #include <ninebit/language/explain.h>
 
 #include <string>

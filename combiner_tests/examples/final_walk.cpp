@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <ninebit/combiner/final_walk.h>
+#include <ninebit/combiner/normalize.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 // Which registers the final combiner's red comes from: a value is a set of registers.
 struct FinalSources {

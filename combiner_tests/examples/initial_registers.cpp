@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ninebit/combiner/initial_registers.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 TEST(Examples, InitialRegisters) {
   using namespace ninebit;

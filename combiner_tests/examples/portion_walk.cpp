@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <ninebit/combiner/normalize.h>
 #include <ninebit/combiner/portion_walk.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 // Which registers the red of a stage's result comes from: a value is a set of registers.
 struct Sources {

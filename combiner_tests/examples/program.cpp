@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ninebit/combiner/program.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 TEST(Examples, Program) {
   using namespace ninebit;

@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <ninebit/combiner/normalize.h>
+#include <ninebit/numerics/hardware_profile.h>
 #include <ninebit/study/program_error.h>
 
 TEST(Examples, ProgramError) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ninebit/language/register_words.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 #include <string>
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <ninebit/combiner/normalize.h>
 #include <ninebit/language/smt_lib.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 #include <string>
 #include <vector>

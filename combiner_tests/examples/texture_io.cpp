@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ninebit/image/texture_io.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 #include <filesystem>
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ninebit/combiner/validate.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 TEST(Examples, Validate) {
   using namespace ninebit;

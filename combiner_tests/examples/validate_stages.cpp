@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <ninebit/numerics/hardware_profile.h>
 #include <ninebit/texture_shader/validate_stages.h>
 
 TEST(Examples, ValidateStages) {

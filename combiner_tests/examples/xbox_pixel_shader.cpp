@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <ninebit/combiner/normalize.h>
 #include <ninebit/combiner/program.h>
 #include <ninebit/language/xbox_pixel_shader.h>
+#include <ninebit/numerics/hardware_profile.h>
 
 #include <string>
 #include <vector>

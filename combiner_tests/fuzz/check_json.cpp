@@ -1,6 +1,7 @@
 // The JSON forms.
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
 

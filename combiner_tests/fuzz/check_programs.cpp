@@ -3,6 +3,7 @@
 
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/pixel_shader.h"

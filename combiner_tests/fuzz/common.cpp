@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/c_source.h"

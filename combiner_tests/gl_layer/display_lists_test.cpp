@@ -116,7 +116,7 @@ TEST(LayerLists, WrongListCommands) {
 // A list is one after its glEndList; one that it replaces is one until then. The layer has parts of it before.
 TEST(LayerLists, AListIsOneAfterItsEnd) {
   NINEBIT_GL_CONTEXT(context);
-  for (const GLboolean before : {GL_FALSE, GL_TRUE}) {
+  for (const GLboolean before : {GLboolean{GL_FALSE}, GLboolean{GL_TRUE}}) {
     SCOPED_TRACE(static_cast<int>(before));
     glNewList(1, GL_COMPILE);
     set_constant(0, 1, 0);

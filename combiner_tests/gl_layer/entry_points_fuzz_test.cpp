@@ -6,8 +6,10 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "combiner_tests/gl_layer/combiner_commands.h"
 #include "combiner_tests/gl_layer/pictures.h"
@@ -278,7 +280,7 @@ std::chrono::seconds fuzz_duration() {
 }
 
 TEST(LayerEntryPoints, RandomCallsFromThreads) {
-  setenv("NINEBIT_GL_EXTENSIONS", "all", 1);
+  std::optional<WithExtensions> wanted(std::in_place, "all");
   NINEBIT_GL_CONTEXT(first);
   const auto second = GlContext::make(why_not, profiles::nv2a, first.get());
   ASSERT_NE(second, nullptr);
@@ -294,7 +296,7 @@ TEST(LayerEntryPoints, RandomCallsFromThreads) {
   EXPECT_GT(calls, 500U);
   EXPECT_GT(calls_without, 500U);
   // A context of afterwards works.
-  unsetenv("NINEBIT_GL_EXTENSIONS");
+  wanted.reset();
   const auto third = GlContext::make(why_not);
   show_constant({0, 1, 0, 1});
   draw_square();

@@ -1,7 +1,6 @@
 // The extensions that --extensions adds: fences, the vertex array range, and the older names of shadow maps.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -16,15 +15,6 @@ namespace ninebit::test {
 namespace {
 
 constexpr auto kNoFault = static_cast<GLenum>(GL_NO_ERROR);
-
-// While it lives, new contexts have these.
-class Wanted {
- public:
-  explicit Wanted(const char* list) { setenv("NINEBIT_GL_EXTENSIONS", list, 1); }
-  ~Wanted() { unsetenv("NINEBIT_GL_EXTENSIONS"); }
-  Wanted(const Wanted&) = delete;
-  Wanted& operator=(const Wanted&) = delete;
-};
 
 bool is_listed(const std::string& name) {
   const std::string all = std::string(" ") + reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)) + ' ';
@@ -41,7 +31,7 @@ TEST(LayerExtras, AreListedIfTheyAreWanted) {
   const std::pair<const char*, int> lists[]{
       {"none", 0}, {"all", 15}, {"NV_fence,GL_SGIX_shadow", 9}, {"GL_NV_fences,SGIX_depth_texture", 0}, {"", 0}};
   for (const auto& [list, expected] : lists) {
-    const Wanted wanted(list);
+    const WithExtensions wanted(list);
     NINEBIT_GL_CONTEXT(context);
     int bits = 0;
     for (int i = 0; i < 4; ++i) bits |= is_listed(names[i]) ? 1 << i : 0;
@@ -57,7 +47,7 @@ TEST(LayerExtras, AreListedIfTheyAreWanted) {
 }
 
 TEST(LayerExtras, Fences) {
-  const Wanted wanted("all");
+  const WithExtensions wanted("all");
   NINEBIT_GL_CONTEXT(context);
   constexpr GLenum kNotAllowed = GL_INVALID_OPERATION, kBadValue = GL_INVALID_VALUE, kBadEnum = GL_INVALID_ENUM;
   GLuint fences[3]{};
@@ -101,7 +91,7 @@ TEST(LayerExtras, Fences) {
 }
 
 TEST(LayerExtras, VertexArrayRange) {
-  const Wanted wanted("all");
+  const WithExtensions wanted("all");
   NINEBIT_GL_CONTEXT(context);
   void* const memory = glXAllocateMemoryNV(4096, 0.0F, 0.0F, 1.0F);
   ASSERT_NE(memory, nullptr);
@@ -148,7 +138,7 @@ TEST(LayerExtras, VertexArrayRange) {
 
 // A shadow map by the names of SGIX is that of ARB.
 TEST(LayerExtras, ShadowMaps) {
-  const Wanted wanted("all");
+  const WithExtensions wanted("all");
   NINEBIT_GL_CONTEXT(context);
   constexpr GLenum kCompareSgix = 0x819A, kOperatorSgix = 0x819B;
   constexpr GLint kLequalSgix = 0x819C, kGequalSgix = 0x819D;

@@ -2,6 +2,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/fixed9.h"
 
 namespace ninebit::test {
 namespace {

@@ -110,6 +110,14 @@ void GlContext::release() {
   eglMakeCurrent(display_of_tests(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
+WithExtensions::WithExtensions(const char* list) {
+  setenv("NINEBIT_GL_EXTENSIONS", list, 1);
+}
+
+WithExtensions::~WithExtensions() {
+  unsetenv("NINEBIT_GL_EXTENSIONS");
+}
+
 void set_combiners(const CombinerState& state, const HardwareProfile& profile) {
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, state.num_general_combiners);
   glCombinerParameteriNV(GL_COLOR_SUM_CLAMP_NV, state.color_sum_clamp ? 1 : 0);

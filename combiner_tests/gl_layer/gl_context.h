@@ -35,6 +35,15 @@ class GlContext {
   void* context_ = nullptr;
 };
 
+// While it lives, new contexts have the further extensions of a list, as `--extensions` takes it.
+class WithExtensions {
+ public:
+  explicit WithExtensions(const char* list);
+  ~WithExtensions();
+  WithExtensions(const WithExtensions&) = delete;
+  WithExtensions& operator=(const WithExtensions&) = delete;
+};
+
 inline constexpr int kPictureSize = 16;
 
 // Sets the combiners to a valid state by GL's calls, and enables them.

@@ -3,6 +3,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/gl_layer/fragments.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {

@@ -1,8 +1,6 @@
 // EXT_paletted_texture and EXT_shared_texture_palette: indices, palettes, what changes which textures, errors.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "combiner_tests/gl_layer/pictures.h"
 
 namespace ninebit::test {
@@ -12,13 +10,8 @@ constexpr auto kFine = static_cast<GLenum>(GL_NO_ERROR);
 constexpr GLubyte kColors[4][4]{{10, 20, 30, 40}, {50, 60, 70, 80}, {90, 100, 110, 120}, {130, 140, 150, 160}};
 constexpr GLubyte kOthers[4][4]{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}};
 
-class WithPalettes {
- public:
-  WithPalettes() { setenv("NINEBIT_GL_EXTENSIONS", "EXT_shared_texture_palette", 1); }
-  ~WithPalettes() { unsetenv("NINEBIT_GL_EXTENSIONS"); }
-  WithPalettes(const WithPalettes&) = delete;
-  WithPalettes& operator=(const WithPalettes&) = delete;
-};
+// Adds EXT_paletted_texture, too.
+constexpr const char* kBothExtensions = "EXT_shared_texture_palette";
 
 void use_nearest(GLenum target) {
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -43,7 +36,7 @@ void set_palette(GLenum target, const GLubyte (&colors)[4][4]) {
 }
 
 TEST(LayerPalettes, IndicesAndPalettes) {
-  const WithPalettes with_palettes{};
+  const WithExtensions with_palettes(kBothExtensions);
   NINEBIT_GL_CONTEXT(context);
   use_nearest(GL_TEXTURE_2D);
   constexpr GLubyte kIndices[4]{0, 1, 2, 7};  // 7 is 3 in a palette of four
@@ -82,7 +75,7 @@ TEST(LayerPalettes, IndicesAndPalettes) {
 }
 
 TEST(LayerPalettes, PixelStoreAndTransfer) {
-  const WithPalettes with_palettes{};
+  const WithExtensions with_palettes(kBothExtensions);
   NINEBIT_GL_CONTEXT(context);
   use_nearest(GL_TEXTURE_2D);
   set_palette(GL_TEXTURE_2D, kColors);
@@ -106,7 +99,7 @@ TEST(LayerPalettes, PixelStoreAndTransfer) {
 }
 
 TEST(LayerPalettes, SharedPalette) {
-  const WithPalettes with_palettes{};
+  const WithExtensions with_palettes(kBothExtensions);
   NINEBIT_GL_CONTEXT(context);
   const GLubyte index = 2;
   for (const GLuint name : {1U, 2U}) {
@@ -138,7 +131,7 @@ TEST(LayerPalettes, SharedPalette) {
 }
 
 TEST(LayerPalettes, DisplayLists) {
-  const WithPalettes with_palettes{};
+  const WithExtensions with_palettes(kBothExtensions);
   NINEBIT_GL_CONTEXT(context);
   use_nearest(GL_TEXTURE_2D);
   GLubyte index = 1;
@@ -156,7 +149,7 @@ TEST(LayerPalettes, DisplayLists) {
 }
 
 TEST(LayerPalettes, Errors) {
-  const WithPalettes with_palettes{};
+  const WithExtensions with_palettes(kBothExtensions);
   NINEBIT_GL_CONTEXT(context);
   constexpr GLenum kBadEnum = GL_INVALID_ENUM, kBadValue = GL_INVALID_VALUE, kNotAllowed = GL_INVALID_OPERATION;
   GLubyte bytes[64]{};

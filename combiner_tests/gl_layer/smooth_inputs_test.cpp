@@ -9,6 +9,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/gl_layer/fragments.h"
 #include "combiner_tests/gl_layer/pictures.h"
+#include "ninebit/numerics/fixed9.h"
 
 namespace ninebit::test {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "combiner_tests/gl_layer/pictures.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/numerics/fixed9.h"
 
 namespace ninebit::test {
 namespace {

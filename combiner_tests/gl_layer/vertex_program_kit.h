@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -12,18 +11,9 @@ namespace ninebit::test {
 
 using Floats = std::array<GLfloat, 4>;
 
-// While it lives, new contexts have both extensions.
-class WithVertexPrograms {
- public:
-  WithVertexPrograms() { setenv("NINEBIT_GL_EXTENSIONS", "NV_vertex_program1_1", 1); }
-  ~WithVertexPrograms() { unsetenv("NINEBIT_GL_EXTENSIONS"); }
-  WithVertexPrograms(const WithVertexPrograms&) = delete;
-  WithVertexPrograms& operator=(const WithVertexPrograms&) = delete;
-};
-
-// Begins a test with a context that has vertex programs.
-#define NINEBIT_VERTEX_CONTEXT(name)        \
-  const WithVertexPrograms with_programs{}; \
+// Begins a test with a context that has vertex programs of both extensions.
+#define NINEBIT_VERTEX_CONTEXT(name)                                         \
+  const ninebit::test::WithExtensions with_programs("NV_vertex_program1_1"); \
   NINEBIT_GL_CONTEXT(name)
 
 // Loads a program and binds it, and enables vertex programs. Returns the error.

@@ -40,9 +40,8 @@ TEST(LayerVertexProgramState, IsListed) {
                                                     {"NV_vertex_program1_1", true, true},
                                                     {"all", true, true},
                                                     {"NV_fence", false, false}}) {
-    setenv("NINEBIT_GL_EXTENSIONS", list, 1);
+    const WithExtensions wanted(list);
     NINEBIT_GL_CONTEXT(context);
-    unsetenv("NINEBIT_GL_EXTENSIONS");
     const std::string all = std::string(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS))) + ' ';
     EXPECT_EQ(all.find(" GL_NV_vertex_program ") != std::string::npos, has_first) << list;
     EXPECT_EQ(all.find(" GL_NV_vertex_program1_1 ") != std::string::npos, has_second) << list;
@@ -211,7 +210,7 @@ TEST(LayerVertexProgramState, BesideProgramsOfArb) {
 }
 
 TEST(LayerVertexProgramState, IsShared) {
-  const WithVertexPrograms with_programs{};
+  const WithExtensions with_programs("NV_vertex_program1_1");
   std::string why;
   const auto first = GlContext::make(why);
   if (first == nullptr) GTEST_SKIP() << why;

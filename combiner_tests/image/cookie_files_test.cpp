@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ninebit/image/texture_io.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/image/texture/texture_file.h"
 
 namespace ninebit::fuzz {

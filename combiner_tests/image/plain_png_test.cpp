@@ -1,6 +1,4 @@
 // Plain PNG files, which libpng reads alone: the same textures as OpenImageIO's, and what is left to that.
-#include "src/image/texture/plain_png.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "combiner_tests/image/texture_reading.h"
 #include "combiner_tests/support/stored_pictures.h"
+#include "src/image/texture/texture_file.h"
 
 namespace {
 

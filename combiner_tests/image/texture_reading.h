@@ -10,6 +10,7 @@
 
 #include "combiner_tests/image/read_back.h"
 #include "ninebit/image/texture_io.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace image_test {
 

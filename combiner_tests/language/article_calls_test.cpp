@@ -6,8 +6,10 @@
 #include <string>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_nv.h"
+#include "ninebit/numerics/fixed9.h"
 
 using namespace ninebit::gl;  // NOLINT(google-build-using-namespace): how GL code is meant to meet these names
 

@@ -13,6 +13,7 @@
 #include "ninebit/language/c_source.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

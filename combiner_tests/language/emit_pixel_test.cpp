@@ -14,6 +14,7 @@
 #include "combiner_tests/language/compiled_c.h"
 #include "combiner_tests/language/emit_cases.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/rc10.h"

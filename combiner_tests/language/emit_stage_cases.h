@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "combiner_tests/support/random.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
 #include "ninebit/texture_shader/stage_program.h"
 

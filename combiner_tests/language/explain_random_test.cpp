@@ -8,6 +8,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/explain_reader.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/explain.h"
 
 namespace ninebit::test {

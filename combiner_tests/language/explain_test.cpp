@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/numerics/hardware_profile.h"
+
 namespace ninebit::test {
 namespace {
 

@@ -7,6 +7,7 @@
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/gl_calls.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_calls.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

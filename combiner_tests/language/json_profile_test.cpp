@@ -7,6 +7,7 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/profile_json.h"
 #include "ninebit/numerics/profile_fields.h"
 

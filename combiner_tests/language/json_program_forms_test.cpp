@@ -10,6 +10,7 @@
 #include "combiner_tests/language/register_log_shapes.h"
 #include "combiner_tests/language/xbox_shapes.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/pixel_shader.h"

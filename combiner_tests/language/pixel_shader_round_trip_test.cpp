@@ -11,6 +11,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_calls.h"

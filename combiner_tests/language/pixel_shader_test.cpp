@@ -13,10 +13,12 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

@@ -13,9 +13,11 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/random.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

@@ -8,6 +8,7 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

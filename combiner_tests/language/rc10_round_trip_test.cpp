@@ -7,6 +7,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/rc10.h"

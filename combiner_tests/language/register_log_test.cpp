@@ -10,6 +10,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/register_log_shapes.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 
 namespace ninebit::test {

@@ -5,9 +5,10 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/register_words.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 
 namespace ninebit::test {
 namespace {

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "combiner_tests/language/all_faults.h"
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

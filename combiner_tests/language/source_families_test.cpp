@@ -10,6 +10,7 @@
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/source_code.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

@@ -8,6 +8,7 @@
 #include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/source_code.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

@@ -12,6 +12,7 @@
 #include "combiner_tests/language/source_programs.h"
 #include "combiner_tests/support/temp_folder.h"
 #include "ninebit/language/source_code.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

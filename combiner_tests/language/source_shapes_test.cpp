@@ -7,6 +7,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/source_code.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

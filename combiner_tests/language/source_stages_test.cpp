@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ninebit/language/source_code.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

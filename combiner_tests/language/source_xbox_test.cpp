@@ -9,6 +9,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {

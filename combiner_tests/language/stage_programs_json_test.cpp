@@ -5,6 +5,7 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "ninebit/language/program_text.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

@@ -9,6 +9,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/random_stages.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/gl_nv.h"

@@ -10,6 +10,7 @@
 #include "ninebit/language/explain.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/program_text.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

@@ -5,6 +5,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/random_stages.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/language/rc10.h"

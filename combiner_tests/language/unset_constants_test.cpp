@@ -1,6 +1,7 @@
 // Constants that a program reads and does not set, in every form.
 #include <gtest/gtest.h>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/explain.h"
 #include "ninebit/language/gl_calls.h"
@@ -9,6 +10,7 @@
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_code.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

@@ -5,6 +5,7 @@
 #include "combiner_tests/language/xbox_shapes.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

@@ -9,7 +9,9 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/xbox_shapes.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {

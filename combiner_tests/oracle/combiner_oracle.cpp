@@ -2,6 +2,9 @@
 
 #include <cstddef>
 
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/numerics/hardware_profile.h"
+
 namespace ninebit::oracle {
 namespace {
 

@@ -7,10 +7,12 @@
 
 #include "combiner_tests/playground/support.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/explain.h"
 #include "ninebit/language/profile_json.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/combiner/given_registers.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/pixel_shader/shader_instruction.h"

@@ -267,7 +267,7 @@ class Study(Folder):
         rows = report.rows
         product = rows[(rows["operation"] == "product") & (rows["form"] == rows["form"][rows["operation"] == "product"][0])]
         self.assertGreater(len(product), 0)
-        self.assertLess(rows["mean_error"].max(), 1.0)
+        self.assertLess(rows["mean_error_codes"].max(), 1.0)
 
     def test_depth_packing(self):
         report = ninebit.study("depth-packing", packings="rgba8-fract", storages="round", depths="16")

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "ninebit/scene/scene_io.h"
 
 namespace {
@@ -12,14 +13,11 @@ namespace {
 using namespace ninebit;
 
 TEST(Cartoon, EachPolygonHasOneColourInTheLightAndInkInTheShadow) {
-  const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
-  ASSERT_TRUE(read.ok()) << read.error().text();
-  const auto scene = complete_scene(*read, {}, 4.0F / 3.0F);
-  ASSERT_TRUE(scene.ok());
+  const Scene scene = ninebit::test::index_room();
   RenderSettings settings = shadow_test::small_settings();
-  const Rendering plain = shadow_test::render(*scene, settings);
+  const Rendering plain = shadow_test::render(scene, settings);
   settings.cartoon = true;
-  const Rendering r = shadow_test::render(*scene, settings);
+  const Rendering r = shadow_test::render(scene, settings);
   EXPECT_EQ(r.frame.stencil(), plain.frame.stencil());
   const auto layers = shadow_test::comparison_layers(r);
   using Color = std::array<std::uint8_t, 3>;
@@ -31,7 +29,7 @@ TEST(Cartoon, EachPolygonHasOneColourInTheLightAndInkInTheShadow) {
     const Color color{r.frame.color(kRed)[i], r.frame.color(kGreen)[i], r.frame.color(kBlue)[i]};
     const bool shadow = r.frame.stencil()[i] != 0;
     of_polygon[{layers.polygon[i], shadow}].insert(color);
-    of_material[{scene->triangle_material[layers.polygon[i] - 1], shadow}].insert(color);
+    of_material[{scene.triangle_material[layers.polygon[i] - 1], shadow}].insert(color);
     const int largest = std::max({color[0], color[1], color[2]});
     if (shadow) brightest_ink = std::max(brightest_ink, largest);
     if (!shadow) darkest_light = std::min(darkest_light, largest);

@@ -8,6 +8,7 @@
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/shadow/depth_cube.h"
 #include "ninebit/shadow/index_cube.h"
 #include "src/frame/drawn_passes.h"

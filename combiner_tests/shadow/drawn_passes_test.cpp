@@ -18,12 +18,6 @@ using namespace ninebit;
 
 Rendering room_by(std::string_view name, RenderSettings settings) {
   const Technique& technique = *find_technique(name);
-  auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-  if (!read) throw std::runtime_error(read.error().text());
-  SceneSetup setup;
-  setup.light_kinds = technique.lights;
-  auto scene = complete_scene(std::move(*read), setup, 4.0F / 3.0F);
-  if (!scene) throw std::runtime_error(scene.error().text());
   settings.width = 80;
   settings.height = 60;
   settings.map_size = 32;
@@ -32,7 +26,7 @@ Rendering room_by(std::string_view name, RenderSettings settings) {
       6, {TextureSamples{.width = 1, .height = 1, .samples = std::vector<std::uint8_t>(3, 255)}});
   auto white = make_texture(TextureTarget::cube_map, InternalFormat::rgb8, std::move(faces));
   settings.light_cookie.cookie = std::make_shared<Texture>(std::move(*white));
-  auto rendering = technique.render(*scene, settings, {});
+  auto rendering = technique.render(index_room(technique.lights), settings, {});
   if (!rendering) throw std::runtime_error(rendering.error().text());
   return std::move(*rendering);
 }

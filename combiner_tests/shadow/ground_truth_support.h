@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/ground_truth.h"
 #include "src/frame/camera_frame.h"
@@ -45,12 +46,6 @@ inline std::uint64_t count(const ninebit::GroundTruth& truth, ninebit::ErrorCaus
   return truth.by_cause[static_cast<std::size_t>(cause)];
 }
 
-inline ninebit::Scene index_room() {
-  auto read = ninebit::read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-  if (!read) throw std::runtime_error(read.error().text());
-  auto scene = ninebit::complete_scene(std::move(*read), {}, 4.0F / 3.0F);
-  if (!scene) throw std::runtime_error(scene.error().text());
-  return std::move(*scene);
-}
+using ninebit::test::index_room;
 
 }  // namespace shadow_test

@@ -13,16 +13,6 @@ struct Judged {
   GroundTruth truth;
 };
 
-Scene room_for(const Technique& technique) {
-  auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-  if (!read) throw std::runtime_error(read.error().text());
-  SceneSetup setup;
-  setup.light_kinds = technique.lights;
-  auto scene = complete_scene(std::move(*read), setup, 4.0F / 3.0F);
-  if (!scene) throw std::runtime_error(scene.error().text());
-  return std::move(*scene);
-}
-
 RenderSettings room_settings() {
   RenderSettings settings = judged_settings(160, 120);
   settings.reflective.samples = 1;
@@ -36,7 +26,7 @@ RenderSettings room_settings() {
 
 Judged judged_by(std::string_view name, const RenderSettings& settings) {
   const Technique& technique = *find_technique(name);
-  const Scene scene = room_for(technique);
+  const Scene scene = index_room(technique.lights);
   auto rendering = technique.render(scene, settings, {});
   if (!rendering) throw std::runtime_error(rendering.error().text());
   GroundTruth truth = judged(scene, settings, *rendering);
@@ -63,7 +53,7 @@ TEST(JudgedTechniques, OnePixelAlone) {
   for (const char* name : {"index-cube", "depth-cube", "shadow-volume"}) {
     SCOPED_TRACE(name);
     const Technique& technique = *find_technique(name);
-    const Scene scene = room_for(technique);
+    const Scene scene = index_room(technique.lights);
     const RenderSettings settings = room_settings();
     const auto rendering = technique.render(scene, settings, {});
     ASSERT_TRUE(rendering);
@@ -120,7 +110,7 @@ TEST(JudgedTechniques, ACookieWithoutShadowsCannotBeJudged) {
   RenderSettings settings = room_settings();
   settings.light_cookie.shadows = false;
   const Technique& technique = *find_technique("light-cookie");
-  const Scene scene = room_for(technique);
+  const Scene scene = index_room(technique.lights);
   const auto rendering = technique.render(scene, settings, {});
   ASSERT_TRUE(rendering) << rendering.error().text();
   EXPECT_FALSE(rendering->evidence);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene_io.h"
@@ -134,17 +135,14 @@ TEST(IndexCube, MapFacesFollowTheExtensionsTable) {
 
 TEST(IndexCube, SameBitsForAnyNumberOfThreads) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
-  ASSERT_TRUE(read.ok()) << read.error().text();
-  const auto scene = complete_scene(*read, {}, 4.0F / 3.0F);
-  ASSERT_TRUE(scene.ok());
+  const Scene scene = ninebit::test::index_room();
   RenderSettings settings = small_settings();
   settings.width = 320;
   settings.height = 240;
   std::optional<Rendering> first;
   for (const std::size_t threads : {1U, 2U, 7U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    Rendering r = render(*scene, settings);
+    Rendering r = render(scene, settings);
     if (!first) {
       first = std::move(r);
       EXPECT_GT(first->shadowed, 5000U);
@@ -162,17 +160,14 @@ TEST(IndexCube, SameBitsForAnyNumberOfThreads) {
 
 // The torus shadows itself by polygon; by object it cannot: the article's second picture.
 TEST(IndexCube, TorusShadowsItselfOnlyByPolygon) {
-  const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
-  ASSERT_TRUE(read.ok()) << read.error().text();
-  const auto scene = complete_scene(*read, {}, 4.0F / 3.0F);
-  ASSERT_TRUE(scene.ok());
-  const auto torus = std::find_if(scene->objects.begin(), scene->objects.end(),
+  const Scene scene = ninebit::test::index_room();
+  const auto torus = std::find_if(scene.objects.begin(), scene.objects.end(),
                                   [](const SceneObject& o) { return o.name.find("torus") != std::string::npos; });
-  ASSERT_NE(torus, scene->objects.end());
-  const auto number = static_cast<std::uint32_t>(torus - scene->objects.begin()) + 1;
+  ASSERT_NE(torus, scene.objects.end());
+  const auto number = static_cast<std::uint32_t>(torus - scene.objects.begin()) + 1;
   RenderSettings settings = small_settings();
   const auto self_shadowed = [&] {
-    const Rendering r = render(*scene, settings);
+    const Rendering r = render(scene, settings);
     const auto layers = shadow_test::comparison_layers(r);
     int count = 0;
     for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
@@ -180,7 +175,7 @@ TEST(IndexCube, TorusShadowsItselfOnlyByPolygon) {
       const std::uint32_t fetched = layers.fetched(r.codes, i);
       const std::uint32_t object = settings.index.scope == IndexScope::object ? fetched
                                    : fetched == 0                             ? 0
-                                                                              : scene->triangle_object[fetched - 1] + 1;
+                                                                              : scene.triangle_object[fetched - 1] + 1;
       count += object == number ? 1 : 0;
     }
     return count;

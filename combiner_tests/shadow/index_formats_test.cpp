@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/index_cube.h"
 
@@ -148,10 +150,7 @@ TEST(IndexFormats, StepOneDropsTheShadowOfTheNextPolygonInEachFormat) {
 
 // The triangle that the map holds at a texel has the index that was read there.
 TEST(IndexFormats, EvidenceNamesTheOwnerOfWhatWasFetched) {
-  const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
-  ASSERT_TRUE(read.ok()) << read.error().text();
-  const auto scene = complete_scene(*read, {}, 4.0F / 3.0F);
-  ASSERT_TRUE(scene.ok());
+  const Scene scene = ninebit::test::index_room();
   using enum IndexScope;
   for (const auto& [format, scope] : {std::pair{luminance_alpha, polygon},
                                       {luminance_alpha, section},
@@ -161,7 +160,7 @@ TEST(IndexFormats, EvidenceNamesTheOwnerOfWhatWasFetched) {
     RenderSettings settings = shadow_test::small_settings();
     settings.index = {.format = format, .scope = scope, .section_size = 32};
     settings.evidence = true;
-    const Rendering r = shadow_test::render(*scene, settings);
+    const Rendering r = shadow_test::render(scene, settings);
     const auto layers = shadow_test::comparison_layers(r);
     ASSERT_TRUE(r.evidence.has_value());
     std::size_t found = 0;

@@ -10,17 +10,12 @@
 #include <tuple>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "ninebit/scene/scene_io.h"
 
 namespace {
 
 using namespace ninebit;
-
-Scene room() {
-  const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
-  EXPECT_TRUE(read.ok()) << read.error().text();
-  return *complete_scene(*read, {}, 4.0F / 3.0F);
-}
 
 using Place = std::tuple<float, float, float>;
 
@@ -55,7 +50,7 @@ void expect_contract(const Scene& scene, int size) {
 }
 
 TEST(Sections, StayWithinOneObjectAndTheirSize) {
-  const Scene scene = room();
+  const Scene scene = ninebit::test::index_room();
   for (const int size : {kMinSectionSize, 7, 64, 130, kMaxSectionSize}) {
     SCOPED_TRACE(size);
     expect_contract(scene, size);
@@ -95,7 +90,7 @@ TEST(Sections, TrianglesAroundOneVertexAreCutInLinearTime) {
 TEST(Sections, TheBoundHoldsAndIsNear) {
   Scene box = shadow_test::scene_with({9, 9, 9}, {0, 0, 0}, {0, 9, 0});
   shadow_test::add_box(box, "box", {-1, -1, -1}, {1, 1, 1});
-  for (const Scene& scene : {room(), fan(3000), box}) {
+  for (const Scene& scene : {ninebit::test::index_room(), fan(3000), box}) {
     for (const int size : {kMinSectionSize, 7, 64, 130, kMaxSectionSize}) {
       const std::uint64_t most = most_sections(scene, size), count = cut_into_sections(scene, size).count;
       EXPECT_LE(count, most) << size;
@@ -121,7 +116,7 @@ TEST(Sections, DuplicatesAndDegenerateTrianglesAreCutLikeOthers) {
 }
 
 TEST(Sections, DoNotDependOnScaleOrPlace) {
-  const Scene scene = room();
+  const Scene scene = ninebit::test::index_room();
   const Sections plain = cut_into_sections(scene, 32);
   EXPECT_EQ(cut_into_sections(scene, 32).of_triangle, plain.of_triangle);
   for (const float scale : {0x1p-60F, 0x1p38F}) {
@@ -132,7 +127,7 @@ TEST(Sections, DoNotDependOnScaleOrPlace) {
 }
 
 TEST(Sections, HaveTheIndicesOfTheMap) {
-  const Scene scene = room();
+  const Scene scene = ninebit::test::index_room();
   RenderSettings settings = shadow_test::small_settings();
   settings.index.scope = IndexScope::section;
   settings.index.section_size = 64;
@@ -148,7 +143,7 @@ TEST(Sections, HaveTheIndicesOfTheMap) {
 
 // "This would only reduce the errors slightly": between an index a polygon and an index an object.
 TEST(Sections, HaveFewerJointsThanPolygonsAndMoreThanObjects) {
-  const Scene scene = room();
+  const Scene scene = ninebit::test::index_room();
   const auto shadowed = [&](IndexScope scope, int size) {
     RenderSettings settings = shadow_test::small_settings();
     settings.index.scope = scope;

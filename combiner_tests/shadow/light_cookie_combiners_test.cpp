@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/shadow/light_cookie.h"
 
 namespace {

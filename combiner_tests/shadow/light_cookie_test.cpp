@@ -11,6 +11,7 @@
 
 #include "combiner_tests/shadow/cookie_support.h"
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
 
@@ -231,10 +232,7 @@ TEST(LightCookie, ACartoonIsFlatAndItsShadowsAreInk) {
 
 TEST(LightCookie, SameBitsForAnyNumberOfThreadsAndWithLayers) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
-  ASSERT_TRUE(read.ok()) << read.error().text();
-  const auto scene = complete_scene(*read, {}, 4.0F / 3.0F);
-  ASSERT_TRUE(scene.ok());
+  const Scene scene = ninebit::test::index_room();
   RenderSettings settings = cookie_settings();
   settings.light_cookie.shadows = true;
   settings.light_cookie.rotate_degrees = {20, 30, 40};
@@ -242,7 +240,7 @@ TEST(LightCookie, SameBitsForAnyNumberOfThreadsAndWithLayers) {
   for (const std::size_t threads : {1U, 2U, 7U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     settings.layers = threads != 2U;
-    Rendering r = render_cookie(*scene, settings);
+    Rendering r = render_cookie(scene, settings);
     if (!first) {
       first = std::move(r);
       EXPECT_GT(first->shadowed, 1000U);

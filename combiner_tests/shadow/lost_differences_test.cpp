@@ -6,6 +6,8 @@
 #include <cstdlib>
 
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/shadow/index_cube.h"
 
 namespace {

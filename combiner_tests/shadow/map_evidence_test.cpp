@@ -5,6 +5,7 @@
 #include <set>
 
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "ninebit/scene/scene_io.h"
 #include "src/frame/camera_frame.h"
 #include "src/frame/views.h"
@@ -48,15 +49,12 @@ RenderSettings with_evidence() {
 
 TEST(MapEvidence, IsTheTexelThatTheCombinersRead) {
   expect_what_was_read(square_over_floor(), with_evidence());
-  auto room = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-  ASSERT_TRUE(room);
-  auto scene = complete_scene(std::move(*room), {}, 4.0F / 3.0F);
-  ASSERT_TRUE(scene) << scene.error().text();
+  const Scene scene = ninebit::test::index_room();
   RenderSettings settings = with_evidence();
   for (const CullFace cull : {CullFace::none, CullFace::back, CullFace::front}) {
     settings.cull_face = cull;
     settings.map_size = cull == CullFace::none ? 256 : 32;
-    expect_what_was_read(*scene, settings);
+    expect_what_was_read(scene, settings);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/shadow/shadow_map.h"
 
 namespace {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "combiner_tests/shadow/shadow_map_support.h"
+#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -272,11 +273,7 @@ TEST(ShadowMap, SamePixelsWithAndWithoutLayers) {
 }
 
 Scene room() {
-  const auto read = read_scene(std::string(NINEBIT_SOURCE_DIR) + "/scenes/index_room.gltf");
-  if (!read) throw std::runtime_error(read.error().text());
-  SceneSetup setup;
-  setup.light_kinds = {.point = false, .spot = true, .directional = true};
-  return complete_scene(*read, setup, 4.0F / 3.0F).value();
+  return ninebit::test::index_room({.point = false, .spot = true, .directional = true});
 }
 
 TEST(ShadowMap, SameBitsForAnyNumberOfThreads) {

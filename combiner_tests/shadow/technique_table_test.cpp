@@ -10,6 +10,7 @@
 
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/shadow/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/random.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene_io.h"
@@ -40,19 +41,6 @@ class MemoryHolds {
   MemoryHolds& operator=(const MemoryHolds&) = delete;
 };
 
-std::shared_ptr<const Texture> noisy_cookie() {
-  constexpr int kSize = 8;
-  Random random(5);
-  std::vector<std::vector<TextureSamples>> faces(6);
-  for (std::vector<TextureSamples>& face : faces) {
-    std::vector<std::uint8_t> samples(kSize * kSize * 4);
-    for (std::uint8_t& s : samples) s = random.byte();
-    face.push_back({kSize, kSize, std::move(samples)});
-  }
-  return std::make_shared<Texture>(
-      make_texture(TextureTarget::cube_map, InternalFormat::rgba8, std::move(faces)).value());
-}
-
 // All that can be seen of a rendering.
 struct Bytes {
   std::array<PlaneSamples<std::uint8_t>, 4> color;
@@ -65,14 +53,8 @@ struct Bytes {
 
 class TechniqueTable : public testing::Test {
  protected:
-  TechniqueTable() : cookie_(noisy_cookie()) {
-    const auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-    EXPECT_TRUE(read.ok()) << read.error().text();
-    for (const Technique& technique : techniques()) {
-      SceneSetup setup;
-      setup.light_kinds = technique.lights;
-      scenes_.push_back(complete_scene(*read, setup, 4.0F / 3.0F).value());
-    }
+  TechniqueTable() : cookie_(ninebit::test::noisy_cookie()) {
+    for (const Technique& technique : techniques()) scenes_.push_back(ninebit::test::index_room(technique.lights));
   }
 
   [[nodiscard]] Result<Rendering> render(std::size_t technique, const glm::ivec2& size,

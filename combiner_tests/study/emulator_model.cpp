@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "ninebit/numerics/fixed9.h"
+
 namespace ninebit::test {
 namespace {
 

@@ -16,6 +16,8 @@
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/shadow/index_cube.h"
 #include "src/study/index_steps/false_matches.h"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -14,7 +15,11 @@
 #include "combiner_tests/study/support.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/trace.h"
+#include "ninebit/numerics/fixed9.h"
+#include "ninebit/study/datapath_error.h"
 #include "ninebit/study/index_steps.h"
+#include "src/combiner/given_registers.h"
+#include "src/study/datapath/color_inputs.h"
 #include "src/study/datapath/program_inputs.h"
 
 namespace {
@@ -181,21 +186,21 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
   std::size_t bins = 0;
   for (const StudyRow& row : rows) {
     if (row.table != "histogram" || row.text("component") != "a") continue;
-    EXPECT_EQ(row.count("count"), histogram[static_cast<int>(row.number("codes"))]) << row.number("codes");
+    EXPECT_EQ(row.count("count"), histogram[static_cast<int>(row.number("error_codes"))]) << row.number("error_codes");
     ++bins;
   }
   EXPECT_EQ(bins, 17U);
-  EXPECT_NEAR(alpha.number("max_error"), most, 1e-11);
-  EXPECT_NEAR(alpha.number("mean_error"), sizes / 16384.0, 1e-11);
-  EXPECT_NEAR(alpha.number("mean_bias"), errors / 16384.0, 1e-11);
+  EXPECT_NEAR(alpha.number("max_error_codes"), most * 127.0, 1e-9);
+  EXPECT_NEAR(alpha.number("mean_error_codes"), sizes * 127.0 / 16384.0, 1e-9);
+  EXPECT_NEAR(alpha.number("mean_bias_codes"), errors * 127.0 / 16384.0, 1e-9);
   EXPECT_EQ(alpha.text("worst"), worst);
   EXPECT_GT(most, 0.0);
 
   // The first stage is exact but for its clamp, which is none of a difference's; the second cuts; the last passes on.
-  EXPECT_EQ(row_of(rows, "stages", "a", 1).number("added_max"), 0.0);
-  EXPECT_NEAR(row_of(rows, "stages", "a", 2).number("added_mean"), sizes / 16384.0, 1e-11);
-  EXPECT_NEAR(row_of(rows, "stages", "a", 2).number("remaining_max"), most, 1e-11);
-  EXPECT_EQ(row_of(rows, "stages", "a", 3).number("added_max"), 0.0);
+  EXPECT_EQ(row_of(rows, "stages", "a", 1).number("added_max_codes"), 0.0);
+  EXPECT_NEAR(row_of(rows, "stages", "a", 2).number("added_mean_codes"), sizes * 127.0 / 16384.0, 1e-9);
+  EXPECT_NEAR(row_of(rows, "stages", "a", 2).number("remaining_max_codes"), most * 127.0, 1e-9);
+  EXPECT_EQ(row_of(rows, "stages", "a", 3).number("added_max_codes"), 0.0);
   EXPECT_EQ(row_of(rows, "stages", "a", 3).text("name"), "final");
 
   const auto report = study->report(rows, 1);
@@ -238,11 +243,12 @@ TEST(ProgramErrors, FixedComponentsAreColumnsOfOneValue) {
   const auto expected = all_rows(*valid(program_error_study({}, profile, program, table)));
   ASSERT_EQ(rows.size(), expected.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const char* name : {"exact", "misrounded", "max_error", "mean_error", "added_max", "added_bias", "count"}) {
+    for (const char* name : {"exact", "misrounded", "max_error_codes", "mean_error_codes", "added_max_codes",
+                             "added_bias_codes", "count"}) {
       EXPECT_EQ(rows[i].number(name), expected[i].number(name)) << i << ' ' << name;
     }
   }
-  EXPECT_GT(row_of(rows, "rows", "a").number("max_error"), 0.0);
+  EXPECT_GT(row_of(rows, "rows", "a").number("max_error_codes"), 0.0);
   const ProgramInputs twice{.components = {varied}, .fixed = {{varied, 1}}};
   const auto refused = program_error_study({}, profile, program, twice);
   ASSERT_FALSE(refused);
@@ -265,12 +271,13 @@ TEST(ProgramErrors, BiasesOfStagesAddUpOnAnyProfile) {
     for (const char* component : {"r", "g", "b", "a"}) {
       double sum = 0.0;
       const auto stages = static_cast<std::uint64_t>(program.num_general_combiners) + 1;
-      for (std::uint64_t k = 1; k <= stages; ++k) sum += row_of(rows, "stages", component, k).number("added_bias");
+      for (std::uint64_t k = 1; k <= stages; ++k)
+        sum += row_of(rows, "stages", component, k).number("added_bias_codes");
       const StudyRow& total = row_of(rows, "rows", component);
       EXPECT_EQ(total.count("fragments"), 5000U);
-      EXPECT_NEAR(sum, total.number("mean_bias"), 1e-10) << "program " << i << ", " << component;
-      EXPECT_NEAR(row_of(rows, "stages", component, stages).number("remaining_mean"), total.number("mean_error"),
-                  1e-12);
+      EXPECT_NEAR(sum, total.number("mean_bias_codes"), 1e-8) << "program " << i << ", " << component;
+      EXPECT_NEAR(row_of(rows, "stages", component, stages).number("remaining_mean_codes"),
+                  total.number("mean_error_codes"), 1e-10);
     }
   }
 }
@@ -290,6 +297,144 @@ TEST(ProgramErrors, ATableOfAllFragmentsIsTheSame) {
   const auto rows = all_rows(*valid(program_error_study({}, profile, program, table)));
   EXPECT_EQ(rows, all_rows(*valid(program_error_study({}, profile, program, {.components = components, .codes = {}}))));
   EXPECT_EQ(row_of(rows, "rows", "a").count("fragments"), 128U * 255U);
+}
+
+// Every input that changes a component of a random program's colour, in codes or in exact numbers, is among those that
+// it depends on; and those that are left out are many.
+TEST(ProgramErrors, ColoursDependOnTheInputsThatChangeThem) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  int changed = 0, left_out = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    Random random(0xDE9E4D, i);
+    const HardwareProfile profile = random_profile(random);
+    const Program program = compiled(random_state(random, profile), profile);
+    const std::array<InputSet, 4> depends = inputs_of_color(program, true);
+    const RegisterFile before = random_registers(random, profile);
+    const std::vector<RealColor> colors = colors_by_stage(program, before);
+    for (std::size_t r = 1; r < kRegisterCount; ++r) {
+      for (int component = 0; component < 4; ++component) {
+        const auto reg = static_cast<Register>(r);
+        const auto code = static_cast<s9>(random_code(random, profile));
+        RegisterFile after = before;
+        after[reg][static_cast<std::size_t>(component)] = code;
+        Program with = program;
+        if (reg == Register::constant0 || reg == Register::constant1) replace_constant(with, reg, component, code);
+        const std::vector<RealColor> others = colors_by_stage(with, after);
+        for (std::size_t c = 0; c < 4; ++c) {
+          const bool may = depends[c].test(input_bit(reg, component));
+          left_out += may ? 0 : 1;
+          for (std::size_t k = 0; k < colors.size(); ++k) {
+            if (colors[k][c] == others[k][c]) continue;
+            ++changed;
+            EXPECT_TRUE(may) << "program " << i << ", colour " << c << " of " << k << ", register " << r << '.'
+                             << component;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(changed, 1000);
+  EXPECT_GT(left_out, 10000);
+}
+
+// Red and green of one product each, and alpha a constant; blue reads nothing.
+Program products_by_channel(const HardwareProfile& profile) {
+  CombinerState state;
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  rgb.b = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  FinalCombiner& last = state.final_combiner;
+  last.a = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::rgb};
+  last.b = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  last.c = {Register::fog, InputMapping::unsigned_identity, ComponentUsage::rgb};  // times 1 - 1
+  last.g = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::alpha};
+  return compiled(state, profile);
+}
+
+// 2^32 combinations whose channels separate: each channel's rows are those of its two inputs alone.
+TEST(ProgramErrors, ChannelsThatSeparateAreMeasuredApart) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  const HardwareProfile& profile = profiles::geforce2;
+  const Program program = products_by_channel(profile);
+  const RegisterComponent red[]{{Register::primary, kRed}, {Register::texture0, kRed}};
+  const RegisterComponent green[]{{Register::primary, kGreen}, {Register::texture0, kGreen}};
+  const ProgramInputs all{.components = {red[0], green[0], red[1], green[1], {Register::fog, kRed}}, .codes = {}};
+  const auto study = valid(program_error_study({}, profile, program, all));
+  ASSERT_EQ(study->units(), 3U);
+  const std::vector<StudyRow> rows = all_rows(*study);
+  const auto alone =
+      all_rows(*valid(program_error_study({}, profile, program, {.components = {red[0], red[1]}, .codes = {}})));
+  EXPECT_EQ(row_of(rows, "rows", "r"), row_of(alone, "rows", "r"));
+  EXPECT_EQ(row_of(rows, "stages", "r", 1), row_of(alone, "stages", "r", 1));
+  EXPECT_EQ(row_of(rows, "rows", "g").text("over"), "primary.g, tex0.g");
+  EXPECT_EQ(row_of(rows, "rows", "g").number("mean_error_codes"),
+            row_of(alone, "rows", "r").number("mean_error_codes"));
+  for (const char* component : {"b", "a"}) {
+    EXPECT_EQ(row_of(rows, "rows", component).text("over"), "none");
+    EXPECT_EQ(row_of(rows, "rows", component).count("fragments"), 1U);
+  }
+  // Nothing is said of a component of the colour by fragments that do not decide it.
+  EXPECT_EQ(rows.size(), 4U * (1U + 2U + 17U));
+  for (const StudyRow& row : rows) EXPECT_EQ(row.text("over") == "primary.r, tex0.r", row.text("component") == "r");
+
+  const auto report = study->report(rows, 3);
+  ASSERT_TRUE(report.ok());
+  EXPECT_TRUE(report->answers[0].starts_with("red over primary.r, tex0.r: exact for ")) << report->answers[0];
+  EXPECT_EQ(report->answers.back(), "alpha: the same for all inputs, and exact.");
+  for (const ReportTable& table : report->tables) {
+    EXPECT_EQ(table.columns[1], "over");
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+  }
+  for (const Plot& plot : report->plots) {
+    EXPECT_NE(plot.caption.find("red over primary.r, tex0.r; green over primary.g, tex0.g; blue over none"),
+              std::string::npos);
+  }
+  ASSERT_EQ(report->heat_maps.size(), 2U);
+  EXPECT_EQ(report->heat_maps[1].title, "Error of green");
+  EXPECT_EQ(report->heat_maps[1].x_label, "primary.g, as code");
+  ASSERT_EQ(report->files.size(), 4U);
+  EXPECT_EQ(report->files[0].name, "error-r.csv");
+  EXPECT_TRUE(report->files[0].content.starts_with("primary.r,tex0.r,error.r\n0,0,0\n"));
+  EXPECT_NE(report->files[3].content.find("'shape': (256, 256, 1)"), std::string::npos);
+}
+
+// A pixel over three inputs has the largest error over all values of the third.
+TEST(ProgramErrors, MapsOfThreeInputsShowTheLargestError) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  HardwareProfile profile = profiles::geforce2;
+  profile.one.value = 31;
+  profile.lowest.value = profile.lowest_output.value = -31;
+  profile.half.value = 16;
+  profile.expand_offset.value = 31;
+  const Program program = comparison(profile);
+  const auto study = valid(program_error_study(
+      {}, profile, program,
+      {.components = {{Register::primary, kRed}, {Register::texture0, kRed}, {Register::texture0, kGreen}},
+       .codes = {}}));
+  const auto report = study->report(all_rows(*study), study->units());
+  ASSERT_TRUE(report.ok());
+  ASSERT_EQ(report->heat_maps.size(), 1U);
+  const HeatMap& map = report->heat_maps[0];
+  EXPECT_EQ(map.title, "Largest error of alpha over all values of tex0.g");
+  ASSERT_EQ(map.values.size(), 32U * 32U);
+  double overall = 0.0;
+  for (int red = 0; red <= 31; ++red) {
+    for (int other = 0; other <= 31; ++other) {
+      double most = 0.0;
+      for (int third = 0; third <= 31; ++third) {
+        RegisterFile registers = default_registers(profile);
+        registers[Register::primary][kRed] = static_cast<s9>(red);
+        registers[Register::texture0] = {static_cast<s9>(other), static_cast<s9>(third), 0, 0};
+        const double error =
+            evaluate(program, registers)[kAlpha] - 31.0 * evaluate_real(program, registers).color[kAlpha];
+        if (std::fabs(error) > std::fabs(most) + 1e-7) most = error;
+      }
+      ASSERT_NEAR(map.values[static_cast<std::size_t>((31 - other) * 32 + red)], most, 1e-5) << red << ' ' << other;
+      overall = std::max(overall, std::fabs(most));
+    }
+  }
+  EXPECT_GT(overall, 0.0);
 }
 
 // More fragments than a unit holds: the report is on all of them.
@@ -350,12 +495,41 @@ TEST(ProgramErrors, ConstantsVary) {
   const StudyRow replaced =
       red(compiled(state, profile), {.components = {{Register::primary, kRed}, {Register::constant0, kRed}},
                                      .codes = std::vector<s9>{77, 200, 130, 200}});
-  EXPECT_GT(own.number("max_error"), 0.0);
-  EXPECT_EQ(own.number("max_error"), replaced.number("max_error"));
-  EXPECT_EQ(own.number("mean_bias"), replaced.number("mean_bias"));
-  EXPECT_EQ(own.number("worst_exact"), replaced.number("worst_exact"));
+  EXPECT_GT(own.number("max_error_codes"), 0.0);
+  EXPECT_EQ(own.number("max_error_codes"), replaced.number("max_error_codes"));
+  EXPECT_EQ(own.number("mean_bias_codes"), replaced.number("mean_bias_codes"));
+  EXPECT_EQ(own.number("worst_exact_codes"), replaced.number("worst_exact_codes"));
   EXPECT_EQ(replaced.text("worst").find("primary.r 77, const0.r 200") != std::string::npos,
             own.text("worst") == "primary.r 77");
+}
+
+// Every column of a report's table that holds real numbers names their unit: codes or percent.
+void expect_units(const Study& study) {
+  const auto report = study.report(all_rows(study), study.units());
+  ASSERT_TRUE(report.ok());
+  int reals = 0;
+  for (const std::vector<ReportTable>* tables : {&report->tables, &report->summary}) {
+    for (const ReportTable& table : *tables) {
+      for (const auto& row : table.rows) {
+        ASSERT_EQ(row.size(), table.columns.size()) << table.title;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+          if (!std::holds_alternative<double>(row[i])) continue;
+          ++reals;
+          const std::string& head = table.columns[i];
+          EXPECT_TRUE(head.ends_with(", codes") || head.find('%') != std::string::npos) << table.title << ": " << head;
+        }
+      }
+    }
+  }
+  EXPECT_GT(reals, 5);
+}
+
+TEST(ProgramErrors, ColumnsOfTablesNameTheirUnit) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  const HardwareProfile small = profiles::geforce256_8bit;
+  expect_units(*valid(
+      program_error_study({}, small, comparison(small), {.components = {{Register::primary, kRed}}, .codes = {}})));
+  expect_units(*valid(datapath_study({}, std::vector{small, profiles::geforce2})));
 }
 
 TEST(ProgramErrors, RefusesWhatItCannotRunOver) {
@@ -365,9 +539,14 @@ TEST(ProgramErrors, RefusesWhatItCannotRunOver) {
     const auto study = program_error_study({}, p, program, std::move(inputs));
     return study ? std::string() : study.error().text();
   };
-  ProgramInputs many;
-  for (int c = 0; c < 4; ++c) many.components.push_back({Register::primary, c});
-  EXPECT_NE(refusal(profile, many).find("more than 67108864 combinations"), std::string::npos);
+  ProgramInputs many{.components = {{Register::fog, kRed}}};
+  for (int c = 0; c < 3; ++c) many.components.push_back({Register::primary, c});
+  many.components.push_back({Register::texture0, kGreen});
+  EXPECT_NE(refusal(profile, many)
+                .find("more than 67108864 combinations of values, the maximum, and alpha depends on "
+                      "primary.r, primary.g, primary.b, tex0.g together; "),
+            std::string::npos)
+      << refusal(profile, many);
   EXPECT_NE(refusal(profile, {}).find("no register component"), std::string::npos);
   many.codes = std::vector<s9>{};
   EXPECT_NE(refusal(profile, many).find("no fragment"), std::string::npos);

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/study/discriminate.h"
 #include "ninebit/study/equivalence.h"
 

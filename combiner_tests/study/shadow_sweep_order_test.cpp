@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "combiner_tests/support/index_room.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/study/shadow_sweep.h"
 #include "src/study/shadows/shadow_sweep_report.h"
@@ -16,19 +17,13 @@ using Names = std::vector<std::string>;
 Result<std::unique_ptr<Study>> ordered_sweep(const ShadowGrid& grid, const IndexSettings& index = {},
                                              std::string_view name = "index-cube") {
   const Technique& drawn = *find_technique(name);
-  auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-  if (!read) throw std::runtime_error(read.error().text());
-  SceneSetup setup;
-  setup.light_kinds = drawn.lights;
-  auto scene = complete_scene(std::move(read).value(), setup, 4.0F / 3.0F);
-  if (!scene) throw std::runtime_error(scene.error().text());
   RenderSettings settings;
   settings.width = 96;
   settings.height = 72;
   settings.map_size = 64;
   settings.light_facing = true;
   settings.index = index;
-  return make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, std::move(scene).value(), drawn, settings,
+  return make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, test::index_room(drawn.lights), drawn, settings,
                            grid);
 }
 

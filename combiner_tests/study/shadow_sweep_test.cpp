@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/ground_truth.h"
@@ -23,16 +24,6 @@ const Technique& technique(std::string_view name) {
   return *found;
 }
 
-Scene room_for(const Technique& drawn) {
-  auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-  if (!read) throw std::runtime_error(read.error().text());
-  SceneSetup setup;
-  setup.light_kinds = drawn.lights;
-  auto scene = complete_scene(std::move(read).value(), setup, 4.0F / 3.0F);
-  if (!scene) throw std::runtime_error(scene.error().text());
-  return std::move(scene).value();
-}
-
 RenderSettings small() {
   RenderSettings settings;
   settings.width = 96;
@@ -43,7 +34,8 @@ RenderSettings small() {
 
 Result<std::unique_ptr<Study>> sweep_of(std::string_view name, const ShadowGrid& grid) {
   const Technique& drawn = technique(name);
-  return make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, room_for(drawn), drawn, small(), grid);
+  return make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, test::index_room(drawn.lights), drawn, small(),
+                           grid);
 }
 
 std::vector<StudyRow> all_rows(const Study& study) {
@@ -65,7 +57,7 @@ std::string answers_of(const StudyReport& report) {
 // Counted pixel by pixel, from what was drawn and what the rays say.
 void expect_counts(const StudyRow& row, const Technique& drawn, RenderSettings settings) {
   settings.evidence = true;
-  const Scene scene = room_for(drawn);
+  const Scene scene = test::index_room(drawn.lights);
   const auto rendering = drawn.render(scene, settings, {});
   ASSERT_TRUE(rendering);
   const auto rays = GroundTruthScene::make(scene);
@@ -240,7 +232,7 @@ TEST(ShadowSweep, StopsWhenAsked) {
 
 TEST(ShadowSweep, OtherTrianglesAreAnotherQuestion) {
   const Technique& drawn = technique("index-cube");
-  Scene scene = room_for(drawn);
+  Scene scene = test::index_room(drawn.lights);
   const auto question = [&] { return (*make_shadow_sweep({}, scene, drawn, small(), {}))->question(); };
   const StudyQuestion before = question();
   EXPECT_EQ(before, question());

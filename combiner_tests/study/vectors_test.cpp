@@ -9,8 +9,10 @@
 
 #include "combiner_tests/oracle/combiner_oracle.h"
 #include "combiner_tests/support/slow_build.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

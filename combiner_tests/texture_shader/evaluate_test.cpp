@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
 
 namespace ninebit::test {

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/stage_program.h"
 #include "ninebit/texture_shader/validate_stages.h"
 

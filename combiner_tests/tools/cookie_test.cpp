@@ -7,6 +7,7 @@
 #include "combiner_tests/tools/support.h"
 #include "ninebit/image/image_io.h"
 #include "ninebit/image/texture_io.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/image/texture/texture_file.h"
 
 namespace tools_test {

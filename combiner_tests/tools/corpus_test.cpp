@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/tools/input/eval_table.h"
 
 namespace ninebit::fuzz {

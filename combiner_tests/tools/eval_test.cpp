@@ -4,6 +4,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/tools/program_support.h"
+#include "ninebit/combiner/normalize.h"
 
 namespace tools_test {
 namespace {

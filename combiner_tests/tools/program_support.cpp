@@ -5,6 +5,7 @@
 
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/json.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace tools_test {
 

@@ -1,6 +1,8 @@
 // `ninebit study datapath`: operations, whole programs and AB + CD as users ask for them, and what is refused.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "combiner_tests/tools/program_support.h"
 
 namespace tools_test {
@@ -20,9 +22,10 @@ TEST_F(StudyDatapath, OperationsOfOneProfile) {
   EXPECT_EQ(json["command"], "study datapath");
   EXPECT_EQ(json["profile"], "geforce256-8bit");
   ASSERT_EQ(json["rows"].size(), 8U + 4U * 6U + 1U + 2U + 1U + 1U);
-  EXPECT_EQ(keys_of(json["rows"][0]),
-            (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct", "max_error",
-                                      "mean_error", "mean_bias", "worst", "worst_code", "worst_exact"}));
+  EXPECT_EQ(
+      keys_of(json["rows"][0]),
+      (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct", "max_error_codes",
+                                "mean_error_codes", "mean_bias_codes", "worst", "worst_code", "worst_exact_codes"}));
   const Outcome words = study({"--profile", "geforce256-8bit"});
   EXPECT_EQ(words.code, 0) << words.err;
   EXPECT_NE(words.out.find("geforce256-8bit: a product"), std::string::npos) << words.out;
@@ -40,7 +43,7 @@ TEST_F(StudyDatapath, ProgramsOverCombinationsAndTables) {
   ASSERT_EQ(over["stages"].size(), 12U);
   EXPECT_EQ(over["rows"][3]["component"], "a");
   EXPECT_EQ(over["rows"][3]["fragments"], 256);
-  EXPECT_GT(over["rows"][3]["max_error"], 0.0);
+  EXPECT_GT(over["rows"][3]["max_error_codes"], 0.0);
   EXPECT_EQ(over["rows"], inputs["rows"]);
   EXPECT_EQ(over["stages"], inputs["stages"]);
 }
@@ -55,7 +58,7 @@ TEST_F(StudyDatapath, ProgramsWithFixedInputs) {
   written.insert(written.end(), {"-o", folder_ / "out", "--quiet"});
   const Json set = json_of(study(written));
   const Json inputs = json_of(study({"--program", kArticle, "--inputs", file, "--json"}));
-  for (const char* key : {"max_error", "mean_error", "exact", "misrounded", "fragments"}) {
+  for (const char* key : {"max_error_codes", "mean_error_codes", "exact", "misrounded", "fragments"}) {
     EXPECT_EQ(set["rows"][3][key], inputs["rows"][3][key]) << key;
   }
   EXPECT_NE(set["question"].get<std::string>().find("--set col0=102,0,0,7"), std::string::npos) << set["question"];
@@ -87,6 +90,11 @@ TEST_F(StudyDatapath, ProgramsUnderSeveralProfiles) {
   EXPECT_EQ(both["rows"], rows);
   const Files files = files_in(folder_ / "out");
   EXPECT_TRUE(files.contains("nv2a-error.csv") && files.contains("geforce256-8bit-error.npy"));
+  // One plot for a slide has the series of both, but for those that are 0 everywhere.
+  const std::string& slide = files.at("added-by-stage.svg");
+  EXPECT_NE(slide.find("nv2a, alpha"), std::string::npos);
+  EXPECT_NE(slide.find("geforce256-8bit, alpha"), std::string::npos);
+  EXPECT_EQ(slide.find("nv2a, red"), std::string::npos);
   const Outcome said = of("nv2a,geforce256-8bit", {});
   EXPECT_NE(said.out.find("\ngeforce256-8bit, alpha: exact for "), std::string::npos) << said.out;
   // Its parts are merged as those of any study.
@@ -104,6 +112,46 @@ TEST_F(StudyDatapath, ProgramsUnderSeveralProfiles) {
   expect_error(study({"--exhaustive-sum", "--profile", "nv2a,geforce2"}), 2, {"one profile"});
   const Json operations = json_of(study({"--profile", "geforce2,nv2a", "--json"}));
   EXPECT_EQ(operations["rows"].size(), 2 * json_of(study({"--profile", "geforce2", "--json"}))["rows"].size());
+}
+
+// The page has each column of each CSV file, and errors have their unit in the column's head.
+TEST_F(StudyDatapath, ColumnsAreDocumented) {
+  const std::string page = read_bytes(NINEBIT_SOURCE_DIR "/docs/study/datapath.md");
+  const std::string columns = page.substr(page.find("## Columns"));
+  EXPECT_EQ(study({"--program", kArticle, "--over", "tex0.r", "-o", folder_ / "program", "--quiet"}).code, 0);
+  EXPECT_EQ(study({"--profile", "geforce2,nv2a", "-o", folder_ / "operations", "--quiet"}).code, 0);
+  std::size_t seen = 0;
+  for (const char* folder : {"program", "operations"}) {
+    for (const auto& [name, bytes] : files_in(folder_ / folder)) {
+      if (!name.ends_with(".csv") || name == "error.csv") continue;
+      std::istringstream head(bytes.substr(0, bytes.find("\r\n")));
+      for (std::string column; std::getline(head, column, ','); ++seen) {
+        EXPECT_NE(columns.find('`' + column + '`'), std::string::npos) << name << ": " << column;
+        const bool error = column.find("error") != std::string::npos || column.find("bias") != std::string::npos ||
+                           column.starts_with("added_") || column.starts_with("remaining_");
+        EXPECT_EQ(error || column == "worst_exact_codes", column.ends_with("_codes")) << name << ": " << column;
+      }
+    }
+  }
+  EXPECT_EQ(seen, 13U + 14U + 7U + 12U + 6U);
+}
+
+// 2^32 combinations of four inputs, of which red and green read two each: each is measured over its own.
+TEST_F(StudyDatapath, ChannelsThatSeparate) {
+  const std::string program = write_bytes(
+      folder_ / "product.rc1", "!!RC1.0\n{\n  rgb {\n    spare0 = col0 * tex0;\n  }\n}\nout.rgb = spare0.rgb;\n");
+  const std::string over = "primary.r,tex0.r,primary.g,tex0.g";
+  const Json json = json_of(study({"--program", program, "--over", over, "-o", folder_ / "out", "--quiet", "--json"}));
+  ASSERT_EQ(json["rows"].size(), 4U);
+  EXPECT_EQ(json["rows"][0]["over"], "primary.r, tex0.r");
+  EXPECT_EQ(json["rows"][1]["over"], "primary.g, tex0.g");
+  EXPECT_EQ(json["rows"][2]["over"], "none");
+  EXPECT_EQ(json["rows"][1]["fragments"], 65536);
+  const Files files = files_in(folder_ / "out");
+  EXPECT_TRUE(files.at("error-g.csv").starts_with("primary.g,tex0.g,error.g\n"));
+  EXPECT_TRUE(files.contains("error-r.npy") && files.contains("error-green.png"));
+  const Outcome said = study({"--program", program, "--over", over});
+  EXPECT_NE(said.out.find("green over primary.g, tex0.g: exact for "), std::string::npos) << said.out;
 }
 
 TEST_F(StudyDatapath, EveryCaseOfTheSum) {
@@ -126,7 +174,8 @@ TEST_F(StudyDatapath, Refusals) {
   expect_error(study({"--exhaustive-sum", "--forms", "x3"}), 2, {"x3", "biased-x2"});
   expect_error(study({"--forms", "x1"}), 2, {"--exhaustive-sum"});
   expect_error(study({"--program", kArticle, "--over", "tex0.x"}), 2, {"--over", "tex0.x"});
-  expect_error(study({"--program", kArticle, "--over", "tex0.r,tex0.g,tex0.b,tex1.r"}), 3, {"combinations"});
+  expect_error(study({"--program", kArticle, "--over", "tex0.r,tex0.g,tex0.b,primary.r"}), 3,
+               {"combinations", "alpha depends on tex0.r, tex0.g, tex0.b, primary.r together"});
   expect_error(study({"--program", kArticle, "--inputs", table}), 3, {"codes.csv:3:1", "900"});
   expect_error(study({"--program", kArticle, "--inputs", write_bytes(folder_ / "none.csv", "tex0.g\n")}), 3,
                {"no rows"});

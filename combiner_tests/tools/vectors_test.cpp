@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "combiner_tests/tools/support.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
 

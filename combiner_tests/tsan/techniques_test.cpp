@@ -8,6 +8,7 @@
 
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/study/support.h"
+#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/random.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/texture.h"
@@ -26,28 +27,6 @@ namespace {
 
 constexpr int kThreads = 4;
 
-Scene room_for(const Technique& technique) {
-  const auto read = read_scene(NINEBIT_SOURCE_DIR "/scenes/index_room.gltf");
-  if (!read) throw std::runtime_error(read.error().text());
-  SceneSetup setup;
-  setup.light_kinds = technique.lights;
-  return complete_scene(*read, setup, 4.0F / 3.0F).value();
-}
-
-// A cube map of noise.
-std::shared_ptr<const Texture> cookie() {
-  constexpr int kSize = 8;
-  Random random(5);
-  std::vector<std::vector<TextureSamples>> faces(6);
-  for (std::vector<TextureSamples>& face : faces) {
-    std::vector<std::uint8_t> samples(kSize * kSize * 4);
-    for (std::uint8_t& s : samples) s = random.byte();
-    face.push_back({kSize, kSize, std::move(samples)});
-  }
-  return std::make_shared<Texture>(
-      make_texture(TextureTarget::cube_map, InternalFormat::rgba8, std::move(faces)).value());
-}
-
 // Wide enough for tiles and rows for all threads.
 RenderSettings settings_of(const Technique& technique) {
   RenderSettings settings;
@@ -56,7 +35,7 @@ RenderSettings settings_of(const Technique& technique) {
   settings.map_size = 64;
   settings.layers = true;
   settings.evidence = technique.name != "reflective";
-  settings.light_cookie.cookie = cookie();
+  settings.light_cookie.cookie = noisy_cookie();
   settings.reflective.samples = 20;
   settings.reflective.gather_scale = 2;
   return settings;
@@ -84,7 +63,7 @@ Answer answer_of(const Technique& technique, const Scene& scene) {
 
 TEST(TechniqueThreads, EachDrawsTheSame) {
   for (const Technique& technique : techniques()) {
-    const Scene scene = room_for(technique);
+    const Scene scene = index_room(technique.lights);
     std::optional<Answer> one, several;
     with_threads(1, [&] { one.emplace(answer_of(technique, scene)); });
     with_threads(kThreads, [&] { several.emplace(answer_of(technique, scene)); });
@@ -131,7 +110,7 @@ TEST(StudyThreads, EachFindsTheSame) {
   studies.push_back(valid(program_error_study({.study = "datapath", .profile = "geforce2"}, profiles::geforce2,
                                               compile(*state, profiles::geforce2).value(),
                                               {.components = {{Register::texture0, kAlpha}}})));
-  studies.push_back(valid(make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, room_for(index_cube),
+  studies.push_back(valid(make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, index_room(index_cube.lights),
                                             index_cube, settings_of(index_cube), grid)));
   for (const auto& study : studies) {
     const std::string& name = study->question().study;

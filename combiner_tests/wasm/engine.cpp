@@ -14,6 +14,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "ninebit/combiner/batch_program.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/effect/effect_renderer.h"

@@ -12,6 +12,7 @@
 #include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/combiner/validate.h"

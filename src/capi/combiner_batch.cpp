@@ -6,6 +6,7 @@
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 #include "src/combiner/c99/ninebit_combiner.h"
 

@@ -13,7 +13,7 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_nv.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 
 struct ninebit_state {
   ninebit::gl::Context context;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 
 namespace ninebit::detail {
 

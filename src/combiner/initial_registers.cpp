@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/hardware_profile.h"
+
 namespace ninebit {
 namespace {
 

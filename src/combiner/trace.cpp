@@ -3,6 +3,7 @@
 #include <span>
 
 #include "ninebit/combiner/portion_walk.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/combiner/trace_values.h"
 
 namespace ninebit {

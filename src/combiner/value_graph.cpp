@@ -72,7 +72,7 @@ Value ValueGraph::affine(std::span<const Linear> terms, Scale scale, Narrowing n
   std::vector<Operand> of;
   for (const Linear& term : kept) {
     const Range r = range(term);
-    sum = {sum.low + r.low, sum.high + r.high};
+    sum = sum + r;
     f.factor[of.size()] = term.factor;
     of.push_back({term.value, term.floored});
   }
@@ -87,7 +87,7 @@ Value ValueGraph::affine(std::span<const Linear> terms, Scale scale, Narrowing n
     f.low = low;
     f.high = high;
   }
-  const Range result{std::clamp(sum.low, low, high), std::clamp(sum.high, low, high)};
+  const Range result = clamped(sum, low, high);
   if (result.low == result.high) return constant(result.low);
   const bool is_itself = f.terms == 1 && f.factor[0] == 1 && f.offset == 0 && !of[0].floored && !f.halves;
   if (is_itself && !f.clamps()) return of[0].value;
@@ -109,17 +109,14 @@ Value ValueGraph::chosen(const Operand& operand) {
 Value ValueGraph::select(Value by, const Operand& no, const Operand& yes) {
   const bool is_no = no == yes || range(by).high < datapath_.half, is_yes = range(by).low >= datapath_.half;
   if (is_no || is_yes) return chosen(is_no ? no : yes);
-  const Range a = range(no), b = range(yes);
   return add({.kernel = Kernel::select, .low = datapath_.half}, std::array{Operand{by}, no, yes},
-             {std::min(a.low, b.low), std::max(a.high, b.high)});
+             either(range(no), range(yes)));
 }
 
 Value ValueGraph::select_odd(Value by, const Operand& no, const Operand& yes) {
   const Range bits = range(Operand{by, true});
   if (no == yes || bits.low == bits.high) return chosen(no == yes || bits.low % 2 == 0 ? no : yes);
-  const Range a = range(no), b = range(yes);
-  return add({.kernel = Kernel::select_odd}, std::array{Operand{by, true}, no, yes},
-             {std::min(a.low, b.low), std::max(a.high, b.high)});
+  return add({.kernel = Kernel::select_odd}, std::array{Operand{by, true}, no, yes}, either(range(no), range(yes)));
 }
 
 }  // namespace ninebit::detail

@@ -11,6 +11,7 @@
 
 #include "ninebit/combiner/registers.h"
 #include "ninebit/numerics/datapath.h"
+#include "src/combiner/interval.h"
 #include "src/combiner/vector_code.h"
 
 namespace ninebit::detail {
@@ -18,9 +19,7 @@ namespace ninebit::detail {
 using Value = std::uint16_t;  // a node's index in the graph
 
 // The possible codes of a value, inclusive.
-struct Range {
-  int low = 0, high = 0;
-};
+using Range = IntervalOf<int>;
 
 // factor · value + offset; if `floored`, with max(0, value). A constant has factor 0.
 struct Linear {

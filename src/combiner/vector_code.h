@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ninebit/combiner/batch_program.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 
 namespace ninebit::detail {
 

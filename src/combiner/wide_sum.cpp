@@ -22,13 +22,6 @@ struct Factors {
   friend bool operator<(const Factors& a, const Factors& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); }
 };
 
-Range range_of_product(const ValueGraph& graph, const Operand& x, const Operand& y) {
-  const Range a = graph.range(x), b = graph.range(y);
-  const std::array<int, 4> corners{a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
-  const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
-  return {x == y ? std::max(*low, 0) : *low, *high};
-}
-
 Linear negative(const Linear& linear) {
   return {linear.value, linear.floored, -linear.factor, -linear.offset};
 }
@@ -40,7 +33,7 @@ std::vector<Factors> factors_of(ValueGraph& graph, const WideSum& sum) {
     if (graph.range(p.x).high <= 0 || graph.range(p.y).high <= 0) p = {negative(p.x), negative(p.y)};
     Factors f{graph.operand(p.x), graph.operand(p.y), {}};
     if (f.y < f.x) std::swap(f.x, f.y);
-    f.range = range_of_product(graph, f.x, f.y);
+    f.range = product(graph.range(f.x), graph.range(f.y), f.x == f.y);
     all.push_back(f);
   }
   std::sort(all.begin(), all.end());
@@ -54,7 +47,7 @@ int code_of(const Datapath& d, const Narrowed& how, int wide) {
 }
 
 Range clamped(const Range& r, const Narrowed& how) {
-  return {std::clamp(r.low, how.low, how.high), std::clamp(r.high, how.low, how.high)};
+  return ninebit::clamped(r, how.low, how.high);
 }
 
 int doublings_of(Scale scale) {
@@ -111,7 +104,7 @@ std::optional<Value> as_unsigned(ValueGraph& graph, const WideSum& sum, const st
     f.adds = true;
     of.push_back(graph.operand(how.added));
   }
-  const Range raw{quotient.low + added.low, quotient.high + added.high};
+  const Range raw = quotient + added;
   if (!is_exact || raw.high > how.high) {
     f.low = 0;
     f.high = how.high;
@@ -223,7 +216,7 @@ Value narrow(ValueGraph& graph, const WideSum& sum, const Narrowed& how) {
   if (const auto value = as_affine(graph, sum, how)) return *value;
   const std::vector<Factors> factors = factors_of(graph, sum);
   Range wide{sum.constant(), sum.constant()};
-  for (const Factors& f : factors) wide = {wide.low + f.range.low, wide.high + f.range.high};
+  for (const Factors& f : factors) wide = wide + f.range;
   const Range quotient{code_of(d, how, wide.low), code_of(d, how, wide.high)};
   if (const auto value = as_unsigned(graph, sum, factors, how, quotient)) return *value;
   if (const auto value = as_signed_product(graph, sum, factors, how, quotient)) return *value;

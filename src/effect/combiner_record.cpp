@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/state.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ninebit/numerics/fixed9.h"
 #include "src/frame/shading.h"
 #include "src/system/parallel/parallel_loop.h"
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "src/page/page_texts.h"
+#include "src/system/quoting.h"
 
 namespace ninebit {
 namespace {
@@ -46,29 +47,6 @@ std::string data_element(const char* id, const std::string& json) {
 }
 
 }  // namespace
-
-std::string escaped_markup(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string script_json(const std::string& json) {
   std::string out;

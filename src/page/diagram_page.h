@@ -24,7 +24,4 @@ struct DiagramPage {
 // JSON text as the content of a script element: `<` is escaped, so that no name can end the element.
 [[nodiscard]] std::string script_json(const std::string& json);
 
-// Text between tags or in a quoted attribute.
-[[nodiscard]] std::string escaped_markup(const std::string& text);
-
 }  // namespace ninebit

@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "ninebit/combiner/evaluate_arrays.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/trace.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/combiner/given_registers.h"
 #include "src/effect/traced_pixel.h"
 #include "src/playground/texts.h"

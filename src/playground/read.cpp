@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/explain.h"
 #include "ninebit/language/register_log.h"

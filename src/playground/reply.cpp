@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/system/lines.h"
+
 namespace ninebit::playground {
 namespace {
 
@@ -55,14 +57,9 @@ int utf16_length(std::string_view bytes) {
 }
 
 std::string_view line_of(std::string_view text, int line) {
-  for (int i = 1; i < line; ++i) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) return {};
-    text.remove_prefix(end + 1);
-  }
-  text = text.substr(0, text.find('\n'));
-  if (text.ends_with('\r')) text.remove_suffix(1);
-  return line < 1 ? std::string_view() : text;
+  std::string_view found;
+  for (int i = 0; i < line; ++i) found = take_line(text);
+  return found;
 }
 
 int utf16_column(std::string_view text, int line, int column) {

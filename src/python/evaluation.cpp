@@ -15,6 +15,7 @@
 
 #include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/evaluate_real.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/trace.h"
 #include "ninebit/language/trace_json.h"
 #include "src/combiner/given_registers.h"

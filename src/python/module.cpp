@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ninebit/combiner/batch_program.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 #include "src/system/stream.h"
 
 namespace py = pybind11;

@@ -17,9 +17,9 @@
 #include "ninebit/language/glsl.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/program_text.h"
-#include "src/language/source/nearest_name.h"
 #include "src/python/evaluation.h"
 #include "src/python/module.h"
+#include "src/system/nearest_name.h"
 
 namespace py = pybind11;
 

@@ -21,6 +21,7 @@
 
 #include "ninebit/frame/technique_settings.h"
 #include "ninebit/image/image_io.h"
+#include "ninebit/language/program_text.h"
 #include "src/image/texture/picture_loader.h"
 #include "src/python/waiting.h"
 #include "src/tools/input/host.h"
@@ -223,6 +224,11 @@ py::list settings() {
   return all;
 }
 
+// The names of the forms of programs, for write_stubs.py.
+py::dict forms() {
+  return py::dict(py::arg("read") = read_form_names(), py::arg("written") = written_form_names());
+}
+
 py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
   const bool grey = pixels.ndim() == 2;
   const py::ssize_t channels = grey ? 1 : pixels.ndim() == 3 ? pixels.shape(2) : 0;
@@ -252,5 +258,6 @@ PYBIND11_MODULE(_verbs, module) {
   py::module_::import("atexit").attr("register")(py::cpp_function(&python::wait_for_work));
   module.def("flags", &python::flags, py::arg("verb"));
   module.def("settings", &python::settings);
+  module.def("forms", &python::forms);
   module.def("png", &python::png, py::arg("pixels"));
 }

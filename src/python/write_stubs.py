@@ -1,7 +1,7 @@
 """Writes the stubs of a built package: python write_stubs.py PACKAGE TEMPLATE...
 
 A template is a stub whose comments `# scene`, `# settings` and `# axes` stand for parameters: those of every verb that
-renders, the settings of techniques, and their lists for sweeps.
+renders, the settings of techniques, and their lists for sweeps. `# forms` stands for the names of the forms of programs.
 """
 import importlib
 import pathlib
@@ -42,21 +42,26 @@ def parameters(settings, axes):
     return single, [f"{axis}: List | None = None," for *_, axis in settings if axis]
 
 
-def stub_of(template, settings):
+def literal(name, words):
+    return f"{name} = Literal[{', '.join(repr(word) for word in words)}]".replace("'", '"')
+
+
+def stub_of(template, settings, forms):
     single, axes = parameters(settings, "# axes" in template)
-    blocks = {"scene": SCENE.splitlines(), "settings": single, "axes": axes}
+    blocks = {"scene": SCENE.splitlines(), "settings": single, "axes": axes,
+              "forms": [literal("ReadForm", forms["read"]), literal("Form", forms["written"])]}
     lines = []
     for line in template.splitlines():
-        found = re.fullmatch(r"( *)# (scene|settings|axes)", line)
+        found = re.fullmatch(r"( *)# (scene|settings|axes|forms)", line)
         lines += [found[1] + one for one in blocks[found[2]]] if found else [line]
     return "\n".join(lines) + "\n"
 
 
 def main(package, *templates):
     sys.path.insert(0, str(pathlib.Path(package).parent))
-    settings = importlib.import_module(f"{pathlib.Path(package).name}._verbs").settings()
+    verbs = importlib.import_module(f"{pathlib.Path(package).name}._verbs")
     for template in map(pathlib.Path, templates):
-        (pathlib.Path(package) / template.stem).write_text(stub_of(template.read_text(), settings))
+        (pathlib.Path(package) / template.stem).write_text(stub_of(template.read_text(), verbs.settings(), verbs.forms()))
 
 
 if __name__ == "__main__":

@@ -2,11 +2,17 @@
 // members: a walk over that class breaks these rules and no others.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
 #include "ninebit/texture_shader/evaluate_stages.h"
-#include "src/texture_shader/stage_rules.h"
 #include "src/texture_shader/stage_walk.h"
 
 namespace ninebit::one_fragment {
+
+#define NINEBIT_STAGE_RULE inline
+#include "src/texture_shader/stage_rules.inl"
+#undef NINEBIT_STAGE_RULE
 
 // Rule 36: a texel as the factor of a dot product.
 inline StageFactor factor_of(DotMapping mapping, DotDivisors divisors, const Bytes4& texel) {

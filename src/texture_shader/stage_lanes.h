@@ -1,5 +1,5 @@
 // The rules of texture-shader stages for a batch of fragments, on the best SIMD target. They give the bits of
-// stage_rules.h: both are the same functions, compiled again for each target, and the compiler makes vectors of the
+// stage_fragment.h: both are the same functions, compiled again for each target, and the compiler makes vectors of the
 // loops.
 #pragma once
 
@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ninebit/numerics/fixed9.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/codes.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_state.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/validate_stages.h"
 
 namespace ninebit {

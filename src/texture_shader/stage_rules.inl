@@ -1,6 +1,7 @@
-// THE rules of texture-shader stages (docs/numerics.md, rules 33 to 40), written once. No include guard: stage_rules.h
-// includes it for one fragment, stage_lanes.cpp once for each SIMD target, where the compiler makes vectors of its
-// loops. So every function is straight: choices between values, no early return in a branch of one fragment.
+// THE rules of texture-shader stages (docs/numerics.md, rules 33 to 40), written once. No include guard:
+// stage_fragment.h includes it for one fragment, stage_lanes.cpp once for each SIMD target, where the compiler makes
+// vectors of its loops. So every function is straight: choices between values, no early return in a branch of one
+// fragment.
 //
 // The includer provides the macro NINEBIT_STAGE_RULE (the functions' attributes) and <cmath>, <cstdint>.
 

@@ -17,7 +17,7 @@
 //   void nothing(i); void off(i)             (0, 0, 0, 0); what a unit without a texture reads (rule 16)
 #pragma once
 
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "ninebit/texture_shader/stage_program.h"
 
 namespace ninebit {

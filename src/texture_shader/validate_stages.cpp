@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
+
 namespace ninebit {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/combiner/normalize.h"
 #include "src/language/source/beyond_opengl.h"
 #include "src/language/xbox/stage_words.h"
 #include "src/tools/common/log_listing.h"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "src/system/process.h"
 #include "src/system/stream.h"
 #include "src/tools/common/output_file.h"

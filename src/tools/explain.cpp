@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/json.h"
 #include "src/system/stream.h"
 #include "src/tools/common/explanation.h"

@@ -83,9 +83,10 @@ int run(const GlRunFlags& flags) {
   }
   if (sizeof(void*) == 8 && has_32_bits(flags.program.front()) &&
       !fs::exists(layer.parent_path() / "libninebit_gl32.so")) {
-    say_error(printable(flags.program.front()) +
-              ": a program of 32 bits, for which libninebit_gl32.so is missing; build ninebit where the compiler makes "
-              "such programs (g++-multilib)");
+    say_error(
+        printable(flags.program.front()) +
+        ": a program of 32 bits, for which libninebit_gl32.so is missing; install the package ninebit-gl:i386, or "
+        "build ninebit where the compiler makes such programs (g++-multilib)");
     return kInvalidInput;
   }
   if (profile_of(flags.common).arithmetic.value != Arithmetic::integer) {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 #include "src/tools/common/usage.h"
 #include "src/tools/input/host.h"
 #include "src/tools/input/program.h"

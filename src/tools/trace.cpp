@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "ninebit/combiner/normalize.h"
 #include "src/combiner/given_registers.h"
 #include "src/effect/traced_pixel.h"
 #include "src/system/process.h"

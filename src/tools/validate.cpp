@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/printable.h"
 

@@ -11,6 +11,7 @@
 #include "ninebit/image/staged_files.h"
 #include "ninebit/language/json.h"
 #include "ninebit/study/stage_vectors.h"
+#include "src/system/lines.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/host.h"
@@ -39,13 +40,9 @@ struct MadePack {
 };
 
 // A text of JSON on one line.
-std::string one_line(const std::string& text) {
-  std::string line;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    line.append(text, begin, end - begin);
-    begin = std::min(text.find_first_not_of("\n ", end), text.size());
-  }
+std::string one_line(std::string_view text) {
+  std::string line(take_line(text));
+  while (!text.empty()) line += trimmed(take_line(text), " ");
   return line;
 }
 

@@ -37,6 +37,13 @@ static GLenum mostly(GLenum right) {
   return below(16) ? right : ANY(others);
 }
 
+/* The list that is being compiled; 0: none. */
+static GLuint open_list(void) {
+  GLint open = 0;
+  glGetIntegerv(GL_LIST_INDEX, &open);
+  return (GLuint)open;
+}
+
 static const GLenum caps[] = {
     GL_TEXTURE_1D, GL_TEXTURE_2D,   GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D,    GL_LIGHTING,       GL_LIGHT0,
     GL_FOG,        GL_BLEND,        GL_ALPHA_TEST,       GL_DEPTH_TEST,    GL_CULL_FACE,      GL_COLOR_SUM,
@@ -182,9 +189,10 @@ static void set_textures(void) {
 static void draw(void) {
   const GLenum mode = mostly(ANY(modes));
   const GLsizei count = (GLsizei)below(16);
-  static GLubyte indices[16], bitmap[8] = {0xF0, 0x0F, 0xAA, 0x55, 0xFF, 1, 2, 3};
-  /* Mesa 22.3 crashes at the end of a list in which only later vertices of a primitive have an attribute. */
-  const unsigned attributes = below(8), unit = below(4);
+  static GLubyte indices[16], bitmap[8 * 4] = {0xF0, 0, 0, 0, 0x0F, 0, 0, 0, 0xAA, 0, 0, 0, 0x55, 0, 0, 0, 0xFF};
+  /* Mesa 22.3 crashes at the end of a list in which only later vertices of a primitive have an attribute. In a list, one
+   * that is set outside of glBegin and glEnd comes back after a called list that has set it in a primitive. */
+  const unsigned any = below(8), unit = below(4), attributes = mode > GL_POLYGON && open_list() ? 0 : any;
   for (int i = 0; i < 16; ++i) indices[i] = (GLubyte)below(32);
   switch (below(10)) {
     case 0:
@@ -225,11 +233,16 @@ static void draw(void) {
   }
 }
 
+/* Mesa 22.3 keeps the vertices of a list until a command of state. If a later primitive of them has more attributes, it
+ * cuts the list inside of that one, and believes to be between its glBegin and glEnd when it executes the first part. */
+static void end_vertices_of_list(void) {
+  if (open_list()) glLineWidth(1);
+}
+
 /* A list calls those of lower numbers alone: lists that call themselves take for ever. */
 static void use_lists(void) {
-  GLint open = 0;
-  glGetIntegerv(GL_LIST_INDEX, &open);
-  const unsigned end = open > 0 && open <= LISTS ? (unsigned)open : LISTS + 1;
+  const GLuint open = open_list();
+  const unsigned end = open > 0 && open <= LISTS ? open : LISTS + 1;
   const GLuint list = 1 + below(LISTS), called = below(end), many[4] = {below(end), below(end), 0, LISTS + 9};
   switch (below(9)) {
     case 0:
@@ -327,8 +340,10 @@ int main(int argc, char** argv) {
       set_state();
     else if (kind < 5)
       set_textures();
-    else if (kind < 7)
+    else if (kind < 7) {
       draw();
+      end_vertices_of_list();
+    }
     else if (kind < 9)
       use_lists();
     else
@@ -337,9 +352,7 @@ int main(int argc, char** argv) {
     if (error != GL_NO_ERROR) printf("%d: error 0x%04x\n", i, error);
     if (i % 24 == 23) print_picture();
   }
-  GLint open = 0;
-  glGetIntegerv(GL_LIST_INDEX, &open);
-  if (open) glEndList();
+  if (open_list()) glEndList();
   print_picture();
   eglTerminate(display);
   return 0;

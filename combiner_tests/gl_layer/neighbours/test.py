@@ -47,6 +47,18 @@ def other_contexts(kit):
     kit.check(done.returncode == 0 and done.stdout == expected, f"a process that forks: {done.stdout.strip()}")
 
 
+def copied_contexts(kit, environment):
+    """Mesa refuses to copy a context that draws by itself. The layer's state is never copied, which the log says."""
+    program = compiled(kit, "copies", [], ["-lGL", "-lX11"])
+    without, done = kit.run([program], environment), kit.run([program], environment, layer=True)
+    kit.check(done.returncode == without.returncode == 0 and done.stdout == without.stdout and "fog 0" in done.stdout,
+              f"glXCopyContext: {', '.join(done.stdout.splitlines())}")
+    done = kit.run([program, "combiners"], environment, layer=True)
+    said = "ninebit: glXCopyContext: the state of the extensions that the layer adds is not copied\n"
+    kit.check(done.returncode == 0 and done.stdout.count(said) == 1 and done.stdout.replace(said, "") == without.stdout,
+              f"glXCopyContext with combiners: {', '.join(done.stdout.splitlines())}")
+
+
 def run(kit):
     require(PACKAGES, ["gcc", "Xvfb", "apitrace"], ["/usr/include/GL/freeglut.h", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8"])
     folder = kit.folder("neighbours")
@@ -65,6 +77,7 @@ def run(kit):
             kit.check(done.stdout == f"GL_NV_fence is{word} listed\n{expected}",
                       f"--extensions {wanted}: {done.stdout.splitlines()[0]}")
         logs(kit, draws, environment)
+        copied_contexts(kit, environment)
         for name, preloaded in (("before", f"{interposer}:{layer}"), ("after", f"{layer}:{interposer}")):
             done = kit.run(["env", f"LD_PRELOAD={preloaded}", draws, "default"], environment)
             kit.check(done.returncode == 0 and done.stdout == counted,

@@ -1,6 +1,7 @@
 """Programs of 32 bits beside those of 64: the dynamic linker takes the layer of the program's own word length.
 
-Where there is a 32-bit OpenGL, old_ways draws with it: in NINEBIT_GL32_LIBRARIES, or where Debian has it.
+Where there is a 32-bit OpenGL, old_ways draws with it, and a program with further extensions: in NINEBIT_GL32_LIBRARIES, or
+where Debian has it.
 """
 import os
 import pathlib
@@ -10,8 +11,13 @@ import subprocess
 from kit import HERE, Missing, build, display, require
 from old_ways.test import check_ways, compile_old_ways
 
-PACKAGES = "g++-multilib"
-OPENGL = "libglut3.12:i386, libglu1-mesa:i386 and libgl1-mesa-dri:i386"
+PACKAGES = "g++-multilib, libegl-dev and libgl-dev"
+OPENGL = "libglut3.12:i386, libglu1-mesa:i386, libegl1:i386 and libgl1-mesa-dri:i386"
+DRAWN = """a vertex program: 51 102 153 255, error 0x0000
+attribute arrays, after a state program: 102 153 0 255, error 0x0000
+a texture of indices: 10 20 30 40, error 0x0000
+another colour in its palette: 90 80 70 60, error 0x0000
+"""
 
 
 def check_loading(kit, folder):
@@ -42,28 +48,40 @@ def check_missing(kit, folder):
                   f"without libninebit_gl32.so, {bits} bits: exit {done.returncode} {done.stderr.strip()}")
 
 
+def check_extensions(kit, folder, bits, options, environment):
+    program = folder / f"extensions{bits}"
+    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "word_lengths/extensions.c", "-o", program, *options])
+    done = kit.run([program], {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **environment}, layer=True,
+                   options=("--extensions", "all"))
+    kit.check(done.returncode == 0 and done.stdout == DRAWN, f"further extensions, {bits} bits: {'; '.join(done.stdout.splitlines())}")
+
+
 def check_drawing(kit, folder):
     libraries = pathlib.Path(os.environ.get("NINEBIT_GL32_LIBRARIES", "/usr/lib/i386-linux-gnu"))
-    linked = [libraries / name for name in ("libglut.so.3.12", "libGLU.so.1", "libGL.so.1")]
+    linked = [libraries / name for name in ("libglut.so.3.12", "libGLU.so.1", "libGL.so.1", "libEGL.so.1")]
     if not all(map(pathlib.Path.exists, linked)) or not shutil.which("Xvfb"):
-        print(f"      skipped: old_ways with 32 bits needs {OPENGL}, and xvfb")
+        print(f"      skipped: drawing with 32 bits needs {OPENGL}, and xvfb")
         return
+    of_32_bits = {"LD_LIBRARY_PATH": str(libraries), "LIBGL_DRIVERS_PATH": str(libraries / "dri")}
+    check_extensions(kit, folder, 32, ["-m32", "-mpreferred-stack-boundary=2", *linked[2:], "-Wl,--allow-shlib-undefined"],
+                     of_32_bits)
     for name, stack in (("32 bits", []), ("32 bits, a stack at multiples of 4", ["-mpreferred-stack-boundary=2"])):
         program = folder / "old_ways32"
-        compile_old_ways(program, "-m32", *stack, libraries=[*linked, "-Wl,--allow-shlib-undefined", "-lm"])
+        compile_old_ways(program, "-m32", *stack, libraries=[*linked[:3], "-Wl,--allow-shlib-undefined", "-lm"])
         with display() as environment:
-            environment |= {"LD_LIBRARY_PATH": str(libraries), "LIBGL_DRIVERS_PATH": str(libraries / "dri")}
+            environment |= of_32_bits
             check_ways(kit, kit.run([program], environment, layer=True), name)
 
 
 def run(kit):
-    require(PACKAGES, ["gcc"])
+    require(PACKAGES, ["gcc"], ["/usr/include/EGL/egl.h", "/usr/include/GL/glext.h"])
     folder = kit.folder("word_lengths")
     (folder / "none.c").write_text("#include <errno.h>\nint main(void) { return 0; }\n")
     if subprocess.run(["gcc", "-m32", folder / "none.c", "-o", folder / "none"], capture_output=True).returncode:
-        raise Missing(f"gcc makes no programs of 32 bits; install the package {PACKAGES}")
+        raise Missing("gcc makes no programs of 32 bits; install g++-multilib")
     if not (kit.ninebit_path.parent / "libninebit_gl32.so").exists():
         raise Missing("libninebit_gl32.so is not built; configure again where g++-multilib is installed")
     check_loading(kit, folder)
     check_missing(kit, folder)
+    check_extensions(kit, folder, 64, ["-lEGL", "-lGL"], {})
     check_drawing(kit, folder)

@@ -14,7 +14,7 @@
 #include "ninebit/combiner/portion_walk.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/registers.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {

@@ -11,6 +11,7 @@
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/registers.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "ninebit/combiner/evaluate.h"
-#include "ninebit/numerics/fixed9.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/codes.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {

@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"

@@ -5,6 +5,7 @@
 
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/source_text.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_state.h"

@@ -8,7 +8,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/registers.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 

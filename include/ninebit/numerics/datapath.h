@@ -1,12 +1,13 @@
 // The fields of a profile that the arithmetic reads, as plain integers: no strings, no evidence.
 #pragma once
 
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {
 
-// The fields of a HardwareProfile that the rules of combiner/arithmetic.inl read, under the same names.
+// The fields of a HardwareProfile that the rules of combiner/arithmetic.inl read, under the same names;
+// hardware_profile.h has datapath_of().
 struct Datapath {
   Arithmetic arithmetic = Arithmetic::integer;  // if not integer, of the rest only `one` is read
   int one = 255;                                // the code of 1.0
@@ -20,18 +21,5 @@ struct Datapath {
 
   friend constexpr bool operator==(const Datapath&, const Datapath&) = default;
 };
-
-// Returns these fields of a profile.
-[[nodiscard]] constexpr Datapath datapath_of(const HardwareProfile& profile) {
-  return {profile.arithmetic,
-          profile.one,
-          profile.lowest,
-          profile.lowest_output,
-          profile.half,
-          profile.expand_offset,
-          profile.general_narrowing,
-          profile.narrowing_point,
-          profile.final_narrowing};
-}
 
 }  // namespace ninebit

@@ -1,21 +1,13 @@
-// The register value: a signed integer code, 1.0 = profile.one (255 with nine bits).
+// Conversions between codes, bytes and real numbers, as a profile has them: 1.0 = profile.one (255 with nine bits).
 #pragma once
 
-#include <array>
 #include <cstdint>
 
+#include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {
-
-// One component of a register. With every shipped profile it lies in [-256, 255].
-using s9 = std::int16_t;
-
-// Four components: red, green, blue, alpha.
-using Rgba9 = std::array<s9, 4>;
-// Indices of the components in every array of four.
-inline constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
 
 // Returns the code of a byte (texel, vertex colour, constant) in a register: 255 becomes 1.0 (rule 1).
 [[nodiscard]] constexpr s9 from_byte(const HardwareProfile& profile, std::uint8_t byte) {
@@ -34,13 +26,6 @@ inline constexpr int kRed = 0, kGreen = 1, kBlue = 2, kAlpha = 3;
 // Returns the real number of a code: code / one.
 [[nodiscard]] constexpr double to_real(const HardwareProfile& profile, s9 code) {
   return static_cast<double>(code) / profile.one;
-}
-
-// Converts a GL colour component to a byte: clamps to [0, 1], rounds to nearest (OpenGL 1.3, 2.13.9). NaN becomes 0.
-[[nodiscard]] constexpr std::uint8_t byte_of_color(float component) {
-  if (!(component > 0.0F)) return 0;
-  if (component >= 1.0F) return 255;
-  return static_cast<std::uint8_t>(static_cast<double>(component) * 255.0 + 0.5);
 }
 
 // Converts a fog factor to the byte that the combiners read, as profile.fog_byte says: cut to 12 bits n, which give

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ninebit/combiner/registers.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/half.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "ninebit/combiner/registers.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"
@@ -37,15 +37,17 @@ inline constexpr std::array kOutputForms{OutputForm{Scale::none, Bias::none, "x1
 // these profiles whose codes stand for the same numbers, counts the inputs on which their codes differ. Profiles with
 // another arithmetic are skipped; reports if no profile is left. A unit is one kind of operation of a profile or pair.
 //
-// An error is a result's code / one minus the exact value, which is clamped where the extension clamps.
+// An error is a result's code minus the exact value in codes (the real number times one), which is clamped where the
+// extension clamps.
 //
 // Rows of the table "rows", one for each operation and form of a profile:
 //   profile
 //   operation, form          "mapping", "product", "dot product", …; the mapping, or the output's scale and bias
 //   cases, exact, distinct   all inputs; inputs without an error; number of different result codes
-//   max_error, mean_error    the largest and the mean absolute error
-//   mean_bias                the mean signed error
-//   worst, worst_code, worst_exact   the first inputs with the largest error, as codes; the result; the exact value
+//   max_error_codes, mean_error_codes   the largest and the mean absolute error, in codes
+//   mean_bias_codes          the mean signed error, in codes
+//   worst, worst_code, worst_exact_codes   the first inputs with the largest error, as codes; the result; the exact
+//                            value in codes
 //
 // Rows of the table "differences": first, second (the profiles), operation, form, cases, differ (inputs with different
 // codes).

@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/study/datapath_error.h"
@@ -21,7 +21,7 @@ namespace NINEBIT_PUBLIC ninebit {
 // Rows of the table "rows", one for each unit:
 //   profile, form, a
 //   cases, exact, inexact   all inputs with this A; inputs whose result is exact; the others
-//   max_error               the largest absolute error, as a real number
+//   max_error_codes         the largest absolute error, in codes
 //   sum_of_sizes            the sum of absolute errors, in units of 1 / (4 one²)
 //   sum_of_errors           the sum of signed errors, in units of 1 / (4 one²)
 //   sum_of_codes, sum_of_squares   checksums: the sums of all results and of their squares. If narrowing is

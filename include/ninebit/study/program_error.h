@@ -17,7 +17,7 @@
 
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/program.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"
@@ -47,33 +47,42 @@ struct ProgramInputs {
 
 // Measures the program, which was compiled for the profile, over the inputs. Constants that the program reads and does
 // not set are inputs, too: they are added to combinations, and a table must have them. Reports a profile whose
-// arithmetic is not integer, inputs without components or fragments, a component that is given twice, and more than
-// 2^26 combinations. A unit is up to 2^18 fragments.
+// arithmetic is not integer, inputs without components or fragments, a component that is varied and fixed, and too many
+// combinations. A unit is up to 2^18 fragments.
 //
-// An error is a real number: the final combiner's output minus that of `ideal`. An error below 1e-10 counts as zero.
+// Up to 2^26 combinations are all run. If there are more, each component of the colour is measured over the
+// combinations of those components that it depends on (of the others, any value gives the same result): 2^16 for each
+// of red and green where red depends on primary.r and tex0.r, green on primary.g and tex0.g. If one of them still has
+// more than 2^26, the inputs are reported.
+//
+// An error is the final combiner's output minus that of `ideal`, in codes: 1 is a register's last bit. An error below
+// 1e-10 of one counts as zero.
 //
 // Rows of the table "rows", for each component of the colour:
 //   profile, component
+//   over                       the names of the components that vary: "primary.r, tex0.r"; "none"
 //   first, fragments           the unit's first fragment, and its number of fragments
 //   exact                      fragments without an error
 //   misrounded                 fragments whose code is not the nearest to the exact value: off by more than half a code
-//   max_error, mean_error, mean_bias   as in datapath_error.h
-//   worst, worst_code, worst_exact     the first inputs with the largest error; the result; the result of `ideal`
+//   max_error_codes, mean_error_codes, mean_bias_codes   largest and mean size; mean with its sign
+//   worst, worst_code, worst_exact_codes   the first inputs with the largest error; the result; the result of `ideal`
+//
+// Rows of the table "stages", for each stage and component of the colour:
+//   profile, component, over, first, fragments
+//   stage, name                1 to the number of general combiners, "general 1", …, then "final"
+//   added_max_codes, added_mean_codes, added_bias_codes, worst   the error that the stage adds; the first inputs where
+//                              it adds most
+//   remaining_max_codes, remaining_mean_codes, remaining_bias_codes   the error if all later stages were exact
 //
 // Rows of the table "histogram", for each component of the colour and each whole number of codes from -8 to 8:
-//   profile, component, first, fragments
-//   codes, count               fragments whose error, rounded to whole codes, is this; -8 and 8 include all errors
+//   profile, component, over, first, fragments
+//   error_codes, count         fragments whose error, rounded to whole codes, is this; -8 and 8 include all errors
 //   beyond
 //
 // The report has the files error.csv, a line for each fragment with its inputs and the errors of red, green, blue and
 // alpha in codes, and error.npy, the same errors as 32-bit floats of NumPy (an axis for each component of combinations,
-// or one for the fragments of a table; then the colour), if there are at most 2^20 fragments.
-//
-// Rows of the table "stages", for each stage and component of the colour:
-//   profile, component, first, fragments
-//   stage, name                1 to the number of general combiners, "general 1", …, then "final"
-//   added_max, added_mean, added_bias, worst   the error that the stage adds; the first inputs where it adds most
-//   remaining_max, remaining_mean, remaining_bias   the error if all later stages were exact
+// or one for the fragments of a table; then the colour), if there are at most 2^20 fragments. Components of the colour
+// that are measured over different inputs have files of their own: error-r.csv, error-gb.csv.
 [[nodiscard]] Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const HardwareProfile& profile,
                                                                  const Program& program, ProgramInputs inputs);
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "ninebit/combiner/initial_registers.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"

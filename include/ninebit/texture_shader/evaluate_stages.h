@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_program.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ninebit/combiner/initial_registers.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_state.h"

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "ninebit/combiner/batch_program.h"
+#include "ninebit/combiner/normalize.h"
 #include "src/bench/programs.h"
 
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/sampler.h"
 
 namespace {

@@ -26,12 +26,13 @@ PROFILE_FIELDS = ('one', 'lowest', 'lowest_output', 'half', 'expand_offset', 'by
 # The functions in the order of the C file: file, names ('*': all of the file), words for the heading, domain.
 FUNCTIONS = (
     (COMBINER + 'registers.h', ('is_texture', 'texture_unit_of'), 'Registers', None),
-    (NUMERICS + 'fixed9.h', ('from_byte', 'to_byte', 'byte_of_color'), 'Codes and bytes', None),
+    (NUMERICS + 'fixed9.h', ('from_byte', 'to_byte'), 'Codes and bytes', None),
+    (NUMERICS + 'codes.h', ('byte_of_color',), None, None),
     (COMBINER + 'state.h', ('default_portion',), 'Defaults', None),
     ('src/combiner/state_rules.h', '*', 'Validation', None),
     (COMBINER + 'program.h', ('is_live', 'normalize_portion', 'writes', 'normalize_blue_to_alpha', 'has_mux', 'reads',
-                              'reads_directly', 'normalize_final', 'stage_reads', 'final_reads', 'constant_codes',
-                              'dead_portion', 'normalize_stage', 'normalize_combiners'), 'Normalization', None),
+                              'reads_directly', 'normalize_final', 'stage_reads', 'final_reads'), 'Normalization', None),
+    (COMBINER + 'normalize.h', ('constant_codes', 'dead_portion', 'normalize_stage', 'normalize_combiners'), None, None),
     (COMBINER + 'evaluate.h', ('set', 'add', 'sub', 'mul', 'min_of', 'max_of', 'abs_of', 'divide',
                                'negate_where_negative', 'select_where_at_least'), 'Primitives', None),
     (COMBINER + 'arithmetic.inl', '*', 'Arithmetic', None),

@@ -386,6 +386,7 @@ GLAPI GLboolean GLAPIENTRY glIsList(GLuint list) {
   if (is_step_list(*context, list)) return GL_FALSE;
   const OpenList* const open = context->open_list.get();
   // The driver has its first part already, which is none before glEndList.
-  if (open != nullptr && open->number == list && open->driver_number != list) return open->replaces ? GL_TRUE : GL_FALSE;
+  if (open != nullptr && open->number == list && open->driver_number != list)
+    return open->replaces ? GL_TRUE : GL_FALSE;
   return found_driver.IsList(list);
 }

@@ -12,6 +12,7 @@ extern "C" {
 void* glXCreateContext(void*, void*, void*, int);
 void* glXCreateNewContext(void*, void*, int, void*, int);
 void* glXCreateContextAttribsARB(void*, void*, void*, int, const int*);
+void glXCopyContext(void*, void*, void*, unsigned long);
 void glXDestroyContext(void*, void*);
 int glXMakeCurrent(void*, unsigned long, void*);
 int glXMakeContextCurrent(void*, unsigned long, unsigned long, void*);
@@ -112,10 +113,10 @@ struct Entry {
   X(glVertexAttribPointerNV) X(glVertexAttribs1dvNV) X(glVertexAttribs1fvNV) X(glVertexAttribs1svNV) \
   X(glVertexAttribs2dvNV) X(glVertexAttribs2fvNV) X(glVertexAttribs2svNV) X(glVertexAttribs3dvNV) \
   X(glVertexAttribs3fvNV) X(glVertexAttribs3svNV) X(glVertexAttribs4dvNV) X(glVertexAttribs4fvNV) \
-  X(glVertexAttribs4svNV) X(glVertexAttribs4ubvNV) X(glXAllocateMemoryNV) X(glXCreateContext) \
-  X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXFreeMemoryNV) X(glXGetProcAddress) \
-  X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) A(glXMakeCurrentReadSGI, glXMakeContextCurrent) \
-  X(glXSwapBuffers)
+  X(glVertexAttribs4svNV) X(glVertexAttribs4ubvNV) X(glXAllocateMemoryNV) X(glXCopyContext) \
+  X(glXCreateContext) X(glXCreateContextAttribsARB) X(glXCreateNewContext) X(glXDestroyContext) X(glXFreeMemoryNV) \
+  X(glXGetProcAddress) X(glXGetProcAddressARB) X(glXMakeContextCurrent) X(glXMakeCurrent) \
+  A(glXMakeCurrentReadSGI, glXMakeContextCurrent) X(glXSwapBuffers)
 // clang-format on
 
 constinit std::atomic<bool> combiners_wanted{false};

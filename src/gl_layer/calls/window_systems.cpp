@@ -8,6 +8,7 @@
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/driver_features.h"
+#include "src/gl_layer/driver/log.h"
 #include "src/gl_layer/driver/symbols.h"
 
 namespace ninebit::gl_layer {
@@ -46,6 +47,16 @@ void destroyed(Handle handle) {
   const std::lock_guard lock(all.mutex);
   all.by_handle.erase(handle);
   all.groups.erase(handle);
+}
+
+// The driver's error, if it cannot, comes from the X server later.
+void copied(Handle handle) {
+  Contexts& all = contexts();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.by_handle.find(handle);
+  const bool has_state = found != all.by_handle.end() && found->second != nullptr &&
+                         (found->second->touched || found->second->vertex.is_bound);
+  if (has_state) log_once("glXCopyContext: the state of the extensions that the layer adds is not copied");
 }
 
 // After contexts of its group may have gone.
@@ -110,6 +121,12 @@ void* glXCreateContextAttribsARB(void* display, void* config, void* share, int d
   void* const context = next(display, config, share, direct, attributes);
   created(context, share);
   return context;
+}
+
+void glXCopyContext(void* display, void* from, void* to, unsigned long mask) {
+  static const auto next = next_function_as<decltype(&glXCopyContext)>("glXCopyContext");
+  if (next != nullptr) next(display, from, to, mask);
+  copied(from);
 }
 
 void glXDestroyContext(void* display, void* context) {

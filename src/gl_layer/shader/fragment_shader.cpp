@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "ninebit/language/glsl.h"
+#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/gl_layer/shader/environment.h"
 
 namespace ninebit::gl_layer {

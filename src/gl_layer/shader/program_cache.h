@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/glsl.h"
 #include "src/gl_layer/shader/own_programs.h"

@@ -1,15 +1,33 @@
 #include "ninebit/image/texture_io.h"
 
+#include <ImfThreading.h>
+
 #include <memory>
 
-#include "src/image/openimageio/image_threads.h"
 #include "src/image/texture/texture_file.h"
 
 namespace ninebit {
 namespace {
 
+// Ends the threads of OpenEXR's pool, which OpenImageIO starts for the first EXR file; the destructor starts as many
+// again. A child process has none of its parent's threads, and OpenEXR would wait for them there.
+class WithoutImageThreads {
+ public:
+  WithoutImageThreads() : threads_(Imf::globalThreadCount()) {
+    if (threads_ > 0) Imf::setGlobalThreadCount(0);
+  }
+  WithoutImageThreads(const WithoutImageThreads&) = delete;
+  WithoutImageThreads& operator=(const WithoutImageThreads&) = delete;
+  ~WithoutImageThreads() {
+    if (threads_ > 0) Imf::setGlobalThreadCount(threads_);
+  }
+
+ private:
+  int threads_;
+};
+
 Result<std::shared_ptr<void>> without_threads(const std::filesystem::path&) {
-  return std::shared_ptr<void>(std::make_shared<image_detail::WithoutImageThreads>());
+  return std::shared_ptr<void>(std::make_shared<WithoutImageThreads>());
 }
 
 constexpr image_detail::PictureReader kOpenImageIO{.read = &image_detail::read_picture, .prepare = &without_threads};

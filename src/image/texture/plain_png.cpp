@@ -1,5 +1,4 @@
-#include "src/image/texture/plain_png.h"
-
+// Plain PNG files, read by libpng alone.
 #include <png.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "src/image/output/faults.h"
+#include "src/image/texture/texture_file.h"
 #include "src/system/stream.h"
 
 namespace ninebit::image_detail {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/image/output/faults.h"
 #include "src/image/texture/texture_file.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ninebit/image/texture_io.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/texture.h"
 
@@ -48,9 +48,6 @@ struct PictureSource {
 // The bytes of a PNG or JPEG file, by their first bytes; nullptr: of neither, else the usual extension, ".png".
 [[nodiscard]] const char* extension_of_bytes(std::span<const std::uint8_t> bytes);
 
-// Scales the first level of each face as resample_to_powers_of_two() of src/raster/texture/resample.h does.
-void resample_to_powers_of_two(FileTexture& texture);
-
 // The reader of all files except DDS. It is OpenImageIO, which depends on 250 shared libraries: the library links it,
 // the program loads it for the first picture (picture_loader.h).
 struct PictureReader {
@@ -62,6 +59,15 @@ struct PictureReader {
 
 // Reads any picture with OpenImageIO; from bytes PNG and JPEG. Its sides are from 1 to kMaxSurfaceSize.
 [[nodiscard]] Result<FileTexture> read_picture(const PictureSource& source);
+
+// Plain PNG files, read by libpng alone (plain_png.cpp).
+
+// Whether the source begins as a PNG file of 8 bits a sample without a palette does.
+[[nodiscard]] bool is_plain_png(const PictureSource& source);
+
+// Reads such a file to the texture that read_picture() gives. A file that it refuses may be one for read_picture(),
+// which also says what is wrong with a damaged one.
+[[nodiscard]] Result<FileTexture> read_plain_png(const PictureSource& source);
 
 // Calls reader.read() for each source in one isolated call (src/system/isolated_call.h). Reports what it reports, and
 // the file at which the reader crashed or exceeded its limits.

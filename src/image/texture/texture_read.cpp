@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <system_error>
 #include <utility>
 
 #include "src/image/output/faults.h"
-#include "src/image/texture/plain_png.h"
 #include "src/image/texture/texture_file.h"
+#include "src/raster/texture/resample.h"
 #include "src/system/stream.h"
 
 namespace ninebit::image_detail {
@@ -92,7 +94,7 @@ Status fit(const std::filesystem::path& file, const TextureReadOptions& options,
   }
   if (std::string complaint = complain_about_texture_size(width, height); !complaint.empty()) {
     if (!options.any_size) return invalid_input(file, "the picture " + complaint);
-    resample_to_powers_of_two(texture);
+    for (std::vector<TextureSamples>& levels : texture.faces) resample_to_powers_of_two(levels[0]);
     if (options.on_resample) options.on_resample(width, height);
   }
   if (options.flip) flip(texture);
@@ -185,6 +187,16 @@ Result<Texture> read_cube_texture(const HardwareProfile& profile, std::span<cons
   for (std::size_t i = 1; i < files.size(); ++i) cube.faces.push_back(std::move((*faces)[i].faces[0]));
   cube.target = TextureTarget::cube_map;
   return finish(files[0], std::move(cube), options.mipmaps);
+}
+
+const char* extension_of_bytes(std::span<const std::uint8_t> bytes) {
+  constexpr std::array<std::uint8_t, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  constexpr std::array<std::uint8_t, 3> kJpeg{0xFF, 0xD8, 0xFF};
+  const auto starts = [&](const auto& with) {
+    return bytes.size() >= with.size() && std::equal(with.begin(), with.end(), bytes.begin());
+  };
+  if (starts(kPng)) return ".png";
+  return starts(kJpeg) ? ".jpg" : nullptr;
 }
 
 }  // namespace ninebit::image_detail

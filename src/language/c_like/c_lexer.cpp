@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit::code {
 namespace {
@@ -63,7 +64,7 @@ bool Lexer::skip_comment() {
 // Returns whether there were any.
 bool Lexer::skip_blanks() {
   const std::size_t begin = at_;
-  if (at_ == 0 && text_.starts_with(detail::kByteOrderMark)) at_ = detail::kByteOrderMark.size();
+  if (at_ == 0) at_ = mark_size(text_);
   while (at_ < text_.size()) {
     if (text_[at_] == '\n') {
       line_begins_ = true;

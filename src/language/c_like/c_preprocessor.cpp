@@ -6,8 +6,8 @@
 
 #include "ninebit/language/source_text.h"
 #include "src/language/c_like/c_condition.h"
-#include "src/language/source/nearest_name.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::code {
 

@@ -89,10 +89,6 @@ std::int64_t floor_of_quotient(std::int64_t n, std::int64_t d) {
   return n / d - (n % d < 0 ? 1 : 0);
 }
 
-Interval negated(Interval r) {
-  return {-r.high, -r.low};
-}
-
 // Simplifies min_of and max_of of a multiple and a constant that its factor divides: the factor moves outward.
 template <class Rule>
 std::optional<V> inside_multiple(const V& a, const V& b, Rule rule) {
@@ -184,8 +180,7 @@ V add(V a, V b) {
   if (!b.is_constant() && x.factor == -y.factor) {
     return x.factor > 0 ? times(sub(x.of, y.of), x.factor) : times(sub(y.of, x.of), y.factor);
   }
-  const Interval p = a.range(), q = b.range();
-  return node_of(Opcode::add, a, b, {p.low + q.low, p.high + q.high});
+  return node_of(Opcode::add, a, b, a.range() + b.range());
 }
 
 V sub(V a, V b) {
@@ -196,8 +191,7 @@ V sub(V a, V b) {
     if (const Offset o = offset_of(b); o.plus != 0) return sub(constant_of(a.constant - o.plus), o.of);
   }
   if (is_negation(b)) return add(a, node_at(b)->args[1]);
-  const Interval p = a.range(), q = b.range();
-  return node_of(Opcode::sub, a, b, {p.low - q.high, p.high - q.low});
+  return node_of(Opcode::sub, a, b, a.range() - b.range());
 }
 
 V mul(V a, V b) {
@@ -210,10 +204,7 @@ V mul(V a, V b) {
     if (m.factor != 1) return mul(m.of, constant_of(m.factor * b.constant));
     if (is_negation(a)) return times(node_at(a)->args[1], -b.constant);
   }
-  const Interval p = a.range(), q = b.range();
-  const auto [low, high] = std::minmax({p.low * q.low, p.low * q.high, p.high * q.low, p.high * q.high});
-  // A square is not negative.
-  return node_of(Opcode::mul, a, b, {a == b && p.low < 0 && p.high > 0 ? 0 : low, high});
+  return node_of(Opcode::mul, a, b, product(a.range(), b.range(), a == b));
 }
 
 V min_of(V a, V b) {
@@ -289,8 +280,7 @@ V negate_where_negative(V sign, V x) {
   if (node != nullptr && node->opcode == Opcode::abs_of && node->args[0] == sign) {
     return times(sign, magnitude.factor);
   }
-  const Interval n = negated(p);
-  return node_of(Opcode::negate_where_negative, sign, x, {std::min(n.low, p.low), std::max(n.high, p.high)});
+  return node_of(Opcode::negate_where_negative, sign, x, either(p, -p));
 }
 
 V sum_of_components(V a) {
@@ -303,9 +293,7 @@ V select_where_at_least(V v, V limit, V yes, V no) {
   if (v.range().low >= limit.range().high || yes == no) return yes;
   if (v.range().high < limit.range().low) return no;
   Graph* const graph = v.is_constant() ? limit.graph : v.graph;
-  const Interval p = yes.range(), q = no.range();
-  return graph->make(Opcode::select_where_at_least, {v, limit, yes, no},
-                     {std::min(p.low, q.low), std::max(p.high, q.high)});
+  return graph->make(Opcode::select_where_at_least, {v, limit, yes, no}, either(yes.range(), no.range()));
 }
 
 }  // namespace ninebit::emit

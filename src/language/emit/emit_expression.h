@@ -10,15 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "src/combiner/interval.h"
+
 namespace ninebit::emit {
 
 class Graph;
 
-struct Interval {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
-  friend constexpr bool operator==(const Interval&, const Interval&) = default;
-};
+using Interval = IntervalOf<std::int64_t>;
 
 // The value type V of the rules: a constant, or a node of a graph.
 struct V {

@@ -5,6 +5,7 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/language/c_source.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/emit/emit_printer.h"
 #include "src/texture_shader/stage_walk.h"
 

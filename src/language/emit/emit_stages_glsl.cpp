@@ -4,6 +4,7 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/language/glsl.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/emit/emit_printer.h"
 #include "src/texture_shader/stage_walk.h"
 

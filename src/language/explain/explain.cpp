@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/explain/explain_notes.h"
 #include "src/language/explain/explain_terms.h"
 
@@ -52,7 +53,7 @@ Fact fact_of(const Datapath& d, const Expression& e, Equation equation, Range li
   fact.marks = e.marks;
   fact.equation.clamps = e.range.low < limits.low || e.range.high > limits.high;
   fact.equation.expression = e.constant ? code_text(d, *e.constant, fact.marks) : with_sign(e);
-  fact.range = {std::clamp(e.range.low, limits.low, limits.high), std::clamp(e.range.high, limits.low, limits.high)};
+  fact.range = clamped(e.range, limits.low, limits.high);
   return fact;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::explain_detail {
 namespace {

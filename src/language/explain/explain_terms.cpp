@@ -25,11 +25,7 @@ bool same(const Expression& a, const Expression& b) {
 
 // The range of the product of two codes.
 Range product_range(const Expression& a, const Expression& b) {
-  const Range x = a.range, y = b.range;
-  const auto [low, high] = std::minmax({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
-  if (!same(a, b)) return {low, high};
-  const int nearest = x.low > 0 ? x.low : x.high < 0 ? -x.high : 0;
-  return {nearest * nearest, high};
+  return ninebit::product(a.range, b.range, same(a, b));
 }
 
 // The reads and marks of both; the caller sets text and range.
@@ -213,7 +209,7 @@ Expression sum(const Datapath& d, const Expression& a, const Expression& b, int 
   const bool by_sign = is_minus(a) && !is_minus(b);
   if (by_sign || (a.constant && is_minus(a) == is_minus(b))) return sum(d, b, a, unit);
   Expression e = joined(a, b);
-  e.range = {a.range.low + b.range.low, a.range.high + b.range.high};
+  e.range = a.range + b.range;
   const auto operand = [&](const Expression& x, Binding too_loose) {
     if (x.constant) return constant_text(d, std::abs(*x.constant), unit, e.marks);
     return x.binding <= too_loose ? parenthesized(x.text) : x.text;
@@ -247,7 +243,7 @@ Expression choice(const Datapath& d, const Expression& ab, const Expression& cd,
     return side;
   }
   Expression e = joined(ab, cd);
-  e.range = {std::min(ab.range.low, cd.range.low), std::max(ab.range.high, cd.range.high)};
+  e.range = either(ab.range, cd.range);
   const auto branch = [&](const Expression& x) {
     return x.constant ? constant_text(d, *x.constant, d.one, e.marks) : with_sign(x);
   };

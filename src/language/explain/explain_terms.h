@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "ninebit/combiner/program.h"
+#include "src/combiner/interval.h"
 
 namespace ninebit::explain_detail {
 
-struct Range {
-  int low = 0;
-  int high = 0;
-};
+using Range = IntervalOf<int>;
 
 // The range of each register's components in codes: [register][0] for red, green and blue, [register][1] for alpha.
 using Ranges = std::array<std::array<Range, 2>, kRegisterCount>;

@@ -4,6 +4,7 @@
 
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit::detail {
 namespace {

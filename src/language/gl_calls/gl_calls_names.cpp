@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ninebit/texture_shader/stage_operation.h"
-#include "src/language/source/nearest_name.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
 namespace {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/gl_calls/gl_calls_names.h"

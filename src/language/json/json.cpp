@@ -10,7 +10,7 @@
 #include "src/language/json/json_reader.h"
 #include "src/language/json/json_texture_shader.h"
 #include "src/language/register_words/register_words_layout.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit {
 namespace {

@@ -4,7 +4,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "src/system/printable_text.h"
+#include "src/system/lines.h"
+#include "src/system/quoting.h"
 
 namespace ninebit::json {
 namespace {
@@ -14,9 +15,7 @@ namespace {
 // each token before it reports it, so the cursor need not validate it.
 class Cursor {
  public:
-  explicit Cursor(std::string_view text) : text_(text) {
-    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
-  }
+  explicit Cursor(std::string_view text) : text_(text) { at_ = mark_size(text_); }
 
   // Returns the offset of the next token and moves past it.
   std::size_t next() {

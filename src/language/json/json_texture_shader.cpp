@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ninebit/texture_shader/validate_stages.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::json {
 namespace {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/c_source.h"
 #include "ninebit/language/gl_calls.h"
@@ -13,6 +14,7 @@
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/register_log.h"
 #include "ninebit/language/xbox_pixel_shader.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/stage_program.h"
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/json/text_kind.h"

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cstddef>
 
+#include "src/system/lines.h"
+
 namespace ninebit {
 namespace {
 
@@ -15,7 +17,7 @@ std::string_view after_space(std::string_view text) {
 }  // namespace
 
 std::string_view without_heading(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_mark(text);
   while (true) {
     text = after_space(text);
     if (text.starts_with("/*")) {

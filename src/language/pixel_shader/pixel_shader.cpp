@@ -11,6 +11,7 @@
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/source_faults.h"
 #include "src/language/source/string_literals.h"
+#include "src/system/lines.h"
 
 namespace ninebit {
 namespace {
@@ -22,7 +23,7 @@ using detail::ShaderText;
 
 // Where the first token stands that is neither blank, comment nor a line of the preprocessor.
 std::size_t shader_begin(std::string_view text) {
-  std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  std::size_t at = mark_size(text);
   while (at < text.size()) {
     const std::string_view rest = text.substr(at);
     if (detail::is_blank(rest.front())) {

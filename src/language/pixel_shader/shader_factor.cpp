@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/pixel_shader/shader_stage.h"
 
 namespace ninebit::detail {

@@ -5,6 +5,7 @@
 
 #include "src/language/c_like/c_lexer.h"
 #include "src/language/c_like/c_preprocessor.h"
+#include "src/system/lines.h"
 
 namespace ninebit::detail {
 namespace {
@@ -24,7 +25,7 @@ class PlainShader {
  public:
   PlainShader(std::string_view text, SourceFaults& faults) : out_(text), faults_(faults) {
     bool is_directive = false, line_begins = true;
-    for (at_ = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; at_ < out_.size();) {
+    for (at_ = mark_size(text); at_ < out_.size();) {
       const char c = out_[at_];
       if (c == '\n') {
         line_begins = true;

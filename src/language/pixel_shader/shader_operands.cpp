@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "src/language/pixel_shader/shader_operands.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
 namespace {

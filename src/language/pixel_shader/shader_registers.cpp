@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "ninebit/numerics/hardware_profile.h"
+
 namespace ninebit::detail {
 
 ShaderRegisters::ShaderRegisters(const ShaderText& text, const HardwareProfile& profile, SourceFaults& faults)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/pixel_shader/shader_words.h"
 
 namespace ninebit::detail {

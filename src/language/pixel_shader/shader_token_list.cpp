@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "src/system/lines.h"
+
 namespace ninebit::detail {
 namespace {
 
@@ -95,7 +97,7 @@ std::vector<PlacedToken> bytes_of_file(std::string_view text) {
 
 // Behind a byte order mark and the text that the compiler writes before an array, between #if 0 and #endif.
 std::size_t begin_of_tokens(std::string_view text) {
-  std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  std::size_t at = mark_size(text);
   SourceFaults none({text, {}});
   const bool skips = skip_blanks(text, at, {}, none) && text.substr(at).starts_with("#if 0");
   const std::size_t end = skips ? text.find("\n#endif", at) : std::string_view::npos;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/pixel_shader/shader_stage.h"
 #include "src/language/pixel_shader/shader_stages.h"

@@ -8,6 +8,7 @@
 
 #include "ninebit/combiner/registers.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit::detail {
 
@@ -68,8 +69,7 @@ inline constexpr std::array kRc10Names{Rc10Name{"fog", Register::fog},
 // white space.
 class Rc10Lexer {
  public:
-  Rc10Lexer(std::string_view text, SourceFaults& faults)
-      : text_(text), faults_(faults), at_(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0) {
+  Rc10Lexer(std::string_view text, SourceFaults& faults) : text_(text), faults_(faults), at_(mark_size(text)) {
     advance();
   }
 

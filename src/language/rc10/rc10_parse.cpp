@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "ninebit/language/rc10.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/rc10/rc10_lexer.h"
 #include "src/language/rc10/rc10_parser.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/source_faults.h"
 #include "src/language/source/string_literals.h"
+#include "src/system/lines.h"
 
 namespace ninebit::detail {
 namespace {
@@ -199,7 +201,7 @@ bool has_part(std::string_view text, std::string_view header) {
 
 // The text behind blanks and comments.
 std::string_view without_blanks(std::string_view text) {
-  std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  std::size_t at = mark_size(text);
   detail::SourceFaults none({text, {}});
   return detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, none) ? text.substr(at) : text;
 }
@@ -207,7 +209,7 @@ std::string_view without_blanks(std::string_view text) {
 // The specification requires the header at the very beginning, but real files have comments before it. A missing header
 // is a fault.
 bool begins_with_header(std::string_view text, detail::SourceFaults& faults) {
-  std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  std::size_t at = mark_size(text);
   if (!detail::skip_blanks(text, at, {.hash_comments = true, .heading = {}}, faults)) return false;
   if (text.substr(at).starts_with(detail::kRc10Header)) return true;
   faults.add(at, "expected !!RC1.0 at the beginning; only blanks and comments may come before it");

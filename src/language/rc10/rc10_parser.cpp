@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/language/source/nearest_name.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
 namespace {

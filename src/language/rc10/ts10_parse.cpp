@@ -7,7 +7,7 @@
 
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/rc10/rc10_parser.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
 namespace {

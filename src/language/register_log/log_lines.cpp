@@ -7,9 +7,12 @@
 
 #include "src/language/register_log/log_methods.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit::reglog {
 namespace {
+
+constexpr std::string_view kBlanks = " \t\n\v\f\r";
 
 bool is_letter_of_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -17,12 +20,6 @@ bool is_letter_of_name(char c) {
 
 bool ends_word(char c) {
   return detail::is_blank(c) || std::string_view(",;()<>{}=|\"'").find(c) != std::string_view::npos;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && detail::is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && detail::is_blank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 void split_words(std::string_view line, std::vector<LogToken>& into) {
@@ -57,9 +54,9 @@ void split_fields(std::string_view line, char separator, std::vector<LogToken>& 
     const std::size_t close = quoted ? std::min(line.find('"', start + 1), line.size()) : at;
     const std::size_t end = std::min(line.find(separator, close), line.size());
     if (quoted) {
-      into.push_back({trimmed(line.substr(start + 1, close - start - 1)), 2 + static_cast<int>(start)});
+      into.push_back({trimmed(line.substr(start + 1, close - start - 1), kBlanks), 2 + static_cast<int>(start)});
     } else {
-      const std::string_view field = trimmed(line.substr(at, end - at));
+      const std::string_view field = trimmed(line.substr(at, end - at), kBlanks);
       const std::size_t begin = field.empty() ? at : static_cast<std::size_t>(field.data() - line.data());
       into.push_back({field, 1 + static_cast<int>(begin)});
     }

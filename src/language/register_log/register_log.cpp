@@ -4,12 +4,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/register_log/log_layout.h"
 #include "src/language/register_log/log_methods.h"
 #include "src/language/register_log/log_tracker.h"
 #include "src/language/source/beyond_opengl.h"
-#include "src/language/source/nearest_name.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit {
 namespace reglog {
@@ -45,27 +47,12 @@ class RegisterLogReader::Impl {
       : file_(std::move(file)), options_(options), faults_(file_) {}
 
   void read(std::string_view piece) {
-    while (!piece.empty()) {
-      const std::size_t end = piece.find('\n');
-      const std::string_view part = piece.substr(0, end);
-      if (too_long_ || line_.size() + part.size() > reglog::kLongestLine) {
-        too_long_ = true;
-        line_.clear();
-      } else if (end != std::string_view::npos && line_.empty()) {
-        take(part);
-        piece.remove_prefix(end + 1);
-        continue;
-      } else {
-        line_ += part;
-      }
-      if (end == std::string_view::npos) return;
-      end_line();
-      piece.remove_prefix(end + 1);
-    }
+    pieces_.add(piece);
+    while (const auto line = pieces_.next()) take(*line);
   }
 
   Parsed<RegisterLog> finish() {
-    if (too_long_ || !line_.empty()) end_line();
+    if (const auto line = pieces_.last()) take(*line);
     if (!layout_) decide();
     if (!layout_) {
       faults_.add({}, "no register writes in " + std::to_string(lines_) + (lines_ == 1 ? " line" : " lines") +
@@ -82,20 +69,10 @@ class RegisterLogReader::Impl {
   }
 
  private:
-  void end_line() {
-    if (too_long_) {
-      ++lines_;
-      long_lines_.add(lines_);
-    } else {
-      take(line_);
-    }
-    line_.clear();
-    too_long_ = false;
-  }
-
   void take(std::string_view line) {
-    ++lines_;
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines_ = pieces_.number();
+    if (pieces_.too_long()) return long_lines_.add(lines_);
+    line = without_return(line);
     if (layout_) return follow(line, lines_);
     sample_bytes_ += line.size();
     sample_.emplace_back(line, lines_);
@@ -236,8 +213,7 @@ class RegisterLogReader::Impl {
   std::string file_;
   RegisterLogOptions options_;
   TextFaults faults_;
-  std::string line_;  // what of the current line has come
-  bool too_long_ = false;
+  LinePieces pieces_{reglog::kLongestLine};
   std::uint64_t lines_ = 0, writes_ = 0, guessed_line_ = 1;
   std::vector<std::pair<std::string, std::uint64_t>> sample_;  // the lines that decide the layout
   std::size_t sample_bytes_ = 0;
@@ -296,11 +272,7 @@ bool is_register_log(std::string_view beginning) {
   if (beginning.find('\0') != std::string_view::npos) return false;
   std::vector<std::string_view> lines;
   while (!beginning.empty() && lines.size() < kLines) {
-    const std::size_t end = std::min(beginning.find('\n'), beginning.size());
-    std::string_view line = beginning.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!line.empty()) lines.push_back(line);
-    beginning.remove_prefix(std::min(end + 1, beginning.size()));
+    if (const std::string_view line = take_line(beginning); !line.empty()) lines.push_back(line);
   }
   auto layout = reglog::LogLayout::choose(lines, ChipClass::nv20);
   if (!layout) return false;

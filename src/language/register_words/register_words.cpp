@@ -8,6 +8,7 @@
 #include "src/language/c_like/c_number.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit {
 namespace {
@@ -259,7 +260,7 @@ class PrintedStruct {
 // The text with blanks in place of a byte order mark and comments before its first word.
 std::string without_first_comments(std::string_view text) {
   std::string plain(text);
-  std::size_t begin = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  std::size_t begin = mark_size(text);
   detail::SourceFaults none({text, {}});
   if (!detail::skip_blanks(text, begin, {.hash_comments = true, .heading = {}}, none)) return plain;
   std::replace_if(

@@ -1,9 +1,11 @@
 // Encodes a state as words.
 #include <algorithm>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/register_words/register_words_layout.h"
 
 namespace ninebit {

@@ -11,7 +11,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/register_words.h"
-#include "ninebit/numerics/fixed9.h"
+#include "ninebit/numerics/codes.h"
 #include "src/language/source/source_faults.h"
 
 // Exported because the JSON forms are in a shared library of their own and use these.

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit {
 namespace {
@@ -94,7 +95,7 @@ std::string_view language_of_header(std::string_view header) {
 std::string_view foreign_language(std::string_view text) {
   constexpr std::size_t kLookedAt = std::size_t{1} << 16;
   text = text.substr(0, kLookedAt);
-  std::size_t at = text.starts_with(detail::kByteOrderMark) ? detail::kByteOrderMark.size() : 0;
+  std::size_t at = mark_size(text);
   // #version begins like a comment of !!RC1.0.
   while (at < text.size() && detail::is_blank(text[at])) ++at;
   if (!text.substr(at).starts_with("#version")) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ninebit/language/source_text.h"
-#include "src/system/printable_text.h"
+#include "src/system/quoting.h"
 
 namespace ninebit::detail {
 

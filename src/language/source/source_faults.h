@@ -59,8 +59,6 @@ class SourceFaults {
 
 // Skips white space and comments between two tokens, for the hand-written lexers.
 
-inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // a text may begin with it
-
 // White space and the comments of C and C++ are always skipped. A language may also have these.
 struct Blanks {
   bool hash_comments = false;  // from # to the end of the line

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "src/language/gl_calls/gl_calls_names.h"
-#include "src/language/source/nearest_name.h"
 #include "src/language/source_code/code_machine.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::code {
 namespace {

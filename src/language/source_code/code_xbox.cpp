@@ -3,9 +3,9 @@
 #include <span>
 #include <utility>
 
-#include "src/language/source/nearest_name.h"
 #include "src/language/source_code/code_machine.h"
 #include "src/language/xbox/xbox_expression.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::code {
 namespace {

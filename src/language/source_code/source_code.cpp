@@ -9,10 +9,10 @@
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/foreign_language.h"
-#include "src/language/source/nearest_name.h"
 #include "src/language/source/source_faults.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/source_code/code_machine.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit {
 namespace code {

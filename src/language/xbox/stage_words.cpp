@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/register_words/register_words_layout.h"
 

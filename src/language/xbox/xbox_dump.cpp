@@ -9,6 +9,7 @@
 
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit::xbox {
 namespace {
@@ -37,14 +38,6 @@ void take_prefix(DumpNumber& number) {
 }
 
 }  // namespace
-
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
 
 bool is_hex_number(const DumpNumber& number) {
   return !number.digits.empty() && number.digits.size() <= 2 * kXboxDefinitionBytes &&
@@ -128,11 +121,6 @@ struct Row {
 };
 using Rows = std::vector<Row>;
 
-std::string_view behind_mark(std::string_view text) {
-  if (text.starts_with(detail::kByteOrderMark)) text.remove_prefix(detail::kByteOrderMark.size());
-  return text;
-}
-
 // A number that a dump has: 0x…, or two, four or eight digits, or many bytes without blanks.
 bool is_dump_number(const DumpNumber& number) {
   const std::size_t digits = number.digits.size();
@@ -143,8 +131,8 @@ bool is_dump_number(const DumpNumber& number) {
 // The rows of a text that have any tokens, offsets among their numbers.
 Rows split_rows(std::string_view text) {
   Rows rows;
-  const auto mark = static_cast<int>(text.size() - behind_mark(text).size());
-  text = behind_mark(text);
+  const auto mark = static_cast<int>(text.size() - without_mark(text).size());
+  text = without_mark(text);
   std::size_t found = 0;
   for (int line = 1; !text.empty() && found <= kMostNumbers; ++line) {
     DumpLine split(take_line(text), line);
@@ -308,7 +296,7 @@ bool is_number_list(std::string_view text) {
   constexpr int kLines = 64;
   constexpr std::size_t kLooked = 4096;
   std::size_t found = 0;
-  text = behind_mark(text);
+  text = without_mark(text);
   for (int lines = 0; !text.empty() && found < kFew && lines < kLines; ++lines) {
     DumpLine line(take_line(text).substr(0, kLooked), 1);
     while (const std::optional<DumpNumber> number = line.take()) {

@@ -38,9 +38,6 @@ struct DumpNumbers {
 
 // One line of a hex dump, token by token.
 
-// Takes the first line out of a text; the line has no line feed.
-[[nodiscard]] std::string_view take_line(std::string_view& text);
-
 [[nodiscard]] bool is_hex_number(const DumpNumber& number);
 // Whether a token may be the offset of a row: hexadecimal, or WinDbg's "00000000`00123450".
 [[nodiscard]] bool is_row_offset(const DumpNumber& number);

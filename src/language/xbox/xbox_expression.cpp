@@ -5,7 +5,7 @@
 
 #include "src/language/c_like/c_number.h"
 #include "src/language/register_words/register_words_layout.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 // Values and layouts: Cxbx-Reloaded, XbPixelShader.cpp; xemu, hw/xbox/nv2a/pgraph/psh.h.
 

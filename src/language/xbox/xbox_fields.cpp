@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/source/beyond_opengl.h"
 
 namespace ninebit::xbox {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "src/language/register_words/register_words_layout.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::xbox {
 namespace {

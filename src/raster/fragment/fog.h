@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/raster/pipeline_state.h"
 
 namespace ninebit {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ninebit/numerics/fixed9.h"
 #include "src/raster/fragment/fog.h"
 #include "src/raster/rules/one_fragment.h"
 

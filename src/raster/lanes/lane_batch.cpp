@@ -41,20 +41,33 @@ HWY_INLINE void colors_to_codes(LaneBatch& batch, std::size_t count, const DrawC
 
 // Stores the combiners' results as bytes, see to_byte; components that nothing reads as 0.
 HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const DrawContext& context) {
+  constexpr hn::Repartition<s9, D> codes;
+  constexpr hn::RebindToUnsigned<decltype(codes)> d16;
+  constexpr hn::Half<decltype(d16)> half;
+  constexpr hn::RebindToUnsigned<D> words;
   const HardwareProfile& profile = context.state.profile;
   const int shift = profile.byte_shift;
-  const V one = hn::Set(kD, profile.one);
-  for (std::size_t i = 0; i < count; i += kLaneCount) {
-    V color = hn::Zero(kD);
-    for (std::size_t k = 4; k-- > 0;) {
-      color = hn::ShiftLeft<8>(color);
-      if (!context.wanted_color[k]) continue;
-      const V code = hn::Max(hn::PromoteTo(kD, hn::LoadU(kD16, batch.out.plane[k].data() + i)), hn::Zero(kD));
-      const V wide =
-          shift == 0 ? code : hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
-      color = hn::Or(color, hn::IfThenElse(hn::Lt(code, one), wide, hn::Set(kD, 255)));
-    }
-    hn::Store(color, kD, lanes_of(batch.color.data()) + i);
+  const std::array<bool, 4> wanted = context.wanted_color;
+  const auto below_one = hn::Set(codes, static_cast<s9>(profile.one - 1));
+  for (std::size_t i = 0; i < count; i += 2 * kLaneCount) {
+    // The bytes, in numbers of 16 bits whose upper halves hold anything.
+    const auto bytes = [&](std::size_t k) HWY_ATTR {
+      if (!wanted[k]) return hn::Zero(d16);
+      const auto code = hn::Load(codes, batch.out.plane[k].data() + i);
+      auto wide = code;
+      if (shift != 0) wide = hn::Or(hn::ShiftLeftSame(code, shift), hn::ShiftRightSame(code, 8 - 2 * shift));
+      return hn::BitCast(d16, hn::Or(wide, hn::VecFromMask(codes, hn::Gt(code, below_one))));
+    };
+    const auto pairs = [&](std::size_t low, std::size_t high) HWY_ATTR {
+      return hn::Or(hn::And(bytes(low), hn::Set(d16, 0xFF)), hn::ShiftLeft<8>(bytes(high)));
+    };
+    const auto low = pairs(kRed, kGreen), high = pairs(kBlue, kAlpha);
+    const auto put = [&](hn::Vec<decltype(half)> a, hn::Vec<decltype(half)> b, std::size_t at) HWY_ATTR {
+      const auto color = hn::Or(hn::PromoteTo(words, a), hn::ShiftLeft<16>(hn::PromoteTo(words, b)));
+      hn::Store(color, words, batch.color.data() + at);
+    };
+    put(hn::LowerHalf(half, low), hn::LowerHalf(half, high), i);
+    put(hn::UpperHalf(half, low), hn::UpperHalf(half, high), i + kLaneCount);
   }
 }
 
@@ -95,8 +108,25 @@ HWY_INLINE V stored_colors(const LaneDraw<D>& draw, V colors) {
   return stored_color(VectorValues<D>(), colors, draw.operations.store.masks);
 }
 
-HWY_INLINE V load_stored(const TilePlanes& tile, const LaneFragments::Span& span) {
-  return hn::LoadU(kD, lanes_of(tile.depth_stencil.data()) + span.place);
+// A vector of a span's fragments.
+struct SpanPart {
+  std::size_t place;  // of the first one's pixel
+  std::size_t first;  // fragment
+  std::size_t count;  // of them, or more than a vector holds
+};
+
+// Calls visit(part) for a span's vectors.
+template <class Visit>
+HWY_INLINE void for_parts(const LaneFragments::Span span, const Visit& visit) {
+  std::size_t i = 0;
+  do {
+    visit(SpanPart{span.place + i, span.first + i, span.count - i});
+    i += kLaneCount;
+  } while (HWY_UNLIKELY(i < span.count));
+}
+
+HWY_INLINE V load_stored(const TilePlanes& tile, const SpanPart& part) {
+  return hn::LoadU(kD, lanes_of(tile.depth_stencil.data()) + part.place);
 }
 
 // FragmentStages::culled, or null if no stage culls.
@@ -105,35 +135,38 @@ HWY_INLINE const std::uint8_t* culled_fragments(const LanePass& pass) {
   return culls ? pass.batch->stages->culled() : nullptr;
 }
 
-// Draws the spans [first, end), a vector for each.
+// Draws the spans [first, end).
 HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const LanePass& pass,
                                  const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
   const LaneOperations& operations = draw.operations;
-  const LaneBatch& batch = *pass.batch;
+  const std::int32_t* const batch_colors = lanes_of(pass.batch->color.data());
   const bool by_stencil = pass.draws_by_stencil();
   const std::uint8_t* const culled = culled_fragments(pass);
   const bool writes = operations.depth_write || operations.stencil_write;
   if (operations.are_tests_final && !operations.alpha && !writes) {
-    for (std::size_t s = first; s < end; ++s) {
-      const LaneFragments::Span& span = f.span[s];
-      auto mask = hn::FirstN(kD, span.count);
-      mask = not_culled(culled, span.first, mask);
-      if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, load_stored(tile, span)));
-      hn::BlendedStore(stored_colors(draw, hn::LoadU(kD, lanes_of(batch.color.data()) + span.first)), mask, kD,
-                       lanes_of(tile.color.data()) + span.place);
-    }
+    const bool draws_all = !by_stencil && culled == nullptr;
+    const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
+      std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
+      const V color = stored_colors(draw, hn::LoadU(kD, batch_colors + part.first));
+      // Some processors store masked vectors slowly.
+      if (draws_all && part.count >= kLaneCount) return hn::StoreU(color, kD, to);
+      M mask = not_culled(culled, part.first, hn::FirstN(kD, part.count));
+      if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, load_stored(tile, part)));
+      hn::BlendedStore(color, mask, kD, to);
+    };
+    for (std::size_t s = first; s < end; ++s) for_parts(f.span[s], draw_part);
     return;
   }
-  for (std::size_t s = first; s < end; ++s) {
-    const LaneFragments::Span& span = f.span[s];
-    std::int32_t* const stored = lanes_of(tile.depth_stencil.data()) + span.place;
-    std::int32_t* const colors = lanes_of(tile.color.data()) + span.place;
-    const V color = hn::LoadU(kD, lanes_of(batch.color.data()) + span.first);
+  const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
+    const V color = hn::LoadU(kD, batch_colors + part.first);
     const LaneResult<D> result =
-        operate({draw, f, by_stencil, culled}, span.first, hn::FirstN(kD, span.count), color, hn::LoadU(kD, stored));
-    if (writes) hn::StoreU(result.depth_stencil, kD, stored);
-    if (operations.color) hn::BlendedStore(stored_colors(draw, color), result.drawn, kD, colors);
-  }
+        operate({draw, f, by_stencil, culled}, part.first, hn::FirstN(kD, part.count), color, load_stored(tile, part));
+    if (writes) hn::StoreU(result.depth_stencil, kD, lanes_of(tile.depth_stencil.data()) + part.place);
+    if (operations.color) {
+      hn::BlendedStore(stored_colors(draw, color), result.drawn, kD, lanes_of(tile.color.data()) + part.place);
+    }
+  };
+  for (std::size_t s = first; s < end; ++s) for_parts(f.span[s], draw_part);
 }
 
 // True if spans are worth a vector each: gather instructions are faster below this mean length.
@@ -276,9 +309,13 @@ HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& 
 HWY_INLINE bool any_passes_stencil(const TilePlanes& tile, const LanePass& pass, const LaneFragments& f) {
   const LaneDraw<D> draw(kD, pass.operations, true);
   if (has_long_spans(f)) {
+    M passing = hn::FirstN(kD, 0);
+    const auto test_part = [&](const SpanPart& part) HWY_ATTR {
+      passing = hn::Or(passing, hn::And(hn::FirstN(kD, part.count), stencil_passes(kD, draw, load_stored(tile, part))));
+    };
     for (std::size_t s = 0; s < f.spans; ++s) {
-      const auto passing = stencil_passes(kD, draw, load_stored(tile, f.span[s]));
-      if (!hn::AllFalse(kD, hn::And(hn::FirstN(kD, f.span[s].count), passing))) return true;
+      for_parts(f.span[s], test_part);
+      if (!hn::AllFalse(kD, passing)) return true;
     }
     return false;
   }

@@ -1,4 +1,4 @@
-// One triangle in a pass that asks for equal depth, row by row.
+// One triangle of a pass whose tests gathering decides, row by row.
 #if defined(NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
 #undef NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
@@ -6,8 +6,6 @@
 #define NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
 #endif
 
-#include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,49 +20,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
-// Fragments of triangle k in one row.
-struct RowFragments {
-  int y;
-  std::size_t place;   // in the tile, of the region's first pixel in the row
-  const V* inside;     // of all three edges, from that pixel on
-  std::uint64_t bits;  // for each fragment, from that pixel on
-};
+// How the fragments of a row are found: as the tile's known owners say, or as their depths do in a pass that
+// asks_equal_depth, or all of them in one that tests_nothing.
+enum class Finding { by_owners, by_depths, all };
 
-// Puts the fragments of a row into the batch, span by span.
-HWY_INLINE void push_row(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k, const RowFragments& row) {
-  FragmentReuse& fragments = current.tile.fragments;
-  const std::size_t tile_row = row.place / kTileSize;
-  const std::uint64_t columns = row.bits << row.place % kTileSize;
-  const auto count = static_cast<std::size_t>(std::popcount(row.bits));
-  if (fragments.overlaps(tile_row, columns) || fragments.gathering().count + count > kBatchSize) {
-    flush_lanes(current.tile, current.pass);
-  }
-  fragments.occupy(tile_row, columns);
-  LaneFragments& batch = fragments.gathering();
-  begin_run(batch, current);
-  for (std::uint64_t bits = row.bits; bits != 0;) {
-    const int column = std::countr_zero(bits);
-    const int length = std::min(std::countr_one(bits >> column), kLanes);
-    bits &= ~(((std::uint64_t{1} << length) - 1) << column);
-    const std::size_t at = batch.count, place = row.place + static_cast<std::size_t>(column);
-    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(length),
-                                 static_cast<std::uint16_t>(at)};
-    // The next fragments overwrite what follows the last lane.
-    hn::StoreU(hn::Add(hn::Set(kD, static_cast<std::int32_t>(place)), lane_numbers(kD)), kD,
-               lanes_of(batch.place.data()) + at);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const V inside = hn::Add(row.inside[i], hn::Set(kD, t.inside_x[i][k] * column));
-      const VF edge = edge_at(t, k, i, t.left[k] + column, row.y, inside);
-      hn::StoreU(hn::Mul(edge, hn::Set(kDF, current.corners->inv_w[i])), kDF,
-                 batch.weight[current.corners->corner[i]].data() + at);
-    }
-    batch.count += static_cast<std::size_t>(length);
-  }
-}
-
-// Draws triangle k in a pass that asks_equal_depth: finds the fragments of a whole row before it gathers them. kOwned:
-// compares the tile's known owners instead of depths.
-template <bool kOwned, class Draw>
+// Gathers the fragments of triangle k, a whole row at a time.
+template <Finding kFinding, class Draw>
 HWY_NOINLINE void gather_rows(const Draw& current, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const bool by_stencil = current.pass.gathers_by_stencil();
@@ -76,6 +37,7 @@ HWY_NOINLINE void gather_rows(const Draw& current, const TileTriangles& t, std::
     up[i] = hn::Set(kD, t.inside_y[i][k]);
   }
   DepthLanes z(t, k);
+  const bool all_inside = kFinding == Finding::all && is_full(t, k);
   const int left = t.left[k], columns = t.right[k] - left + 1, top = t.top[k];
   // The triangle may reach beyond the end of the region.
   const std::uint64_t region = ~std::uint64_t{0} >> (kTileSize - columns);
@@ -86,9 +48,9 @@ HWY_NOINLINE void gather_rows(const Draw& current, const TileTriangles& t, std::
   for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
     V e[3] = {row[0], row[1], row[2]};
     V64 z_low = z.row;
-    std::uint64_t bits = 0;
-    for (int column = 0; column < columns; column += kLanes) {
-      if constexpr (kOwned) {
+    std::uint64_t bits = all_inside ? ~std::uint64_t{0} : 0;
+    for (int column = 0; column < columns && !all_inside; column += kLanes) {
+      if constexpr (kFinding == Finding::by_owners) {
         const std::size_t at = row_place + static_cast<std::size_t>(column);
         M mask = hn::Eq(hn::LoadU(kD, owner + at), number);
         if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, hn::LoadU(kD, stored + at)));
@@ -96,7 +58,9 @@ HWY_NOINLINE void gather_rows(const Draw& current, const TileTriangles& t, std::
         continue;
       }
       M mask = hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1));
-      if (!hn::AllFalse(kD, mask)) {
+      if constexpr (kFinding == Finding::all) {
+        bits |= bits_of(kD, mask) << column;
+      } else if (!hn::AllFalse(kD, mask)) {
         const V z24 = find_depths<OneRow>(current, left + column, y, mask, z_low, hn::Add(z_low, z.half));
         const V depth = depth_codes(kD, current.pass, current.primitive, z24);
         const V here = hn::LoadU(kD, stored + row_place + static_cast<std::size_t>(column));

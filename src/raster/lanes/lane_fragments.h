@@ -35,7 +35,7 @@ struct LaneFragments {
     }
   };
 
-  // Fragments side by side in a row of the tile, at most a vector of them.
+  // Fragments side by side in a row of the tile.
   struct Span {
     std::uint16_t place;  // of the first one's pixel in TilePlanes
     std::uint8_t count;

@@ -6,14 +6,17 @@
 #define NINEBIT_RASTER_LANES_LANE_GATHER_INL_H_
 #endif
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 #include "hwy/highway.h"
+#include "src/raster/lanes/lane_depth-inl.h"
 #include "src/raster/lanes/lane_operations-inl.h"
 #include "src/raster/lanes/lane_rows-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
 #include "src/raster/lanes/primitive_draw.h"
+#include "src/raster/lanes/tile_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ninebit::HWY_NAMESPACE {
@@ -117,6 +120,64 @@ HWY_INLINE void push(D d, const PrimitiveDraw& current, std::size_t place, hn::M
     for (std::size_t i = 0; i < 3; ++i) {
       hn::StoreU(hn::Compress(weight[i], float_mask), df, weights + corner[i] * stride);
     }
+  }
+}
+
+// Fragments of triangle k in one row.
+struct RowFragments {
+  int y;
+  std::size_t place;   // in the tile, of the region's first pixel in the row
+  const V* inside;     // of all three edges, from that pixel on
+  std::uint64_t bits;  // for each fragment, from that pixel on
+};
+
+// Puts the fragments of a row into the batch, span by span, without tests.
+HWY_INLINE void push_row(const PrimitiveDraw& current, const TileTriangles& t, std::size_t k, const RowFragments& row) {
+  FragmentReuse& fragments = current.tile.fragments;
+  const std::size_t tile_row = row.place / kTileSize;
+  const std::uint64_t columns = row.bits << row.place % kTileSize;
+  const auto count = static_cast<std::size_t>(std::popcount(row.bits));
+  if (fragments.overlaps(tile_row, columns) || fragments.gathering().count + count > kBatchSize) {
+    flush_lanes(current.tile, current.pass);
+  }
+  fragments.occupy(tile_row, columns);
+  LaneFragments& batch = fragments.gathering();
+  begin_run(batch, current);
+  // Copies: the compiler would read them again for each vector, because what is stored might alias them.
+  const bool is_narrow = t.is_narrow[k];
+  float* weight[3];
+  V step[3];
+  VF inv_w[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    weight[i] = batch.weight[current.corners->corner[i]].data() + batch.count;
+    step[i] = hn::Set(kD, t.inside_x[i][k] * kLanes);
+    inv_w[i] = hn::Set(kDF, current.corners->inv_w[i]);
+  }
+  for (std::uint64_t bits = row.bits; bits != 0; bits &= bits + (bits & -bits)) {
+    const int first = std::countr_zero(bits), end = first + std::countr_one(bits >> first);
+    const auto count_of_span = static_cast<std::size_t>(end - first);
+    const std::size_t place = row.place + static_cast<std::size_t>(first);
+    batch.span[batch.spans++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(count_of_span),
+                                 static_cast<std::uint16_t>(batch.count)};
+    V places = hn::Add(hn::Set(kD, static_cast<std::int32_t>(place)), lane_numbers(kD));
+    V edge[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      edge[i] = hn::Add(row.inside[i], hn::Set(kD, t.inside_x[i][k] * first + t.threshold[i][k]));
+    }
+    // The next fragments overwrite what follows the last lane.
+    std::int32_t* const place_at = lanes_of(batch.place.data()) + batch.count;
+    for (std::size_t at = 0; at < count_of_span; at += kLaneCount) {
+      hn::StoreU(places, kD, place_at + at);
+      places = hn::Add(places, hn::Set(kD, kLanes));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const VF e = HWY_LIKELY(is_narrow) ? hn::ConvertTo(kDF, edge[i])
+                                           : wide_edge(t, k, i, t.left[k] + first + static_cast<int>(at), row.y);
+        hn::StoreU(hn::Mul(e, inv_w[i]), kDF, weight[i] + at);
+        edge[i] = hn::Add(edge[i], step[i]);
+      }
+    }
+    for (float*& to : weight) to += count_of_span;
+    batch.count += count_of_span;
   }
 }
 

@@ -28,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // True where three divisions by one sum use its reciprocal, because vectors divide slowly.
 #if HWY_NATIVE_FMA
-constexpr bool kHasQuotients = kLaneCount == 16;
+constexpr bool kHasQuotients = true;
 #else
 constexpr bool kHasQuotients = false;
 #endif
@@ -52,18 +52,22 @@ constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
 // a triangle lies parallel to the screen.
 template <bool kQuotients>
 HWY_INLINE bool normalize(LaneFragments& f, LaneFragments::Lanes<float>& sums) {
+  const std::size_t count = f.count;
+  // What follows the last fragment has the first one's weights.
+  for (std::size_t k = 0; k < 3; ++k) hn::StoreU(hn::Set(kDF, f.weight[k][0]), kDF, f.weight[k].data() + count);
   const VF first = hn::Set(kDF, (f.weight[0][0] + f.weight[1][0]) + f.weight[2][0]);
   const VF of_first = kQuotients ? hn::Div(hn::Set(kDF, 1.0F), first) : first;
   bool is_one = true;
-  for (std::size_t i = 0; i < f.count; i += kLaneCount) {
+  for (std::size_t i = 0; i < count; i += kLaneCount) {
     const VF w[3] = {hn::Load(kDF, f.weight[0].data() + i), hn::Load(kDF, f.weight[1].data() + i),
                      hn::Load(kDF, f.weight[2].data() + i)};
     const VF sum = hn::Add(hn::Add(w[0], w[1]), w[2]);
     hn::Store(sum, kDF, sums.data() + i);
-    const bool is_first = hn::AllTrue(kDF, hn::Or(hn::Eq(sum, first), hn::Not(hn::FirstN(kDF, f.count - i))));
-    is_one = is_one && is_first;
     VF reciprocal = of_first;
-    if (kQuotients && !is_first) reciprocal = hn::Div(hn::Set(kDF, 1.0F), sum);
+    if (HWY_UNLIKELY(!hn::AllTrue(kDF, hn::Eq(sum, first)))) {
+      is_one = false;
+      if (kQuotients) reciprocal = hn::Div(hn::Set(kDF, 1.0F), sum);
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       hn::Store(kQuotients ? quotient(w[k], sum, reciprocal) : hn::Div(w[k], sum), kDF, f.weight[k].data() + i);
     }

@@ -66,6 +66,7 @@ void LaneOperations::find_consequences(CompareFunction depth_function) {
   tests_change = depth_write || (stencil_write && !(is_constant(front.test) && is_constant(back.test)));
   const bool failures_keep = front.fail_keeps && front.depth_fail_keeps && back.fail_keeps && back.depth_fail_keeps;
   are_tests_final = !tests_change && failures_keep && !replaces_depth;
+  tests_nothing = are_tests_final && !depth && !stencil && !stipples;
   asks_equal_depth = are_tests_final && depth && depth_function == CompareFunction::equal && !two_sided && !stipples;
   is_nearest_alone = depth_write && depth_function == CompareFunction::less && !alpha && !stencil && !stipples;
   const bool farther_fails = depth_function == CompareFunction::less || depth_function == CompareFunction::lequal ||

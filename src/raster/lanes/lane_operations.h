@@ -63,6 +63,8 @@ struct LaneOperations {
   bool are_tests_final = false;
   // True if, in addition, the depth test is EQUAL, the stencil test the same for both facings, and nothing is stippled.
   bool asks_equal_depth = false;
+  // True if no test leaves a fragment out when it is gathered.
+  bool tests_nothing = false;
   bool stencil_decides = false;  // true if the stencil test may fail
   // True if a fragment that is farther than the stored depth changes nothing.
   bool loses_farther = false;

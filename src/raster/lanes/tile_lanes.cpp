@@ -76,8 +76,13 @@ HWY_INLINE void draw_placed(const Draw& current, const TileTriangles& t, std::si
     using Rows = SeveralRows<2>;
     if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(current, t, k);
   }
-  if (kDrawing == Drawing::gathers && current.pass.operations.asks_equal_depth) {
-    return current.tile.owners.are_known ? gather_rows<true>(current, t, k) : gather_rows<false>(current, t, k);
+  if constexpr (kDrawing == Drawing::gathers) {
+    const LaneOperations& operations = current.pass.operations;
+    if (operations.tests_nothing) return gather_rows<Finding::all>(current, t, k);
+    if (operations.asks_equal_depth) {
+      return current.tile.owners.are_known ? gather_rows<Finding::by_owners>(current, t, k)
+                                           : gather_rows<Finding::by_depths>(current, t, k);
+    }
   }
   // Only large triangles cover regions so wide.
   if (columns >= 2 * kLanes && is_full(t, k)) return draw_triangle<kDrawing, true>(current, t, k);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "hwy/cache_control.h"
 #include "src/numerics/simd_targets.h"
 #include "src/raster/lanes/tile_row.h"
 #include "src/raster/surface/color_words.h"
@@ -21,7 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 void load_rows(TilePlanes&, TileRow, int, int) {}
 void store_rows(const TilePlanes&, TileRow, int, int) {}
 void find_farthest(const TilePlanes&, FarthestDepths&) {}
-void fill_planes(TilePlanes&, std::uint32_t, std::uint32_t) {}
+void fill_words(TileWords&, std::uint32_t) {}
 
 #else
 
@@ -76,11 +77,22 @@ struct ColorLanes {
   }
 };
 
+// kStreams: past the caches, to an aligned address.
+template <bool kStreams, class D, class T>
+HWY_INLINE void put(hn::Vec<D> v, D d, T* to) {
+  if constexpr (kStreams) {
+    hn::Stream(v, d, to);
+  } else {
+    hn::StoreU(v, d, to);
+  }
+}
+
 // Copies a row of colour words, at any address.
+template <bool kStreams>
 HWY_INLINE void copy_words(const void* from, void* to) {
   for (std::size_t i = 0; i < kTileSize; i += kLanes) {
     const auto words = hn::LoadU(kBytes, static_cast<const std::uint8_t*>(from) + 4 * i);
-    hn::StoreU(words, kBytes, static_cast<std::uint8_t*>(to) + 4 * i);
+    put<kStreams>(words, kBytes, static_cast<std::uint8_t*>(to) + 4 * i);
   }
 }
 
@@ -94,7 +106,7 @@ void load_row(TilePlanes& tile, const TileRow& from, std::size_t place) {
     }
   }
   if (!tile.contents.has_color()) return;
-  if (tile.colors_are_words) return copy_words(from.color[0].data, tile.color.data() + place);
+  if (tile.colors_are_words) return copy_words<false>(from.color[0].data, tile.color.data() + place);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -105,24 +117,25 @@ void load_row(TilePlanes& tile, const TileRow& from, std::size_t place) {
   }
 }
 
-void store_row(const TilePlanes& tile, const TileRow& to, std::size_t place) {
+template <bool kStreams>
+HWY_INLINE void store_row(const TilePlanes& tile, const TileRow& to, std::size_t place) {
   const std::uint32_t* const depth_stencil = tile.depth_stencil.data() + place;
   for (std::size_t i = 0; i < kTileSize && tile.contents.writes_depth; i += kLanes) {
-    hn::StoreU(hn::ShiftRight<8>(hn::Load(kD32, depth_stencil + i)), kD32, to.depth.data + i);
+    put<kStreams>(hn::ShiftRight<8>(hn::Load(kD32, depth_stencil + i)), kD32, to.depth.data + i);
   }
   for (std::size_t i = 0; i < kTileSize && tile.contents.writes_stencil; i += kQuads * kLanes) {
     V32 v[kQuads];
     for (std::size_t q = 0; q < kQuads; ++q) v[q] = sorted_bytes(hn::Load(kD32, depth_stencil + i + q * kLanes));
     const V32 values = hn::ConcatEven(kD32, hn::ConcatEven(kD32, v[3], v[2]), hn::ConcatEven(kD32, v[1], v[0]));
-    hn::StoreU(hn::BitCast(kBytes, values), kBytes, to.stencil.data + i);
+    put<kStreams>(hn::BitCast(kBytes, values), kBytes, to.stencil.data + i);
   }
   if (!tile.contents.has_color()) return;
-  if (tile.colors_are_words) return copy_words(tile.color.data() + place, to.color[0].data);
+  if (tile.colors_are_words) return copy_words<kStreams>(tile.color.data() + place, to.color[0].data);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
     color.load(tile.color.data() + place + i);
     for (std::size_t k = 0; k < 4; ++k) {
-      if (tile.contents.color[k]) hn::StoreU(hn::BitCast(kBytes, color.v[k]), kBytes, to.color[k].data + i);
+      if (tile.contents.color[k]) put<kStreams>(hn::BitCast(kBytes, color.v[k]), kBytes, to.color[k].data + i);
     }
   }
 }
@@ -133,15 +146,18 @@ void load_rows(TilePlanes& tile, TileRow from, int row, int count) {
 }
 
 void store_rows(const TilePlanes& tile, TileRow to, int row, int count) {
-  for (int y = row; y < row + count; ++y, to.move_up()) store_row(tile, to, static_cast<std::size_t>(y * kTileSize));
+  const auto place = [](int y) { return static_cast<std::size_t>(y * kTileSize); };
+  if (!tile.streams) {
+    for (int y = row; y < row + count; ++y, to.move_up()) store_row<false>(tile, to, place(y));
+    return;
+  }
+  for (int y = row; y < row + count; ++y, to.move_up()) store_row<true>(tile, to, place(y));
+  hwy::FlushStream();
 }
 
-void fill_planes(TilePlanes& tile, std::uint32_t depth_stencil, std::uint32_t color) {
+void fill_words(TileWords& words, std::uint32_t value) {
   static_assert(kTileWords % kLanes == 0);
-  for (std::size_t i = 0; i < kTileWords; i += kLanes) {
-    hn::Store(hn::Set(kD32, depth_stencil), kD32, tile.depth_stencil.data() + i);
-    hn::Store(hn::Set(kD32, color), kD32, tile.color.data() + i);
-  }
+  for (std::size_t i = 0; i < kTileWords; i += kLanes) hn::Store(hn::Set(kD32, value), kD32, words.data() + i);
 }
 
 void find_farthest(const TilePlanes& tile, FarthestDepths& to) {
@@ -174,7 +190,7 @@ namespace {
 HWY_EXPORT(load_rows);
 HWY_EXPORT(store_rows);
 HWY_EXPORT(find_farthest);
-HWY_EXPORT(fill_planes);
+HWY_EXPORT(fill_words);
 
 // A row of which only some pixels may be drawn: the draw's pixels are copied to and from it.
 struct Staging {
@@ -239,6 +255,35 @@ bool any_gap(const RenderTarget& target, const TileContents& contents, bool colo
   return gaps;
 }
 
+// True if what the target's tiles are cleared to and drawn is better stored past the caches: planes that are too large
+// for the caches of a core, whose old contents nothing reads. Elsewhere each line would first be fetched, and the next
+// pass finds small maps in the caches.
+bool streams_rows(const RenderTarget& target, const TileContents& contents, bool has_gaps) {
+  constexpr std::size_t kSmall = std::size_t{1} << 22;  // bytes
+  constexpr std::size_t kLine = 64;
+  if (!contents.clears || has_gaps) return false;
+  std::size_t bytes_a_pixel = 0;
+  bool are_aligned = true;
+  const auto take = [&](const auto& plane) {
+    if (!plane) return;
+    const std::size_t size = sizeof(*plane.data);
+    bytes_a_pixel += size;
+    are_aligned = are_aligned && reinterpret_cast<std::uintptr_t>(plane.data) % kLine == 0 &&
+                  static_cast<std::size_t>(plane.stride) * size % kLine == 0;
+  };
+  if (contents.writes_depth) take(target.depth);
+  if (contents.writes_stencil) take(target.stencil);
+  // Of words, only red's address is that of the line.
+  if (has_color_words(target, contents)) {
+    take(target.color[0]);
+    bytes_a_pixel += 3;
+  } else {
+    for (const Plane<std::uint8_t>& plane : target.color) take(plane);
+  }
+  return are_aligned &&
+         bytes_a_pixel * static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height) > kSmall;
+}
+
 // True if vectors can read and write the target's rows.
 bool has_whole_rows(const TilePlanes& tile) {
   return tile.pixels.right - tile.pixels.left == kTileSize && !tile.has_gaps;
@@ -250,7 +295,8 @@ TilePlanes::TilePlanes(const RenderTarget& render_target, const TileContents& pl
     : target(render_target),
       contents(planes),
       colors_are_words(has_color_words(target, contents)),
-      has_gaps(any_gap(target, contents, colors_are_words)) {}
+      has_gaps(any_gap(target, contents, colors_are_words)),
+      streams(streams_rows(target, contents, has_gaps)) {}
 
 void TilePlanes::move_to(const PixelBox& drawn) {
   pixels = drawn;
@@ -278,7 +324,8 @@ void fill_tile(TilePlanes& tile, const ClearValues& values) {
     }
   };
   TileRow row = first_row(tile, tile.contents.writes_depth, tile.contents.writes_stencil);
-  for (int y = tile.pixels.bottom; y < tile.pixels.top && has_whole_rows(tile); ++y, row.move_up()) {
+  const bool fetches = has_whole_rows(tile) && !tile.streams;
+  for (int y = tile.pixels.bottom; y < tile.pixels.top && fetches; ++y, row.move_up()) {
     fetch(row.depth);
     fetch(row.stencil);
     for (std::size_t k = 0; k < (tile.colors_are_words ? 1 : 4); ++k) fetch(row.color[k]);
@@ -287,8 +334,11 @@ void fill_tile(TilePlanes& tile, const ClearValues& values) {
   const std::array<std::uint8_t, 4> stored = stored_color(tile.target.color_format, values.color);
   std::uint32_t color = 0;
   std::memcpy(&color, stored.data(), sizeof(color));
-  HWY_DYNAMIC_DISPATCH(fill_planes)
-  (tile, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil), color);
+  HWY_DYNAMIC_DISPATCH(fill_words)(tile.color, color);
+  if (tile.keeps_depth_stencil) return;
+  HWY_DYNAMIC_DISPATCH(fill_words)
+  (tile.depth_stencil, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
+  tile.keeps_depth_stencil = !tile.contents.draws_depth_stencil;
 }
 
 void store_tile(const TilePlanes& tile) {

@@ -25,6 +25,8 @@ struct TileContents {
   bool writes_depth = false;
   bool writes_stencil = false;
   std::array<bool, 4> color{};  // held and written back
+  bool draws_depth_stencil = false;  // true if a pass writes depth or stencil
+  bool clears = false;          // true if tiles begin with clear values: all planes are held and written
 
   [[nodiscard]] bool has_color() const { return color[0] || color[1] || color[2] || color[3]; }
 };
@@ -40,9 +42,12 @@ struct TilePlanes {
   const TileContents contents;
   const bool colors_are_words;  // true if the target's colours lie in memory as they do here
   const bool has_gaps;          // true if planes have other gaps between samples, which vectors cannot skip
+  const bool streams;           // true if whole rows are stored past the caches
 
   PixelBox pixels{};         // the pixels that may be drawn
   int left = 0, bottom = 0;  // the tile's lowest corner
+  // True once depth and stencil have been filled with clear values that no pass changes: they serve the next tiles, too.
+  bool keeps_depth_stencil = false;
 
   alignas(64) TileWords depth_stencil{};  // depth code × 256 + stencil value
   alignas(64) TileWords color{};          // red in the lowest byte, alpha in the highest

@@ -173,8 +173,10 @@ void TextureSampler::ByteSampler::filter(const TextureCoordinates& at, std::size
   const std::size_t components = level_.cube ? 3 : 2;
   const auto value = whole_batch(at.value, first, count, components, room);
   if (!needs_detail_) return filter_words(words_, rules_.filter, value, nullptr, count, to.words);
-  if (at.one_change && !level_.cube) {
-    to.lambda_q8.fill(one_detail_q8(level_, at));
+  to.levels.are_same = at.one_change && !level_.cube;
+  const std::size_t chosen = to.levels.are_same ? kMostLanes : count;
+  if (to.levels.are_same) {
+    std::fill_n(to.lambda_q8.begin(), chosen, one_detail_q8(level_, at));
   } else if (level_.cube) {
     for (std::size_t i = 0; i < count; ++i) to.lambda_q8[i] = cube_detail_q8(level_.width, at, first + i);
     std::fill(to.lambda_q8.begin() + static_cast<std::ptrdiff_t>(count), to.lambda_q8.end(), 0);
@@ -182,8 +184,8 @@ void TextureSampler::ByteSampler::filter(const TextureCoordinates& at, std::size
     const auto dx = whole_batch(at.dx, first, count, 2, dx_room), dy = whole_batch(at.dy, first, count, 2, dy_room);
     find_detail(level_.width, level_.height, {dx[0], dy[0]}, {dx[1], dy[1]}, count, to.lambda_q8);
   }
-  for (std::size_t i = 0; i < count; ++i) to.lambda_q8[i] += lod_bias_q8_;
-  choose_levels(rules_, to.lambda_q8, count, to.levels);
+  for (std::size_t i = 0; i < chosen; ++i) to.lambda_q8[i] += lod_bias_q8_;
+  choose_levels(rules_, to.lambda_q8, chosen, to.levels);
   filter_words(words_, rules_.filter, value, &to.levels, count, to.words);
 }
 
@@ -237,8 +239,6 @@ void TextureSampler::ByteSampler::fetch(std::size_t component, const Lanes& lane
 void TextureSampler::ByteSampler::read_component(const Texels& texels, std::size_t component, std::size_t count,
                                                  s9* to) const {
   if (method_ == Method::nearest) return fetch(component, texels.nearest, texels.nearest.offset, count, to);
-  if (method_ == Method::nearest_words || method_ == Method::filtered_words)
-    return split_words(texels.words, static_cast<int>(component), count, to);
   CornerBytes corner;
   for (std::size_t k = 0; k < 4; ++k) {
     fetch(component, texels.linear, texels.linear.offset[k], count, corner[k].data());
@@ -261,22 +261,27 @@ void TextureSampler::ByteSampler::sample(const TextureCoordinates& at, std::size
                                          const std::array<s9*, 4>& codes) const {
   Texels texels;
   find_texels(at, first, count, texels);
+  // The first component that reads each one of the texel; the others copy its codes.
+  std::array<s9*, 4> to{};
+  for (std::size_t out = 4; out-- > 0;) {
+    if (source_[out] >= 0) to[static_cast<std::size_t>(source_[out])] = codes[out] + first;
+  }
+  if (method_ == Method::nearest_words || method_ == Method::filtered_words) {
+    split_words(texels.words, byte_shift_, count, to);
+  } else {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (to[k] == nullptr) continue;
+      read_component(texels, k, count, to[k]);
+      for (std::size_t i = 0; i < count && byte_shift_ != 0; ++i) to[k][i] = static_cast<s9>(to[k][i] >> byte_shift_);
+    }
+  }
   for (std::size_t out = 0; out < 4; ++out) {
-    s9* const to = codes[out] + first;
+    s9* const codes_out = codes[out] + first;
     if (source_[out] < 0) {
-      std::fill_n(to, count, constant_[out]);
-      continue;
+      std::fill_n(codes_out, count, constant_[out]);
+    } else if (const s9* const from = to[static_cast<std::size_t>(source_[out])]; from != codes_out) {
+      std::copy_n(from, count, codes_out);
     }
-    // The first component that reads the same one of the texel.
-    const auto twin =
-        static_cast<std::size_t>(std::find(source_.begin(), source_.end(), source_[out]) - source_.begin());
-    if (twin < out) {
-      std::copy_n(codes[twin] + first, count, to);
-      continue;
-    }
-    read_component(texels, static_cast<std::size_t>(source_[out]), count, to);
-    if (byte_shift_ == 0) continue;
-    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(to[i] >> byte_shift_);
   }
 }
 

@@ -38,7 +38,7 @@ struct Axis {
   Wrap wrap;
   HWY_INLINE Axis(VI side, Wrap mode)
       : size(hn::ConvertTo(kDF, side)),
-        inverse(hn::Div(set(1.0F), size)),
+        inverse(hn::BitCast(kDF, hn::Sub(hn::Set(kDI, 2 * (127 << 23)), hn::BitCast(kDI, size)))),  // by exponents
         last(hn::Sub(side, hn::Set(kDI, 1))),
         wrap(mode) {}
 };
@@ -71,9 +71,22 @@ HWY_INLINE VF clamped(const Axis& axis, VF s) {
   return hn::Mul(hn::Min(s, set(1.0F)), axis.size);
 }
 
+// True if whole_bits() may be called. (Elsewhere floats have to be wrapped before they become integers.)
+HWY_INLINE bool have_whole_bits(VF v) {
+  return hn::AllTrue(kDF, hn::Lt(hn::Abs(v), set(0x1p22F - 256.0F)));
+}
+
+// The lowest 22 bits of whole + more; the others mean nothing. Whole numbers wrap in them: a side has at most 2^14
+// texels, in steps of weights 2^22. Faster than a conversion, which cares for numbers that do not fit.
+HWY_INLINE VI whole_bits(VF whole, int more) {
+  return hn::BitCast(kDI, hn::Add(whole, set(0x1.8p23F + static_cast<float>(more))));
+}
+
 // nearest_texel; no step rounds a float. The modes that clamp differ only in the border, which NEAREST never reads.
 HWY_INLINE VI texel_along(const Axis& axis, VF s) {
   if (axis.wrap == Wrap::repeat) {
+    const VF texels = hn::Mul(s, axis.size);
+    if (HWY_LIKELY(have_whole_bits(texels))) return hn::And(whole_bits(hn::Floor(texels), 0), axis.last);
     const VF u = hn::Floor(hn::Mul(near_enough(s), axis.size));
     return hn::ConvertTo(kDI, remainder(u, axis.size, axis.inverse));
   }
@@ -99,13 +112,12 @@ HWY_INLINE VI texels_along(const Axis& axis, VF s, const Rules& rules, VI& secon
   const int bits = rules.weight_bits;
   const float one = static_cast<float>(1 << bits);
   if (axis.wrap == Wrap::repeat && rules.cuts_weights) {
-    // Whole numbers wrap by their low bits.
     const VF steps = hn::Mul(s, hn::Mul(axis.size, set(one)));
-    if (hn::AllTrue(kDF, hn::Lt(hn::Abs(steps), set(0x1p30F)))) {
-      const VI fixed = hn::Sub(hn::ConvertTo(kDI, hn::Floor(steps)), hn::Set(kDI, (1 << bits) / 2));
+    if (HWY_LIKELY(have_whole_bits(steps))) {
+      const VI fixed = whole_bits(hn::Floor(steps), -(1 << bits) / 2);
       const VI first = hn::ShiftRightSame(fixed, bits);
       weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));
-      second = hn::And(hn::Add(first, hn::Set(kDI, 1)), axis.last);
+      second = hn::And(hn::Sub(first, hn::Set(kDI, -1)), axis.last);  // all ones: no load
       return hn::And(first, axis.last);
     }
   }

@@ -100,14 +100,33 @@ void find_linear(const LaneLevel& level, const FilterRules& rules, const std::ar
   to.one_face = all_like_first(to.face, count);
 }
 
-void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
+void split_words(const LaneWords& words, int byte_shift, std::size_t count, const std::array<s9*, 4>& to) {
   std::size_t lane = 0;
-  for (; lane + hn::Lanes(kDF) <= count; lane += hn::Lanes(kDF)) {
-    const VI word = hn::BitCast(kDI, hn::LoadU(hn::RebindToUnsigned<DI>(), words.data() + lane));
-    const VI value = hn::And(hn::ShiftRightSame(word, 8 * byte), hn::Set(kDI, 0xFF));
-    hn::StoreU(hn::DemoteTo(kD16, value), kD16, to + lane);
+#if HWY_TARGET != HWY_SCALAR  // its words have no halves
+  constexpr hn::RepartitionToNarrow<hn::RebindToUnsigned<DI>> d16;
+  constexpr hn::RebindToSigned<decltype(d16)> codes;
+  constexpr std::size_t kWords = hn::MaxLanes(d16) / 2;
+  const auto* const halves = reinterpret_cast<const std::uint16_t*>(words.data());
+  for (; lane + 2 * kWords <= count; lane += 2 * kWords) {
+    const auto first = hn::LoadU(d16, halves + 2 * lane), second = hn::LoadU(d16, halves + 2 * (lane + kWords));
+    const auto low = hn::ConcatEven(d16, second, first), high = hn::ConcatOdd(d16, second, first);
+    const auto put = [&](std::size_t byte, hn::Vec<decltype(d16)> v) HWY_ATTR {
+      if (to[byte] == nullptr) return;
+      if (byte_shift != 0) v = hn::ShiftRightSame(v, byte_shift);
+      hn::StoreU(hn::BitCast(codes, v), codes, to[byte] + lane);
+    };
+    const auto bits = hn::Set(d16, 0xFF);
+    put(0, hn::And(low, bits));
+    put(1, hn::ShiftRight<8>(low));
+    put(2, hn::And(high, bits));
+    put(3, hn::ShiftRight<8>(high));
   }
-  for (; lane < count; ++lane) to[lane] = static_cast<s9>(words[lane] >> (8 * byte) & 0xFF);
+#endif
+  for (std::size_t byte = 0; byte < 4; ++byte) {
+    for (std::size_t i = lane; i < count && to[byte] != nullptr; ++i) {
+      to[byte][i] = static_cast<s9>((words[i] >> (8 * byte) & 0xFF) >> byte_shift);
+    }
+  }
 }
 
 void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, const FilterRules& rules, std::size_t count,
@@ -156,8 +175,8 @@ void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 
   HWY_DYNAMIC_DISPATCH(fetch_nearest_words)(level, at, texels, count, to);
 }
 
-void split_words(const LaneWords& words, int byte, std::size_t count, s9* to) {
-  HWY_DYNAMIC_DISPATCH(split_words)(words, byte, count, to);
+void split_words(const LaneWords& words, int byte_shift, std::size_t count, const std::array<s9*, 4>& to) {
+  HWY_DYNAMIC_DISPATCH(split_words)(words, byte_shift, count, to);
 }
 
 void weigh_linear(const LinearLanes& lanes, const CornerBytes& corner, const FilterRules& rules, std::size_t count,

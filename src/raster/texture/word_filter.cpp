@@ -106,9 +106,8 @@ struct Places {
   VF s, t;
 };
 
-HWY_INLINE VU read_words(const WordLevels& texture, VI offset) {
-  const VU word = hn::GatherIndex(kDU, reinterpret_cast<const std::uint32_t*>(texture.first), offset);
-  return hn::Xor(word, hn::Set(kDU, texture.flip));
+HWY_INLINE VU gather_words(const WordLevels& texture, VI offset) {
+  return hn::GatherIndex(kDU, reinterpret_cast<const std::uint32_t*>(texture.first), offset);
 }
 
 // A level of each fragment.
@@ -162,12 +161,18 @@ HWY_INLINE WordTaps read_taps(const WordLevels& texture, const Rules& rules, con
   }
   const VI low_row = hn::Add(level.begin, hn::Mul(low, level.stride));
   const VI high_row = hn::Add(level.begin, hn::Mul(above, level.stride));
-  return {read_words(texture, hn::Add(low_row, left)),
-          read_words(texture, hn::Add(low_row, right)),
-          read_words(texture, hn::Add(high_row, left)),
-          read_words(texture, hn::Add(high_row, right)),
-          hn::BitCast(kDU, u),
-          hn::BitCast(kDU, v)};
+  WordTaps taps{gather_words(texture, hn::Add(low_row, left)),
+                gather_words(texture, hn::Add(low_row, right)),
+                gather_words(texture, hn::Add(high_row, left)),
+                gather_words(texture, hn::Add(high_row, right)),
+                hn::BitCast(kDU, u),
+                hn::BitCast(kDU, v)};
+  if (HWY_UNLIKELY(texture.flip != 0)) {
+    for (VU* const word : {&taps.low_left, &taps.low_right, &taps.high_left, &taps.high_right}) {
+      *word = hn::Xor(*word, hn::Set(kDU, texture.flip));
+    }
+  }
+  return taps;
 }
 
 // The words of fragments from i on, whose levels are `levels`.
@@ -212,33 +217,48 @@ HWY_INLINE std::int32_t face_step(const WordLevels& texture) {
   return is_same ? step : 0;
 }
 
-// Level 0, filtered linearly.
-template <class Sum, class Rules>
-HWY_INLINE void filter_base(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
-                            std::size_t count, LaneWords& to) {
-  const VI zero = hn::Zero(kDI);
-  const Level base(texture, 0);
+// Fragments that all read the same levels: those of the first, or level 0 linearly without `levels`.
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE void filter_same(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
+                            const LevelLanes* levels, std::size_t count, LaneWords& to) {
+  const int bits = rules.weight_bits;
+  const int level = levels == nullptr ? 0 : levels->level[0];
+  const bool has_next = levels != nullptr && levels->has_next;
+  const VI linear = hn::Zero(kDI);  // read where not kAllLinear
+  const VU next = hn::Set(kDU, has_next ? static_cast<std::uint32_t>(levels->next[0]) : 0);
+  const Level fine(texture, level), coarse(texture, std::min(level + 1, texture.count - 1));
   const std::int32_t step = face_step(texture);
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
-    const WordTaps taps =
-        texture.cube ? read_taps<true, true>(texture, rules, places, base.of_faces(texture, places.face, step), zero)
-                     : read_taps<true>(texture, rules, places, base, zero);
-    const VU words = Sum(taps, rules.weight_bits).words(rules.weight_bits, false);
-    hn::StoreU(hn::Xor(words, hn::Set(kDU, texture.flip)), kDU, to.data() + i);
+    // Calls by name: the compiler would not inline a lambda.
+
+    Sum sum(texture.cube
+                ? read_taps<kAllLinear, true>(texture, rules, places, fine.of_faces(texture, places.face, step), linear)
+                : read_taps<kAllLinear>(texture, rules, places, fine, linear),
+            bits);
+    if (has_next) sum.blend(Sum(read_taps<kAllLinear>(texture, rules, places, coarse, linear), bits), next, bits);
+    hn::StoreU(hn::Xor(sum.words(bits, has_next), hn::Set(kDU, texture.flip)), kDU, to.data() + i);
+  }
+}
+
+template <class Sum, bool kAllLinear, class Rules>
+HWY_INLINE void filter_all(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
+                           const LevelLanes* levels, std::size_t count, LaneWords& to) {
+  if (levels == nullptr || levels->are_same) {
+    filter_same<Sum, kAllLinear>(texture, rules, at, levels, count, to);
+  } else {
+    filter_levels<Sum, kAllLinear>(texture, rules, at, *levels, count, to);
   }
 }
 
 template <class Sum, class Rules>
 HWY_INLINE void filter_by(const WordLevels& texture, const Rules& rules, const std::array<const float*, 3>& at,
                           const LevelLanes* levels, std::size_t count, LaneWords& to) {
-  if (levels == nullptr) {
-    filter_base<Sum>(texture, rules, at, count, to);
-  } else if (levels->all_linear) {
-    filter_levels<Sum, true>(texture, rules, at, *levels, count, to);
+  if (levels == nullptr || levels->all_linear) {
+    filter_all<Sum, true>(texture, rules, at, levels, count, to);
   } else {
-    filter_levels<Sum, false>(texture, rules, at, *levels, count, to);
+    filter_all<Sum, false>(texture, rules, at, levels, count, to);
   }
 }
 

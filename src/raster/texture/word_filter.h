@@ -35,13 +35,14 @@ struct LevelRules {
   FilterRules filter;
 };
 
-// The levels that each fragment reads.
+// The levels that each fragment reads. If they are_same for all, those of the first are there.
 struct LevelLanes {
   alignas(64) LaneIntegers level;
   alignas(64) LaneIntegers next;    // weight of level + 1 in 1/2^weight bits
   alignas(64) LaneIntegers linear;  // -1 where the filter is linear within a level, else 0
   bool has_next;                    // true if any weight is not 0
   bool all_linear;
+  bool are_same;  // for fragments on one face; set by the caller
 };
 
 // The changes of s, or of t, to the fragment on the right and to the one above.

@@ -59,30 +59,41 @@ void name_picture(const NamedFiles& beside, const std::string& name, SceneTextur
   }
 }
 
-namespace {
-
-Result<Scene> scene_in(std::string_view content, const std::filesystem::path& file, std::uint64_t most_triangles) {
-  const std::string extension = file.extension().string();
-  const auto is = [&](std::string_view other) {
-    return std::equal(extension.begin(), extension.end(), other.begin(), other.end(), [](char a, char b) {
-      return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
-    });
-  };
-  const NamedFiles beside = NamedFiles::alone(file);
-  if (is(".obj")) return read_obj(content, beside);
-  if (is(".off")) return read_off(content);
-  if (is(".ply")) return read_ply(content);
-  if (!is(".gltf") && !is(".glb")) return fault_of("is not read here; expected a .gltf, .glb, .obj, .ply or .off file");
-  SceneReadOptions options;
-  options.most_triangles = most_triangles;
-  return read_gltf({file, beside}, content, is(".glb"), options);
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
 }
 
-}  // namespace
+std::optional<Result<Scene>> read_own_format(const SceneFile& from, std::string_view content,
+                                             std::string_view extension, const SceneReadOptions& options) {
+  if (extension == ".obj") return read_obj(content, from.beside);
+  if (extension == ".off") return read_off(content);
+  if (extension == ".ply") return read_ply(content);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(from, content, extension == ".glb", options);
+  return std::nullopt;
+}
+
+void name_and_turn(const std::filesystem::path& file, std::optional<UpAxis> up, Scene& scene) {
+  scene.name = file.filename().string();
+  if (!up || *up == scene.up) return;
+  turn_up(*up, scene);
+  scene.up = *up;
+}
 
 Result<Scene> scene_of_bytes(std::string_view content, const std::string& name, std::optional<UpAxis> up,
                              std::uint64_t most_triangles) {
-  Result<Scene> scene = content.empty() ? fault_of("is empty") : scene_in(content, name, most_triangles);
+  const std::filesystem::path file = name;
+  SceneReadOptions options;
+  options.most_triangles = most_triangles;
+  Result<Scene> scene = fault_of("is empty");
+  if (!content.empty()) {
+    const NamedFiles beside = NamedFiles::alone(file);
+    scene = read_own_format({file, beside}, content, lower_extension(file), options)
+                .value_or(fault_of("is not read here; expected a .gltf, .glb, .obj, .ply or .off file"));
+  }
   if (scene && scene->triangles.empty()) scene = fault_of("has no triangles");
   if (scene && scene->triangles.size() > most_triangles) {
     scene = fault_of("has more than " + std::to_string(most_triangles) + " triangles");
@@ -93,11 +104,7 @@ Result<Scene> scene_of_bytes(std::string_view content, const std::string& name, 
     fault.file = name;
     return fault;
   }
-  scene->name = std::filesystem::path(name).filename().string();
-  if (up && *up != scene->up) {
-    turn_up(*up, *scene);
-    scene->up = *up;
-  }
+  name_and_turn(file, up, *scene);
   return scene;
 }
 

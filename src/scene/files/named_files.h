@@ -1,4 +1,4 @@
-// The files that a scene file refers to.
+// The files that a scene file refers to, and the formats that ninebit reads itself.
 #pragma once
 
 #include <cstdint>
@@ -50,6 +50,19 @@ class NamedFiles {
 
 // Names a picture: sets its name and file, or the fault of a name that may not be read. Opens no file.
 void name_picture(const NamedFiles& beside, const std::string& name, SceneTexture& out);
+
+// The extension of a file in lower case: ".obj".
+[[nodiscard]] std::string lower_extension(const std::filesystem::path& file);
+
+struct SceneFile;
+
+// Reads a file of a format that ninebit reads itself: .gltf, .glb, .obj, .ply or .off; glTF 1.0 and compressed meshes
+// need their libraries. Nothing for another extension.
+[[nodiscard]] std::optional<Result<Scene>> read_own_format(const SceneFile& from, std::string_view content,
+                                                           std::string_view extension, const SceneReadOptions& options);
+
+// Gives a scene its file's name, and the axis that is to point up.
+void name_and_turn(const std::filesystem::path& file, std::optional<UpAxis> up, Scene& scene);
 
 // Scenes from memory, where no other file is at hand.
 

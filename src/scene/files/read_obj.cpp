@@ -11,6 +11,7 @@
 #include "src/scene/files/scene_readers.h"
 #include "src/scene/files/text_scan.h"
 #include "src/scene/scene_check.h"
+#include "src/system/lines.h"
 
 namespace ninebit {
 namespace {

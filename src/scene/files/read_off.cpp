@@ -3,6 +3,7 @@
 #include "src/scene/files/mesh_builder.h"
 #include "src/scene/files/scene_readers.h"
 #include "src/scene/files/text_scan.h"
+#include "src/system/lines.h"
 
 namespace ninebit {
 namespace {

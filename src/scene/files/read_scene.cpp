@@ -14,26 +14,15 @@
 namespace ninebit {
 namespace {
 
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
-}
-
 Result<Scene> read_content(std::string_view content, const std::filesystem::path& file, const std::string& extension,
                            const SceneReadOptions& options) {
   const NamedFiles beside(file, options.allow_outside);
-  if (extension == ".obj") return read_obj(content, beside);
-  if (extension == ".off") return read_off(content);
-  if (extension == ".ply") return read_ply(content);
   const SceneFile from{file, beside};
+  if (auto scene = read_own_format(from, content, extension, options)) return *std::move(scene);
   if (extension == ".3ds") return read_3ds(from, content, options);
   if (extension == ".stl") return read_stl(from, content, options);
   if (extension == ".dae") return read_collada(from, content, options);
-  if (extension == ".fbx") return read_fbx(from, content, options);
-  return read_gltf(from, content, extension == ".glb", options);
+  return read_fbx(from, content, options);
 }
 
 // Messages quote the file, which may contain any bytes.
@@ -63,11 +52,7 @@ Result<Scene> read_unnamed(const std::filesystem::path& file, const SceneReadOpt
   }
   if (scene && scene->triangles.empty()) return fault_of("has no triangles");
   if (!scene) return scene;
-  scene->name = file.filename().string();
-  if (options.up && *options.up != scene->up) {
-    turn_up(*options.up, *scene);
-    scene->up = *options.up;
-  }
+  name_and_turn(file, options.up, *scene);
   return scene;
 }
 

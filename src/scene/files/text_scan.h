@@ -19,12 +19,6 @@ inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
 }
 
-// The text without a UTF-8 byte order mark.
-inline std::string_view without_mark(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return text;
-}
-
 // Reads a text line by line; \n, \r\n and \r all end a line.
 class LineScanner {
  public:

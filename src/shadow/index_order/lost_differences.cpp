@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/shadow/index_cube.h"
 
 namespace ninebit {

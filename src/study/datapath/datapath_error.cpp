@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/datapath/operations.h"
 #include "src/system/parallel/parallel_loop.h"
@@ -53,12 +54,12 @@ StudyRow errors_of(const HardwareProfile& profile, const DatapathOperation& oper
                      {"cases", cases},
                      {"exact", exact},
                      {"distinct", static_cast<std::uint64_t>(codes.size())},
-                     {"max_error", most},
-                     {"mean_error", sum_of_sizes / static_cast<double>(cases)},
-                     {"mean_bias", std::fabs(bias) < 1e-12 ? 0.0 : bias},
+                     {"max_error_codes", most * d.one},
+                     {"mean_error_codes", sum_of_sizes / static_cast<double>(cases) * d.one},
+                     {"mean_bias_codes", std::fabs(bias) < 1e-12 ? 0.0 : bias * d.one},
                      {"worst", operation.inputs(worst)},
                      {"worst_code", static_cast<std::int64_t>(operation.code(d, worst))},
-                     {"worst_exact", operation.exact(worst)}}};
+                     {"worst_exact_codes", operation.exact(worst) * d.one}}};
 }
 
 StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& second,
@@ -81,15 +82,17 @@ StudyRow differences_of(const HardwareProfile& first, const HardwareProfile& sec
 
 // Limits for rows from files. Results and exact values are clamped to [-1, 1]; a dot product's bias may go a little
 // beyond.
-constexpr double kMostValue = 16.0, kMostCode = 65536.0, kMostCases = 0x1p63, kLongestInputs = 4096.0;
+constexpr double kMostCode = 65536.0, kMostErrorInCodes = 16.0 * kMostCode, kMostCases = 0x1p63,
+                 kLongestInputs = 4096.0;
 
 RowRule errors_rule(const HardwareProfile& profile, std::string_view operation, const std::string& form) {
   return {.fields = {exactly("profile", std::string(profile.name)), exactly("operation", std::string(operation)),
                      exactly("form", form), count_up_to("cases", kMostCases), count_up_to("exact", kMostCases),
-                     count_up_to("distinct", kMostCode), real_in("max_error", 0.0, kMostValue),
-                     real_in("mean_error", 0.0, kMostValue), real_in("mean_bias", -kMostValue, kMostValue),
+                     count_up_to("distinct", kMostCode), real_in("max_error_codes", 0.0, kMostErrorInCodes),
+                     real_in("mean_error_codes", 0.0, kMostErrorInCodes),
+                     real_in("mean_bias_codes", -kMostErrorInCodes, kMostErrorInCodes),
                      text_up_to("worst", kLongestInputs), whole_in("worst_code", -kMostCode, kMostCode),
-                     real_in("worst_exact", -kMostValue, kMostValue)}};
+                     real_in("worst_exact_codes", -kMostErrorInCodes, kMostErrorInCodes)}};
 }
 
 RowRule differences_rule(const HardwareProfile& first, const HardwareProfile& second, std::string_view operation,

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/study/datapath/operations.h"
 
 namespace ninebit {
@@ -25,8 +26,8 @@ class Writer {
     }
     compare();
     if (profiles_.size() > 1) summarize();
-    plot_operations("max-error-by-operation", "Largest error", "largest error, in codes", "max_error");
-    plot_operations("mean-error-by-operation", "Mean error", "mean error, in codes", "mean_error");
+    plot_operations("max-error-by-operation", "Largest error", "largest error, in codes", "max_error_codes");
+    plot_operations("mean-error-by-operation", "Mean error", "mean error, in codes", "mean_error_codes");
     plot_forms();
     out_.heat_maps = datapath_maps(profiles_);
     return std::move(out_);
@@ -55,7 +56,7 @@ class Writer {
     for (const StudyRow& row : rows_) {
       if (row.table != "rows" || row.text("profile") != profile.name) continue;
       // Larger by more than rounding: so the first of several equal rows wins.
-      if (worst == nullptr || row.number("max_error") > worst->number("max_error") + 1e-12) worst = &row;
+      if (worst == nullptr || row.number("max_error_codes") > worst->number("max_error_codes") + 1e-9) worst = &row;
     }
     return worst;
   }
@@ -63,10 +64,10 @@ class Writer {
   // The page's opening if several profiles are compared: their worst operations, and tables of what the answers say.
   void summarize() {
     ReportTable table{.title = "Products and the worst operation, by profile",
-                      .columns = {"profile", "x1: exact, %", "x1: mean", "x4: exact, %", "x4: mean", "largest error",
-                                  "of operation", "at"},
+                      .columns = {"profile", "x1: exact, %", "x1: mean, codes", "x4: exact, %", "x4: mean, codes",
+                                  "largest error, codes", "of operation", "at, codes"},
                       .rows = {},
-                      .caption = "Errors are in codes. x1 and x4: a product with that scale."};
+                      .caption = "x1 and x4: a product with that scale."};
     double largest = -1.0;
     for (const HardwareProfile& profile : profiles_) {
       const StudyRow* worst = worst_of(profile);
@@ -79,9 +80,9 @@ class Writer {
         if (product == nullptr) continue;
         const auto last = values.end();
         last[-2] = percent(product->count("exact"), product->count("cases"));
-        last[-1] = product->number("mean_error") * profile.one;
+        last[-1] = product->number("mean_error_codes");
       }
-      const double error = worst->number("max_error") * profile.one;
+      const double error = worst->number("max_error_codes");
       values.insert(values.end(), {error, name_of_row(*worst), (*worst)["worst"]});
       if (error > largest) {
         out_.headlines = {
@@ -96,7 +97,7 @@ class Writer {
 
   static std::string worst_in_words(const HardwareProfile& profile, const StudyRow& worst) {
     return fmt::format("{}: the largest error of any operation is {:.3f} codes, of {} at {}.", profile.name,
-                       worst.number("max_error") * profile.one, name_of_row(worst), worst.text("worst"));
+                       worst.number("max_error_codes"), name_of_row(worst), worst.text("worst"));
   }
 
   // Describes products, on which everything else is built, then the worst of all operations.
@@ -108,33 +109,32 @@ class Writer {
           "{}: a product, {}, is exact for {:.2f} % of its {} inputs; largest error {:.3f} codes ({} gives {}, exact "
           "{:.3f}), mean error {:.3f}, bias {:.3f} codes.",
           profile.name, form.name, percent(product->count("exact"), product->count("cases")), product->count("cases"),
-          product->number("max_error") * profile.one, product->text("worst"), product->text("worst_code"),
-          product->number("worst_exact") * profile.one, product->number("mean_error") * profile.one,
-          plain(product->number("mean_bias") * profile.one)));
+          product->number("max_error_codes"), product->text("worst"), product->text("worst_code"),
+          product->number("worst_exact_codes"), product->number("mean_error_codes"),
+          plain(product->number("mean_bias_codes"))));
     }
     if (const StudyRow* worst = worst_of(profile)) out_.answers.push_back(worst_in_words(profile, *worst));
   }
 
   [[nodiscard]] ReportTable table_of(const HardwareProfile& profile) const {
-    ReportTable table{
-        .title = fmt::format("Errors of {}", profile.name),
-        .columns = {"operation", "form", "inputs", "codes", "exact, %", "max", "mean", "bias", "worst at", "gives",
-                    "exact"},
-        .rows = {},
-        .caption = fmt::format("Max, mean, bias and the exact value are in codes; code {} is 1.0.", profile.one.value)};
+    ReportTable table{.title = fmt::format("Errors of {}", profile.name),
+                      .columns = {"operation", "form", "inputs", "distinct codes", "exact, %", "max, codes",
+                                  "mean, codes", "bias, codes", "worst at, codes", "gives, code", "exact, codes"},
+                      .rows = {},
+                      .caption = fmt::format("Code {} is 1.0.", profile.one.value)};
     for (const StudyRow& row : rows_) {
       if (row.table != "rows" || row.text("profile") != profile.name) continue;
-      const auto codes = [&](std::string_view name) { return row.number(name) * profile.one; };
       table.rows.push_back({row["operation"], row["form"], row["cases"], row["distinct"],
-                            percent(row.count("exact"), row.count("cases")), codes("max_error"), codes("mean_error"),
-                            codes("mean_bias"), row["worst"], row["worst_code"], codes("worst_exact")});
+                            percent(row.count("exact"), row.count("cases")), row["max_error_codes"],
+                            row["mean_error_codes"], row["mean_bias_codes"], row["worst"], row["worst_code"],
+                            row["worst_exact_codes"]});
     }
     return table;
   }
 
   void compare() {
     ReportTable table{.title = "Inputs on which two profiles give different codes",
-                      .columns = {"first", "second", "operation", "form", "inputs", "differ", "%"},
+                      .columns = {"first", "second", "operation", "form", "inputs", "differ, inputs", "differ, %"},
                       .rows = {},
                       .caption = "Operations on which two profiles always agree are left out."};
     for (std::size_t i = 0; i < rows_.size();) {
@@ -194,7 +194,7 @@ class Writer {
               row.text("operation") != kOperations[kind]) {
             continue;
           }
-          most = std::max(most.value_or(0.0), row.number(field) * profile.one);
+          most = std::max(most.value_or(0.0), row.number(field));
         }
         if (most) series.points.emplace_back(static_cast<double>(kind + 1), *most);
       }
@@ -216,8 +216,7 @@ class Writer {
       PlotSeries series{std::string(profile.name), {}};
       for (std::size_t i = 0; i < kOutputForms.size(); ++i) {
         const StudyRow* row = find(profile.name, "product", kOutputForms[i].name);
-        if (row != nullptr)
-          series.points.emplace_back(static_cast<double>(i + 1), row->number("mean_error") * profile.one);
+        if (row != nullptr) series.points.emplace_back(static_cast<double>(i + 1), row->number("mean_error_codes"));
       }
       plot.series.push_back(std::move(series));
     }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/study/datapath/datapath_report.h"
 #include "src/study/datapath/sum_kernels.h"
 #include "src/system/parallel/parallel_loop.h"
@@ -16,7 +17,7 @@ namespace ninebit {
 namespace {
 
 // Limits for rows from files: results are clamped to [-1, 1]; sums are whole numbers below 2^47.
-constexpr double kMostError = 16.0, kMostSum = 0x1p47;
+constexpr double kMostError = 16.0 * 65536.0, kMostSum = 0x1p47;
 
 class ExhaustiveSum final : public Study {
  public:
@@ -52,7 +53,7 @@ class ExhaustiveSum final : public Study {
                                              {"cases", all.cases},
                                              {"exact", all.cases - all.inexact},
                                              {"inexact", all.inexact},
-                                             {"max_error", static_cast<double>(all.max_error) / units_of_one()},
+                                             {"max_error_codes", static_cast<double>(all.max_error) * codes_of_unit()},
                                              {"sum_of_sizes", all.sum_of_sizes},
                                              {"sum_of_errors", all.sum_of_errors},
                                              {"sum_of_codes", all.sum_of_codes},
@@ -64,7 +65,7 @@ class ExhaustiveSum final : public Study {
     const auto most = static_cast<double>(cases);
     return {{.fields = {exactly("profile", profile_), exactly("form", std::string(form_of(unit).name)),
                         exactly("a", std::int64_t{a_of(unit)}), exactly("cases", cases), count_up_to("exact", most),
-                        count_up_to("inexact", most), real_in("max_error", 0.0, kMostError),
+                        count_up_to("inexact", most), real_in("max_error_codes", 0.0, kMostError),
                         whole_in("sum_of_sizes", 0.0, kMostSum), whole_in("sum_of_errors", -kMostSum, kMostSum),
                         whole_in("sum_of_codes", -kMostSum, kMostSum), whole_in("sum_of_squares", 0.0, kMostSum)}}};
   }
@@ -72,10 +73,9 @@ class ExhaustiveSum final : public Study {
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
     StudyReport out{.title = "AB + CD, every case", .answers = {}};
     ReportTable table{.title = "All cases by output form",
-                      .columns = {"profile", "form", "values of A", "cases", "exact", "inexact", "exact, %", "max",
-                                  "mean", "bias", "sum of codes", "sum of squares"},
-                      .rows = {},
-                      .caption = "Max, mean and bias are in codes."};
+                      .columns = {"profile", "form", "values of A", "cases", "exact", "inexact", "exact, %",
+                                  "max, codes", "mean, codes", "bias, codes", "sum of codes", "sum of codes²"},
+                      .rows = {}};
     Plot exact{.file = "exact-by-a",
                .title = "Share of exact results by A",
                .x_label = "A, as code",
@@ -102,12 +102,11 @@ class ExhaustiveSum final : public Study {
       out.answers.push_back(
           fmt::format("{}, {}: {} of {} cases of AB + CD are exact ({:.3f} %); largest error {:.4f} codes, mean error "
                       "over all cases {:.4f} codes; the sum of the codes' squares is {}.",
-                      profile_, form.name, sum.exact, sum.cases, percent(sum.exact, sum.cases),
-                      sum.max_error * datapath_.one, sum.per_case(sum.sizes) * codes_of_unit(), sum.squares));
+                      profile_, form.name, sum.exact, sum.cases, percent(sum.exact, sum.cases), sum.max_error,
+                      sum.per_case(sum.sizes) * codes_of_unit(), sum.squares));
       table.rows.push_back({profile_, std::string(form.name), sum.values, sum.cases, sum.exact, sum.cases - sum.exact,
-                            percent(sum.exact, sum.cases), sum.max_error * datapath_.one,
-                            sum.per_case(sum.sizes) * codes_of_unit(), sum.per_case(sum.errors) * codes_of_unit(),
-                            sum.codes, sum.squares});
+                            percent(sum.exact, sum.cases), sum.max_error, sum.per_case(sum.sizes) * codes_of_unit(),
+                            sum.per_case(sum.errors) * codes_of_unit(), sum.codes, sum.squares});
       exact.series.push_back(std::move(shares));
       mean.series.push_back(std::move(means));
     }
@@ -131,7 +130,7 @@ class ExhaustiveSum final : public Study {
       ++values;
       cases += row.count("cases");
       exact += row.count("exact");
-      max_error = std::max(max_error, row.number("max_error"));
+      max_error = std::max(max_error, row.number("max_error_codes"));
       sizes += sum_in(row, "sum_of_sizes");
       errors += sum_in(row, "sum_of_errors");
       codes += sum_in(row, "sum_of_codes");
@@ -149,7 +148,6 @@ class ExhaustiveSum final : public Study {
   [[nodiscard]] std::size_t codes() const { return static_cast<std::size_t>(2 * datapath_.one + 1); }
   [[nodiscard]] const OutputForm& form_of(std::size_t unit) const { return forms_[unit / codes()]; }
   [[nodiscard]] int a_of(std::size_t unit) const { return static_cast<int>(unit % codes()) - datapath_.one; }
-  [[nodiscard]] double units_of_one() const { return 4.0 * datapath_.one * datapath_.one; }
   [[nodiscard]] double codes_of_unit() const { return 1.0 / (4.0 * datapath_.one); }
 
   StudyQuestion question_;

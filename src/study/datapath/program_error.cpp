@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/combiner/given_registers.h"
 #include "src/study/datapath/program_inputs.h"
 #include "src/study/datapath/program_report.h"
@@ -71,69 +72,79 @@ using Errors = std::array<ComponentErrors, 4>;
 
 class ProgramErrorStudy final : public Study {
  public:
-  ProgramErrorStudy(StudyQuestion question, const HardwareProfile& profile, const Program& program, Fragments fragments)
-      : question_(std::move(question)), profile_(profile.name), program_(program), fragments_(std::move(fragments)) {}
+  ProgramErrorStudy(StudyQuestion question, const HardwareProfile& profile, const Program& program,
+                    std::vector<MeasuredColor> colors)
+      : question_(std::move(question)), profile_(profile.name), program_(program), colors_(std::move(colors)) {}
 
   [[nodiscard]] const StudyQuestion& question() const override { return question_; }
-  [[nodiscard]] std::size_t units() const override { return (fragments_.count() + kUnit - 1) / kUnit; }
+  [[nodiscard]] std::size_t units() const override {
+    std::size_t all = 0;
+    for (const MeasuredColor& one : colors_) all += units_of(one);
+    return all;
+  }
   [[nodiscard]] std::string unit_name(std::size_t unit) const override {
-    return fmt::format("{}, fragments from {}", profile_, unit * kUnit);
+    const Unit at = place_of(unit);
+    const std::string over = colors_.size() == 1 ? "" : fmt::format(" over {},", at.color->fragments.names());
+    return fmt::format("{},{} fragments from {}", profile_, over, at.first);
   }
 
   [[nodiscard]] Result<std::vector<StudyRow>> run(std::size_t unit, const GoOn& go_on) const override {
-    const std::size_t first = unit * kUnit, end = std::min(first + kUnit, fragments_.count());
-    std::vector<Errors> chunks((end - first + kFragmentsPerChunk - 1) / kFragmentsPerChunk, no_errors(first));
+    const Unit at = place_of(unit);
+    const std::size_t first = at.first, end = first + at.count;
+    std::vector<Errors> chunks((at.count + kFragmentsPerChunk - 1) / kFragmentsPerChunk, no_errors(first));
     std::atomic<bool> stopped = false;
     parallel_for(chunks.size(), [&](std::size_t i) {
       if (stopped) return;
       const std::size_t from = first + i * kFragmentsPerChunk;
-      measure(from, std::min(from + kFragmentsPerChunk, end), chunks[i]);
+      measure(*at.color, from, std::min(from + kFragmentsPerChunk, end), chunks[i]);
       if (go_on && !go_on()) stopped = true;
     });
     if (stopped) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     Errors all = no_errors(first);
     for (const Errors& chunk : chunks) add(chunk, all);
-    return rows_of(all, first, end - first);
+    return rows_of(all, at);
   }
 
   [[nodiscard]] std::vector<RowRule> row_rules(std::size_t unit) const override {
-    const std::size_t first = unit * kUnit, count = std::min(kUnit, fragments_.count() - first);
+    const Unit at = place_of(unit);
+    const std::size_t count = at.count;
     std::vector<RowRule> rules;
     const auto begin = [&](const char* table, std::size_t c) -> std::vector<FieldRule>& {
       const RowRule rule{
           .table = table,
           .fields = {exactly("profile", profile_), exactly("component", std::string(1, "rgba"[c])),
-                     exactly("first", std::uint64_t{first}), exactly("fragments", std::uint64_t{count})}};
+                     exactly("over", at.color->fragments.names()), exactly("first", std::uint64_t{at.first}),
+                     exactly("fragments", std::uint64_t{count})}};
       return rules.emplace_back(rule).fields;
     };
     const auto add_errors = [](std::vector<FieldRule>& fields, std::array<const char*, 3> names) {
-      fields.push_back(real_in(names[0], 0.0, kMostValue));
-      fields.push_back(real_in(names[1], 0.0, kMostValue));
-      fields.push_back(real_in(names[2], -kMostValue, kMostValue));
+      fields.push_back(real_in(names[0], 0.0, kMostError));
+      fields.push_back(real_in(names[1], 0.0, kMostError));
+      fields.push_back(real_in(names[2], -kMostError, kMostError));
     };
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (const std::size_t c : at.color->measured()) {
       auto& fields = begin("rows", c);
       fields.push_back(count_up_to("exact", static_cast<double>(count)));
       fields.push_back(count_up_to("misrounded", static_cast<double>(count)));
-      add_errors(fields, {"max_error", "mean_error", "mean_bias"});
+      add_errors(fields, {"max_error_codes", "mean_error_codes", "mean_bias_codes"});
       fields.push_back(text_up_to("worst", kLongestInputs));
       fields.push_back(whole_in("worst_code", -kMostCode, kMostCode));
-      fields.push_back(real_in("worst_exact", -kMostValue, kMostValue));
+      fields.push_back(real_in("worst_exact_codes", -kMostError, kMostError));
     }
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (const std::size_t c : at.color->measured()) {
       for (std::size_t k = 1; k <= stages(); ++k) {
         auto& fields = begin("stages", c);
         fields.push_back(exactly("stage", std::uint64_t{k}));
         fields.push_back(exactly("name", name_of_stage(k)));
-        add_errors(fields, {"added_max", "added_mean", "added_bias"});
+        add_errors(fields, {"added_max_codes", "added_mean_codes", "added_bias_codes"});
         fields.push_back(text_up_to("worst", kLongestInputs));
-        add_errors(fields, {"remaining_max", "remaining_mean", "remaining_bias"});
+        add_errors(fields, {"remaining_max_codes", "remaining_mean_codes", "remaining_bias_codes"});
       }
     }
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (const std::size_t c : at.color->measured()) {
       for (int codes = -kMostCodes; codes <= kMostCodes; ++codes) {
         auto& fields = begin("histogram", c);
-        fields.push_back(exactly("codes", std::int64_t{codes}));
+        fields.push_back(exactly("error_codes", std::int64_t{codes}));
         fields.push_back(count_up_to("count", static_cast<double>(count)));
       }
     }
@@ -141,12 +152,25 @@ class ProgramErrorStudy final : public Study {
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
-    return program_report(program_, fragments_, rows, done, units());
+    return program_report(program_, colors_, rows, done, units());
   }
 
  private:
-  // Limits for rows from files. Registers hold -1 to 1; the sums before the last clamp go a little beyond.
-  static constexpr double kMostValue = 64.0, kMostCode = 65536.0, kLongestInputs = 65536.0;
+  // Limits for rows from files, in codes. Registers hold -1 to 1; the sums before the last clamp go a little beyond.
+  static constexpr double kMostCode = 65536.0, kMostError = 64.0 * kMostCode, kLongestInputs = 65536.0;
+
+  // The fragments of a unit: those of `color` from `first` on.
+  struct Unit {
+    const MeasuredColor* color;
+    std::size_t first, count;
+  };
+  static std::size_t units_of(const MeasuredColor& one) { return (one.fragments.count() + kUnit - 1) / kUnit; }
+  [[nodiscard]] Unit place_of(std::size_t unit) const {
+    auto one = colors_.begin();
+    for (; unit >= units_of(*one); ++one) unit -= units_of(*one);
+    const std::size_t first = unit * kUnit;
+    return {&*one, first, std::min(kUnit, one->fragments.count() - first)};
+  }
 
   [[nodiscard]] std::size_t stages() const { return static_cast<std::size_t>(program_.num_general_combiners) + 1; }
 
@@ -177,13 +201,15 @@ class ProgramErrorStudy final : public Study {
     }
   }
 
-  void measure(std::size_t from, std::size_t end, Errors& errors) const {
+  void measure(const MeasuredColor& color, std::size_t from, std::size_t end, Errors& errors) const {
+    const Fragments& fragments = color.fragments;
+    const std::vector<std::size_t> measured = color.measured();
     StagedColors staged(program_);
-    const bool constants = fragments_.have_constants();
+    const bool constants = fragments.have_constants();
     for (std::size_t i = from; i < end; ++i) {
-      if (constants) staged.change_constants([&](Program& program) { fragments_.put_constants(i, program); });
-      const std::vector<RealColor>& colors = staged(fragments_.registers(i));
-      for (std::size_t c = 0; c < 4; ++c) {
+      if (constants) staged.change_constants([&](Program& program) { fragments.put_constants(i, program); });
+      const std::vector<RealColor>& colors = staged(fragments.registers(i));
+      for (const std::size_t c : measured) {
         errors[c].total.add(colors.back()[c] - colors[0][c], i);
         errors[c].count((colors.back()[c] - colors[0][c]) * program_.datapath.one);
         for (std::size_t k = 0; k < stages(); ++k) {
@@ -194,51 +220,53 @@ class ProgramErrorStudy final : public Study {
     }
   }
 
-  [[nodiscard]] std::vector<StudyRow> rows_of(const Errors& errors, std::size_t first, std::size_t count) const {
+  // The rows of a unit. Errors are in codes.
+  [[nodiscard]] std::vector<StudyRow> rows_of(const Errors& errors, const Unit& unit) const {
     std::vector<StudyRow> rows;
-    const auto mean = [&](double sum) { return sum / static_cast<double>(count); };
+    const Fragments& fragments = unit.color->fragments;
+    const double one = program_.datapath.one;
+    const auto add_errors = [&](auto& fields, std::array<const char*, 3> names, const ErrorSums& sums) {
+      const auto count = static_cast<double>(unit.count);
+      fields.emplace_back(names[0], sums.most * one);
+      fields.emplace_back(names[1], sums.sizes / count * one);
+      fields.emplace_back(names[2], sums.errors / count * one);
+    };
     const auto begin = [&](const char* table, std::size_t c) -> StudyRow& {
       return rows.emplace_back(StudyRow{.table = table,
                                         .fields = {{"profile", profile_},
                                                    {"component", std::string(1, "rgba"[c])},
-                                                   {"first", static_cast<std::uint64_t>(first)},
-                                                   {"fragments", static_cast<std::uint64_t>(count)}}});
+                                                   {"over", fragments.names()},
+                                                   {"first", static_cast<std::uint64_t>(unit.first)},
+                                                   {"fragments", static_cast<std::uint64_t>(unit.count)}}});
     };
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (const std::size_t c : unit.color->measured()) {
       const ErrorSums& total = errors[c].total;
       StagedColors staged(program_);
-      staged.change_constants([&](Program& program) { fragments_.put_constants(total.worst, program); });
-      const std::vector<RealColor>& colors = staged(fragments_.registers(total.worst));
+      staged.change_constants([&](Program& program) { fragments.put_constants(total.worst, program); });
+      const std::vector<RealColor>& colors = staged(fragments.registers(total.worst));
       auto& fields = begin("rows", c).fields;
       fields.emplace_back("exact", total.exact);
       fields.emplace_back("misrounded", errors[c].misrounded);
-      fields.emplace_back("max_error", total.most);
-      fields.emplace_back("mean_error", mean(total.sizes));
-      fields.emplace_back("mean_bias", mean(total.errors));
-      fields.emplace_back("worst", fragments_.text(total.worst));
-      fields.emplace_back("worst_code",
-                          static_cast<std::int64_t>(std::lround(colors.back()[c] * program_.datapath.one)));
-      fields.emplace_back("worst_exact", colors[0][c]);
+      add_errors(fields, {"max_error_codes", "mean_error_codes", "mean_bias_codes"}, total);
+      fields.emplace_back("worst", fragments.text(total.worst));
+      fields.emplace_back("worst_code", static_cast<std::int64_t>(std::lround(colors.back()[c] * one)));
+      fields.emplace_back("worst_exact_codes", colors[0][c] * one);
     }
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (const std::size_t c : unit.color->measured()) {
       for (std::size_t k = 0; k < stages(); ++k) {
         const ErrorSums &added = errors[c].added[k], &remaining = errors[c].remaining[k];
         auto& fields = begin("stages", c).fields;
         fields.emplace_back("stage", static_cast<std::uint64_t>(k + 1));
         fields.emplace_back("name", name_of_stage(k + 1));
-        fields.emplace_back("added_max", added.most);
-        fields.emplace_back("added_mean", mean(added.sizes));
-        fields.emplace_back("added_bias", mean(added.errors));
-        fields.emplace_back("worst", fragments_.text(added.worst));
-        fields.emplace_back("remaining_max", remaining.most);
-        fields.emplace_back("remaining_mean", mean(remaining.sizes));
-        fields.emplace_back("remaining_bias", mean(remaining.errors));
+        add_errors(fields, {"added_max_codes", "added_mean_codes", "added_bias_codes"}, added);
+        fields.emplace_back("worst", fragments.text(added.worst));
+        add_errors(fields, {"remaining_max_codes", "remaining_mean_codes", "remaining_bias_codes"}, remaining);
       }
     }
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (const std::size_t c : unit.color->measured()) {
       for (int codes = -kMostCodes; codes <= kMostCodes; ++codes) {
         auto& fields = begin("histogram", c).fields;
-        fields.emplace_back("codes", std::int64_t{codes});
+        fields.emplace_back("error_codes", std::int64_t{codes});
         fields.emplace_back("count", errors[c].histogram[static_cast<std::size_t>(codes + kMostCodes)]);
       }
     }
@@ -248,7 +276,7 @@ class ProgramErrorStudy final : public Study {
   StudyQuestion question_;
   std::string profile_;
   Program program_;
-  Fragments fragments_;
+  std::vector<MeasuredColor> colors_;
 };
 
 // Adds the components of constants that are not set to those of which all combinations are run. A table must have them.
@@ -286,12 +314,12 @@ Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const
                                              profile.name)};
   }
   if (auto fault = complete(program, inputs)) return *fault;
-  auto fragments = Fragments::of(profile, std::move(inputs));
-  if (!fragments) return fragments.error();
+  auto colors = measured_colors(profile, program, inputs);
+  if (!colors) return colors.error();
   Program with_fixed = program;
-  fragments->put_fixed_constants(with_fixed);
+  colors->front().fragments.put_fixed_constants(with_fixed);
   return std::unique_ptr<Study>(
-      std::make_unique<ProgramErrorStudy>(std::move(question), profile, with_fixed, std::move(*fragments)));
+      std::make_unique<ProgramErrorStudy>(std::move(question), profile, with_fixed, *std::move(colors)));
 }
 
 }  // namespace ninebit

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/combiner/given_registers.h"
+#include "src/study/datapath/color_inputs.h"
 
 namespace ninebit {
 namespace {
@@ -20,6 +24,23 @@ bool is_constant(Register reg) {
 
 std::size_t index_of(int component) {
   return static_cast<std::size_t>(component);
+}
+
+std::string names_of(const std::vector<RegisterComponent>& components) {
+  std::string names;
+  for (const RegisterComponent& one : components) names += (names.empty() ? "" : ", ") + one.name();
+  return names;
+}
+
+// The lowest value of a component among all combinations.
+int lowest_of(Register reg, int lowest) {
+  return reg == Register::spare0 || reg == Register::spare1 ? lowest : 0;
+}
+
+Diagnostic too_many_combinations(const std::vector<RegisterComponent>& components, const std::string& why) {
+  return {.message = fmt::format("{} register components ({}) have more than {} combinations of values, the maximum{}; "
+                                 "name fewer, set constants in the program, or give a table of inputs",
+                                 components.size(), names_of(components), kMostCombinations, why)};
 }
 
 }  // namespace
@@ -44,35 +65,34 @@ Fragments::Fragments(const HardwareProfile& profile, ProgramInputs inputs)
 
 Result<Fragments> Fragments::of(const HardwareProfile& profile, ProgramInputs inputs) {
   Fragments out(profile, std::move(inputs));
-  const std::size_t columns = out.components().size();
-  for (const auto& [to, code] : out.inputs_.fixed) {
-    if (std::find(out.components().begin(), out.components().end(), to) == out.components().end()) continue;
-    return Diagnostic{.message = fmt::format("{} is fixed and varied; expected one of them", to.name())};
-  }
-  if (columns == 0) return Diagnostic{.message = "no register component given; expected at least one"};
+  const std::vector<RegisterComponent>& components = out.components();
   if (!out.all()) {
-    out.count_ = out.inputs_.codes->size() / columns;
+    if (components.empty()) return Diagnostic{.message = "no register component given; expected at least one"};
+    out.count_ = out.inputs_.codes->size() / components.size();
     if (out.count_ == 0) return Diagnostic{.message = "no fragment given; expected at least one"};
     return out;
   }
+  if (too_many(profile, components)) return too_many_combinations(components, "");
   out.count_ = 1;
-  for (std::size_t i = 0; i < columns; ++i) {
-    out.count_ *= out.values(i);
-    if (out.count_ > kMostCombinations) {
-      std::string names;
-      for (const RegisterComponent& one : out.components()) names += (names.empty() ? "" : ", ") + one.name();
-      return Diagnostic{.message = fmt::format("{} register components ({}) have more than {} combinations of values, "
-                                               "the maximum; name fewer, set constants in the program, or give a table "
-                                               "of inputs",
-                                               columns, names, kMostCombinations)};
-    }
-  }
+  for (std::size_t i = 0; i < components.size(); ++i) out.count_ *= out.values(i);
   return out;
 }
 
+bool Fragments::too_many(const HardwareProfile& profile, const std::vector<RegisterComponent>& components) {
+  std::size_t count = 1;
+  for (const RegisterComponent& one : components) {
+    count *= static_cast<std::size_t>(profile.one - lowest_of(one.reg, profile.lowest) + 1);
+    if (count > kMostCombinations) return true;
+  }
+  return false;
+}
+
 int Fragments::lowest(std::size_t component) const {
-  const Register reg = inputs_.components[component].reg;
-  return reg == Register::spare0 || reg == Register::spare1 ? lowest_ : 0;
+  return lowest_of(inputs_.components[component].reg, lowest_);
+}
+
+std::string Fragments::names() const {
+  return components().empty() ? "none" : names_of(components());
 }
 
 s9 Fragments::code(std::size_t fragment, std::size_t component) const {
@@ -83,6 +103,7 @@ s9 Fragments::code(std::size_t fragment, std::size_t component) const {
 }
 
 std::string Fragments::text(std::size_t fragment) const {
+  if (components().empty()) return "any inputs";
   std::string out;
   for (std::size_t i = 0; i < components().size(); ++i) {
     out += fmt::format("{}{} {}", i == 0 ? "" : ", ", components()[i].name(), code(fragment, i));
@@ -119,6 +140,56 @@ void Fragments::put_constants(std::size_t fragment, Program& program) const {
     if (!is_constant(to.reg)) continue;
     replace_constant(program, to.reg, to.component, code(fragment, i));
   }
+}
+
+std::vector<std::size_t> MeasuredColor::measured() const {
+  std::vector<std::size_t> out;
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    if (components[c]) out.push_back(c);
+  }
+  return out;
+}
+
+Result<std::vector<MeasuredColor>> measured_colors(const HardwareProfile& profile, const Program& program,
+                                                   const ProgramInputs& inputs) {
+  if (inputs.components.empty()) return Diagnostic{.message = "no register component given; expected at least one"};
+  for (const auto& fixed : inputs.fixed) {
+    if (std::find(inputs.components.begin(), inputs.components.end(), fixed.first) == inputs.components.end()) continue;
+    return Diagnostic{.message = fmt::format("{} is fixed and varied; expected one of them", fixed.first.name())};
+  }
+  if (inputs.codes || !Fragments::too_many(profile, inputs.components)) {
+    auto fragments = Fragments::of(profile, inputs);
+    if (!fragments) return fragments.error();
+    return std::vector{MeasuredColor{.fragments = *std::move(fragments), .components = {true, true, true, true}}};
+  }
+  const auto is_own = [](const auto& fixed) { return fixed.first == kOwnAlpha; };
+  const bool own_alpha =
+      std::find(inputs.components.begin(), inputs.components.end(), kOwnAlpha) != inputs.components.end() ||
+      std::any_of(inputs.fixed.begin(), inputs.fixed.end(), is_own);
+  const std::array<InputSet, 4> read = inputs_of_color(program, own_alpha);
+  std::vector<MeasuredColor> out;
+  for (std::size_t c = 0; c < 4; ++c) {
+    ProgramInputs own{.components = {}, .fixed = inputs.fixed};
+    for (const RegisterComponent& one : inputs.components) {
+      if (read[c].test(input_bit(one.reg, one.component))) own.components.push_back(one);
+    }
+    if (Fragments::too_many(profile, own.components)) {
+      const std::string_view name = std::array{"red", "green", "blue", "alpha"}[c];
+      return too_many_combinations(inputs.components,
+                                   fmt::format(", and {} depends on {} together", name, names_of(own.components)));
+    }
+    const auto same = std::find_if(
+        out.begin(), out.end(), [&](const MeasuredColor& one) { return one.fragments.components() == own.components; });
+    if (same != out.end()) {
+      same->components[c] = true;
+      continue;
+    }
+    auto fragments = Fragments::of(profile, std::move(own));
+    if (!fragments) return fragments.error();
+    out.push_back({.fragments = *std::move(fragments), .components = {}});
+    out.back().components[c] = true;
+  }
+  return out;
 }
 
 }  // namespace ninebit

@@ -13,8 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "ninebit/combiner/evaluate.h"
+#include "src/combiner/real_batch.h"
 #include "src/study/datapath/datapath_report.h"
-#include "src/study/part/staged_colors.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
@@ -44,28 +45,55 @@ struct Summary {
   [[nodiscard]] double bias() const { return errors / fragments; }
 };
 
+// The errors of one fragment after another, in codes. Not thread-safe.
+class FragmentErrors {
+ public:
+  FragmentErrors(const Program& program, const Fragments& fragments) : program_(program), fragments_(fragments) {}
+  // Not copyable: exact_ refers to program_.
+  FragmentErrors(const FragmentErrors&) = delete;
+  FragmentErrors& operator=(const FragmentErrors&) = delete;
+
+  // Of the whole colour; 0 where the numbers are not more certain.
+  std::array<float, 4> operator()(std::size_t fragment) {
+    if (constants_) fragments_.put_constants(fragment, program_);
+    const RegisterFile registers = fragments_.registers(fragment);
+    const RealColor ideal = exact_(registers);
+    const Rgba9 codes = evaluate(program_, registers);
+    std::array<float, 4> errors{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      const double error = static_cast<double>(codes[c]) - ideal[c] * program_.datapath.one;
+      errors[c] = std::fabs(error) < 1e-7 ? 0.0F : static_cast<float>(error);
+    }
+    return errors;
+  }
+
+ private:
+  Program program_;
+  const Fragments& fragments_;
+  bool constants_ = fragments_.have_constants();
+  ExactColors exact_{program_};
+};
+
 class ProgramReportWriter {
  public:
-  ProgramReportWriter(const Program& program, const Fragments& fragments, std::span<const StudyRow> rows)
-      : program_(program), fragments_(fragments), rows_(rows), one_(program.datapath.one) {}
+  ProgramReportWriter(const Program& program, std::span<const MeasuredColor> colors, std::span<const StudyRow> rows)
+      : program_(program), colors_(colors), rows_(rows), one_(program.datapath.one) {}
 
   StudyReport write() {
     out_.title = "Error of a program, by stage";
-    ReportTable totals{.title = "Error of the colour",
-                       .columns = {"component", "fragments", "exact, %", "misrounded, %", "max", "mean", "bias",
-                                   "worst at", "gives", "exact"},
-                       .rows = {},
-                       .caption = fmt::format(
-                           "Max, mean, bias and the exact value are in codes; code {} is 1.0. Misrounded: another code "
-                           "is nearer to the exact value.",
-                           one_)};
+    ReportTable totals{
+        .title = "Error of the colour",
+        .columns = {"component", "fragments", "exact, %", "misrounded, %", "max, codes", "mean, codes", "bias, codes",
+                    "worst at, codes", "gives, code", "exact, codes"},
+        .rows = {},
+        .caption = fmt::format("Code {} is 1.0. Misrounded: another code is nearer to the exact value.", one_)};
     ReportTable stages{.title = "Error that each stage adds, and error that remains if all later stages are exact",
-                       .columns = {"component", "stage", "name", "added, max", "added, mean", "added, bias",
-                                   "adds most at", "remaining, max", "remaining, mean", "remaining, bias"},
+                       .columns = {"component", "stage", "name", "added: max, codes", "mean, codes", "bias, codes",
+                                   "adds most at, codes", "remaining: max, codes", "mean, codes", "bias, codes"},
                        .rows = {},
                        .caption =
-                           "In codes. For every fragment, the errors that the stages add sum to the colour's error; "
-                           "so their biases sum to its bias."};
+                           "For every fragment, the errors that the stages add sum to the colour's error; so "
+                           "their biases sum to its bias."};
     Plot histogram{.file = "histogram",
                    .title = "Errors of the colour",
                    .x_label = "error, in codes, to the nearest whole number",
@@ -99,10 +127,19 @@ class ProgramReportWriter {
       if (wrong) out_.answers.push_back(fmt::format("{}: on average {}.", kComponentNames[c], sentence));
       added.series.push_back(std::move(adds));
       remaining.series.push_back(std::move(remains));
-      if (wrong && fragments_.all() && fragments_.components().size() == 2) out_.heat_maps.push_back(map_of(c));
+      wrong_[c] = wrong;
       add_histogram(c, histogram);
     }
-    add_error_files();
+    for (const MeasuredColor& color : colors_) {
+      add_heat_maps(color);
+      add_error_files(color);
+    }
+    if (separated()) {
+      for (ReportTable* table : {&totals, &stages}) table->columns.insert(table->columns.begin() + 1, "over");
+      for (Plot* plot : {&histogram, &added, &remaining}) {
+        plot->caption += (plot->caption.empty() ? "" : " ") + counted_over();
+      }
+    }
     out_.tables.push_back(std::move(totals));
     out_.tables.push_back(std::move(stages));
     out_.plots.push_back(std::move(histogram));
@@ -116,33 +153,62 @@ class ProgramReportWriter {
     return row.table == table && row.text("component") == std::string(1, "rgba"[c]);
   }
 
+  // Whether components of the colour are measured over different inputs.
+  [[nodiscard]] bool separated() const { return colors_.size() > 1; }
+
+  // The inputs over which a component of the colour is measured.
+  [[nodiscard]] std::string inputs_of(std::size_t c) const {
+    const auto its = [&](const MeasuredColor& one) { return one.components[c]; };
+    return std::find_if(colors_.begin(), colors_.end(), its)->fragments.names();
+  }
+
+  // "red over primary.r, tex0.r" if the components have inputs of their own, else "red".
+  [[nodiscard]] std::string name_in_answers(std::size_t c) const {
+    return separated() ? fmt::format("{} over {}", kComponentNames[c], inputs_of(c)) : kComponentNames[c];
+  }
+
+  // "Measured apart: red over primary.r, tex0.r; alpha over none."
+  [[nodiscard]] std::string counted_over() const {
+    std::string out = "Measured apart: ";
+    for (std::size_t c = 0; c < 4; ++c) out += (c == 0 ? "" : "; ") + name_in_answers(c);
+    return out + '.';
+  }
+
+  // Adds a row about a component of the colour, with its inputs if components have their own.
+  void add_row(std::size_t c, ReportTable& table, std::vector<StudyValue> values) const {
+    if (separated()) values.insert(values.begin(), inputs_of(c));
+    values.insert(values.begin(), std::string(kComponentNames[c]));
+    table.rows.push_back(std::move(values));
+  }
+
   // Adds the component's row and answer. Returns true if the component has an error.
   bool add_total(std::size_t c, ReportTable& table) {
     Summary sum;
     std::uint64_t exact = 0, misrounded = 0, fragments = 0;
     for (const StudyRow& row : rows_) {
       if (!is_of(row, "rows", c)) continue;
-      sum.add(row, "max_error", "mean_error", "mean_bias");
+      sum.add(row, "max_error_codes", "mean_error_codes", "mean_bias_codes");
       exact += row.count("exact");
       misrounded += row.count("misrounded");
       fragments += row.count("fragments");
     }
     if (sum.worst == nullptr) return false;
-    const double worst_exact = sum.worst->number("worst_exact") * one_;
-    table.rows.push_back({std::string(kComponentNames[c]), fragments, percent(exact, fragments),
-                          percent(misrounded, fragments), sum.most * one_, sum.mean() * one_, sum.bias() * one_,
-                          (*sum.worst)["worst"], (*sum.worst)["worst_code"], worst_exact});
+    add_row(c, table,
+            {fragments, percent(exact, fragments), percent(misrounded, fragments), sum.most, sum.mean(), sum.bias(),
+             (*sum.worst)["worst"], (*sum.worst)["worst_code"], (*sum.worst)["worst_exact_codes"]});
+    const std::string name = name_in_answers(c);
     if (exact == fragments) {
-      out_.answers.push_back(fmt::format("{}: exact for all {} fragments.", kComponentNames[c], fragments));
+      const bool same = separated() && (*sum.worst)["over"] == StudyValue(std::string("none"));
+      out_.answers.push_back(same ? fmt::format("{}: the same for all inputs, and exact.", kComponentNames[c])
+                                  : fmt::format("{}: exact for all {} fragments.", name, fragments));
       return false;
     }
-    out_.answers.push_back(
-        fmt::format("{}: exact for {:.2f} % of {} fragments, not the nearest code for {:.2f} %; largest error {:.3f} "
-                    "codes ({} give {}, exact {:.3f}), mean error "
-                    "{:.3f}, bias {:.3f} codes.",
-                    kComponentNames[c], percent(exact, fragments), fragments, percent(misrounded, fragments),
-                    sum.most * one_, sum.worst->text("worst"), sum.worst->text("worst_code"), worst_exact,
-                    sum.mean() * one_, plain(sum.bias() * one_)));
+    out_.answers.push_back(fmt::format(
+        "{}: exact for {:.2f} % of {} fragments, not the nearest code for {:.2f} %; largest error {:.3f} "
+        "codes ({} give {}, exact {:.3f}), mean error "
+        "{:.3f}, bias {:.3f} codes.",
+        name, percent(exact, fragments), fragments, percent(misrounded, fragments), sum.most, sum.worst->text("worst"),
+        sum.worst->text("worst_code"), sum.worst->number("worst_exact_codes"), sum.mean(), plain(sum.bias())));
     return true;
   }
 
@@ -151,16 +217,16 @@ class ProgramReportWriter {
     Summary added, remaining;
     for (const StudyRow& row : rows_) {
       if (!is_of(row, "stages", c) || row.count("stage") != static_cast<std::uint64_t>(k)) continue;
-      added.add(row, "added_max", "added_mean", "added_bias");
-      remaining.add(row, "remaining_max", "remaining_mean", "remaining_bias");
+      added.add(row, "added_max_codes", "added_mean_codes", "added_bias_codes");
+      remaining.add(row, "remaining_max_codes", "remaining_mean_codes", "remaining_bias_codes");
     }
     if (added.worst == nullptr) return {};
-    table.rows.push_back({std::string(kComponentNames[c]), static_cast<std::int64_t>(k), (*added.worst)["name"],
-                          added.most * one_, added.mean() * one_, added.bias() * one_, (*added.worst)["worst"],
-                          remaining.most * one_, remaining.mean() * one_, remaining.bias() * one_});
-    adds.points.emplace_back(k, added.mean() * one_);
-    remains.points.emplace_back(k, remaining.mean() * one_);
-    return fmt::format("{}{} adds {:.3f} codes", k == 1 ? "" : ", ", added.worst->text("name"), added.mean() * one_);
+    add_row(c, table,
+            {static_cast<std::int64_t>(k), (*added.worst)["name"], added.most, added.mean(), added.bias(),
+             (*added.worst)["worst"], remaining.most, remaining.mean(), remaining.bias()});
+    adds.points.emplace_back(k, added.mean());
+    remains.points.emplace_back(k, remaining.mean());
+    return fmt::format("{}{} adds {:.3f} codes", k == 1 ? "" : ", ", added.worst->text("name"), added.mean());
   }
 
   void add_histogram(std::size_t c, Plot& plot) const {
@@ -168,11 +234,12 @@ class ProgramReportWriter {
     std::uint64_t all = 0;
     double reach = 1.0;  // of the errors of all components
     for (const StudyRow& row : rows_) {
-      if (row.table == "histogram" && row.count("count") > 0) reach = std::max(reach, std::abs(row.number("codes")));
+      if (row.table == "histogram" && row.count("count") > 0)
+        reach = std::max(reach, std::abs(row.number("error_codes")));
     }
     for (const StudyRow& row : rows_) {
-      if (!is_of(row, "histogram", c) || std::abs(row.number("codes")) > reach) continue;
-      counts[static_cast<std::int64_t>(row.number("codes"))] += row.count("count");
+      if (!is_of(row, "histogram", c) || std::abs(row.number("error_codes")) > reach) continue;
+      counts[static_cast<std::int64_t>(row.number("error_codes"))] += row.count("count");
       all += row.count("count");
     }
     PlotSeries series{kComponentNames[c], {}};
@@ -185,37 +252,40 @@ class ProgramReportWriter {
     plot.series.push_back(std::move(series));
   }
 
-  // The errors of all fragments, in codes: red, green, blue, alpha of each.
-  [[nodiscard]] std::vector<float> errors_of_fragments() const {
-    std::vector<float> errors(4 * fragments_.count());
-    parallel_ranges(fragments_.count(), kFragmentsAtATime, [&](std::size_t begin, std::size_t end) {
-      StagedColors staged(program_);
+  // A file for each form, with the errors of the components that these fragments measure.
+  void add_error_files(const MeasuredColor& color) {
+    const Fragments& fragments = color.fragments;
+    if (fragments.components().empty() || fragments.count() > kMostListed) return;
+    const std::vector<std::size_t> measured = color.measured();
+    std::vector<float> errors(measured.size() * fragments.count());
+    parallel_ranges(fragments.count(), kFragmentsAtATime, [&](std::size_t begin, std::size_t end) {
+      FragmentErrors errors_of(program_, fragments);
       for (std::size_t i = begin; i != end; ++i) {
-        staged.change_constants([&](Program& program) { fragments_.put_constants(i, program); });
-        const std::vector<RealColor>& colors = staged(fragments_.registers(i));
-        for (std::size_t c = 0; c < 4; ++c) errors[4 * i + c] = in_codes(colors.back()[c] - colors[0][c]);
+        const std::array<float, 4> all = errors_of(i);
+        for (std::size_t k = 0; k < measured.size(); ++k) errors[measured.size() * i + k] = all[measured[k]];
       }
     });
-    return errors;
-  }
-
-  void add_error_files() {
-    if (fragments_.count() > kMostListed) return;
-    const std::vector<float> errors = errors_of_fragments();
-    std::string csv, shape;
-    const std::size_t columns = fragments_.components().size();
-    for (std::size_t i = 0; i < columns; ++i) csv += fragments_.components()[i].name() + ',';
-    csv += "error.r,error.g,error.b,error.a\n";
-    for (std::size_t fragment = 0; fragment < fragments_.count(); ++fragment) {
-      for (std::size_t i = 0; i < columns; ++i)
-        fmt::format_to(std::back_inserter(csv), "{},", fragments_.code(fragment, i));
-      const float* const e = &errors[4 * fragment];
-      fmt::format_to(std::back_inserter(csv), "{},{},{},{}\n", e[0], e[1], e[2], e[3]);
+    std::string csv, shape, letters;
+    const std::size_t columns = fragments.components().size();
+    for (std::size_t i = 0; i < columns; ++i) csv += fragments.components()[i].name() + ',';
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      const char letter = "rgba"[measured[k]];
+      csv += fmt::format("{}error.{}", k == 0 ? "" : ",", letter);
+      letters += letter;
     }
-    for (std::size_t i = 0; fragments_.all() && i < columns; ++i) shape += fmt::format("{}, ", fragments_.values(i));
-    if (!fragments_.all()) shape = fmt::format("{}, ", fragments_.count());
-    out_.files.push_back({"error.csv", std::move(csv)});
-    out_.files.push_back({"error.npy", npy_of(shape + "4", errors)});
+    csv += '\n';
+    for (std::size_t fragment = 0; fragment < fragments.count(); ++fragment) {
+      for (std::size_t i = 0; i < columns; ++i)
+        fmt::format_to(std::back_inserter(csv), "{},", fragments.code(fragment, i));
+      const float* const e = &errors[measured.size() * fragment];
+      fmt::format_to(std::back_inserter(csv), "{}\n", fmt::join(e, e + measured.size(), ","));
+    }
+    for (std::size_t i = 0; fragments.all() && i < columns; ++i) shape += fmt::format("{}, ", fragments.values(i));
+    if (!fragments.all()) shape = fmt::format("{}, ", fragments.count());
+    // "error.csv"; "error-rg.csv" if other components have other inputs.
+    const std::string name = separated() ? "error-" + letters : "error";
+    out_.files.push_back({name + ".csv", std::move(csv)});
+    out_.files.push_back({name + ".npy", npy_of(fmt::format("{}{}", shape, measured.size()), errors)});
   }
 
   // NumPy's format, version 1.0: floats of 32 bits, the lowest byte first.
@@ -235,57 +305,83 @@ class ProgramReportWriter {
     return out;
   }
 
-  // An error in codes; 0 where the numbers are not more certain.
-  [[nodiscard]] float in_codes(double error) const {
-    const double codes = error * one_;
-    return std::fabs(codes) < 1e-7 ? 0.0F : static_cast<float>(codes);
-  }
-
-  // The first component runs to the right, the second upward.
-  [[nodiscard]] HeatMap map_of(std::size_t c) const {
-    const std::size_t width = fragments_.values(0), height = fragments_.values(1);
-    HeatMap map{.file = fmt::format("error-{}", kComponentNames[c]),
-                .title = fmt::format("Error of {}", kComponentNames[c]),
-                .x_label = fragments_.components()[0].name() + ", as code",
-                .y_label = fragments_.components()[1].name() + ", as code",
-                .x_first = static_cast<double>(fragments_.lowest(0)),
-                .x_last = static_cast<double>(one_),
-                .y_first = static_cast<double>(one_),
-                .y_last = static_cast<double>(fragments_.lowest(1)),
-                .width = static_cast<int>(width),
-                .height = static_cast<int>(height),
-                .values = std::vector<float>(width * height),
-                .caption = "In codes: 1 is a register's last bit. One pixel per fragment."};
+  // Maps of the components that have errors. The first input runs to the right, the second upward. Of several fragments
+  // in a pixel, which differ in further inputs, the first with the largest error is shown.
+  void add_heat_maps(const MeasuredColor& color) {
+    const Fragments& fragments = color.fragments;
+    if (!fragments.all() || fragments.components().size() < 2) return;
+    std::vector<HeatMap> maps;
+    std::vector<std::size_t> shown;
+    for (const std::size_t c : color.measured()) {
+      if (!wrong_[c]) continue;
+      shown.push_back(c);
+      maps.push_back(empty_map(c, fragments));
+    }
+    if (shown.empty()) return;
+    const std::size_t width = fragments.values(0), height = fragments.values(1);
+    const std::size_t in_pixel = fragments.count() / (width * height);
     parallel_ranges(height, 1, [&](std::size_t begin, std::size_t end) {
-      StagedColors staged(program_);
+      FragmentErrors errors_of(program_, fragments);
       for (std::size_t row = begin; row != end; ++row) {
         for (std::size_t column = 0; column < width; ++column) {
-          const std::size_t fragment = column * height + (height - 1 - row);
-          staged.change_constants([&](Program& program) { fragments_.put_constants(fragment, program); });
-          const std::vector<RealColor>& colors = staged(fragments_.registers(fragment));
-          map.values[row * width + column] = in_codes(colors.back()[c] - colors[0][c]);
+          const std::size_t first = (column * height + (height - 1 - row)) * in_pixel;
+          for (std::size_t i = first; i != first + in_pixel; ++i) {
+            const std::array<float, 4> errors = errors_of(i);
+            for (std::size_t k = 0; k < shown.size(); ++k) {
+              float& value = maps[k].values[row * width + column];
+              if (std::fabs(errors[shown[k]]) > std::fabs(value)) value = errors[shown[k]];
+            }
+          }
         }
       }
     });
-    float span = 0.0F;
-    for (const float v : map.values) span = std::max(span, std::fabs(v));
-    map.low = -span;
-    map.high = span;
-    return map;
+    for (HeatMap& map : maps) {
+      float span = 0.0F;
+      for (const float v : map.values) span = std::max(span, std::fabs(v));
+      map.low = -span;
+      map.high = span;
+      out_.heat_maps.push_back(std::move(map));
+    }
+  }
+
+  [[nodiscard]] HeatMap empty_map(std::size_t c, const Fragments& fragments) const {
+    const std::vector<RegisterComponent>& inputs = fragments.components();
+    std::string others;
+    for (std::size_t i = 2; i < inputs.size(); ++i) {
+      others += (i == 2 ? "" : i + 1 == inputs.size() ? " and " : ", ") + inputs[i].name();
+    }
+    return {.file = fmt::format("error-{}", kComponentNames[c]),
+            .title = others.empty()
+                         ? fmt::format("Error of {}", kComponentNames[c])
+                         : fmt::format("Largest error of {} over all values of {}", kComponentNames[c], others),
+            .x_label = inputs[0].name() + ", as code",
+            .y_label = inputs[1].name() + ", as code",
+            .x_first = static_cast<double>(fragments.lowest(0)),
+            .x_last = static_cast<double>(one_),
+            .y_first = static_cast<double>(one_),
+            .y_last = static_cast<double>(fragments.lowest(1)),
+            .width = static_cast<int>(fragments.values(0)),
+            .height = static_cast<int>(fragments.values(1)),
+            .values = std::vector<float>(fragments.values(0) * fragments.values(1)),
+            .caption = "In codes: 1 is a register's last bit. " +
+                       (others.empty()
+                            ? std::string("One pixel per fragment.")
+                            : fmt::format("One pixel for all values of {}: the error of the largest size.", others))};
   }
 
   const Program& program_;
-  const Fragments& fragments_;
+  std::span<const MeasuredColor> colors_;
   std::span<const StudyRow> rows_;
   int one_;
+  std::array<bool, 4> wrong_{};  // the components of the colour that have errors
   StudyReport out_;
 };
 
 }  // namespace
 
-StudyReport program_report(const Program& program, const Fragments& fragments, std::span<const StudyRow> rows,
-                           std::size_t done, std::size_t units) {
-  StudyReport report = ProgramReportWriter(program, fragments, rows).write();
+StudyReport program_report(const Program& program, std::span<const MeasuredColor> colors,
+                           std::span<const StudyRow> rows, std::size_t done, std::size_t units) {
+  StudyReport report = ProgramReportWriter(program, colors, rows).write();
   if (done < units) {
     report.answers.insert(report.answers.begin(), fmt::format("Only {} of {} units were measured.", done, units));
   }

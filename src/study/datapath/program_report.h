@@ -10,9 +10,9 @@
 
 namespace ninebit {
 
-// The report on the rows of `done` of `units` units. If the fragments are all combinations of two components, it
-// includes a map of the error with one pixel per fragment.
-[[nodiscard]] StudyReport program_report(const Program& program, const Fragments& fragments,
+// The report on the rows of `done` of `units` units. Where a component of the colour is measured over all combinations
+// of two or more inputs, a map shows its error over the first two, the largest over all values of the others.
+[[nodiscard]] StudyReport program_report(const Program& program, std::span<const MeasuredColor> colors,
                                          std::span<const StudyRow> rows, std::size_t done, std::size_t units);
 
 }  // namespace ninebit

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "ninebit/numerics/fixed9.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {

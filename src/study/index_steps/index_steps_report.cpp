@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ninebit/combiner/batch_program.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/study/digits/digits.h"
 #include "src/study/index_steps/false_matches.h"
 #include "src/study/index_steps/index_steps_study.h"

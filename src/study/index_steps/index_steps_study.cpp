@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "src/study/index_steps/false_matches.h"
 #include "src/system/parallel/parallel_loop.h"

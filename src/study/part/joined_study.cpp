@@ -37,6 +37,8 @@ class JoinedStudy final : public Study {
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
     StudyReport all;
+    std::vector<Plot> shared;
+    bool first = true;
     for (const ProfileStudy& one : studies_) {
       std::vector<StudyRow> own;
       std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
@@ -47,8 +49,14 @@ class JoinedStudy final : public Study {
       auto report = one.study->report(own, own_done);
       if (!report) return report;
       all.title = report->title;
+      if (first) shared = report->plots;
+      share(one.profile, first, report->plots, shared);
+      first = false;
       append(one.profile, std::move(*report), all);
     }
+    const auto empty = [](const Plot& plot) { return plot.series.empty(); };
+    shared.erase(std::remove_if(shared.begin(), shared.end(), empty), shared.end());
+    if (studies_.size() > 1) all.plots.insert(all.plots.begin(), shared.begin(), shared.end());
     return all;
   }
 
@@ -58,6 +66,30 @@ class JoinedStudy final : public Study {
     auto one = studies_.begin();
     for (; unit >= one->study->units(); ++one) unit -= one->study->units();
     return *one->study;
+  }
+
+  // Adds a profile's series to the plots of all profiles. Keeps only plots that every profile has over the same axis,
+  // and only series that are not 0 everywhere.
+  static void share(const std::string& profile, bool first, const std::vector<Plot>& plots, std::vector<Plot>& shared) {
+    const auto is_zero = [](const PlotSeries& series) {
+      return std::all_of(series.points.begin(), series.points.end(),
+                         [](const auto& point) { return point.second == 0; });
+    };
+    for (auto to = shared.begin(); to != shared.end();) {
+      const auto from = std::find_if(plots.begin(), plots.end(), [&](const Plot& one) { return one.file == to->file; });
+      if (from == plots.end() || from->x_names != to->x_names) {
+        to = shared.erase(to);
+        continue;
+      }
+      if (first) {
+        to->title += ", by profile";
+        to->series.clear();
+      }
+      for (const PlotSeries& series : from->series) {
+        if (!is_zero(series)) to->series.push_back({profile + ", " + series.name, series.points});
+      }
+      ++to;
+    }
   }
 
   static void append(const std::string& profile, StudyReport&& report, StudyReport& all) {

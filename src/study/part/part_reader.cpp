@@ -1,52 +1,19 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "ninebit/study/study_part.h"
 #include "src/study/part/part_text.h"
 #include "src/system/hashing/openssl.h"
+#include "src/system/lines.h"
 #include "src/system/stream.h"
 
 namespace ninebit {
 namespace {
-
-// The complete lines of a file, with their newline. Bytes after the last newline are left out.
-class Lines {
- public:
-  enum class Next { line, none, too_long, unreadable };
-
-  explicit Lines(const std::filesystem::path& file) : stream_(file, posix::Access::read, error_) {}
-
-  [[nodiscard]] const std::error_code& error() const { return error_; }
-
-  Next next(std::string& line) {
-    while (true) {
-      if (const std::size_t end = text_.find('\n', searched_); end != std::string::npos) {
-        line.assign(text_, 0, end + 1);
-        text_.erase(0, end + 1);
-        searched_ = 0;
-        return Next::line;
-      }
-      searched_ = text_.size();
-      if (text_.size() > kMaxPartLine) return Next::too_long;
-      std::array<char, 1 << 16> piece;
-      const std::size_t count = stream_.read(piece, error_);
-      if (error_) return Next::unreadable;
-      if (count == 0) return Next::none;
-      text_.append(piece.data(), count);
-    }
-  }
-
- private:
-  std::error_code error_;
-  posix::Stream stream_;
-  std::string text_;
-  std::size_t searched_ = 0;
-};
 
 bool belongs_to(const Shard& shard, std::size_t unit) {
   return unit % shard.count == shard.index - 1;
@@ -72,16 +39,16 @@ class Reading {
     state_.hash = std::make_unique<Sha256>();
   }
 
-  // Adds a complete line with its newline. Returns an error message, or an empty text.
-  std::string add(const std::string& line) {
-    const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
+  // Adds a complete line. Returns an error message, or an empty text.
+  std::string add(std::string_view line) {
     ++number_;
     if (state_.part.complete)
-      return text == last_ ? keep(line) : "follows the part's last line; expected the end of the file";
-    if (number_ > 1 && is_end_line(text)) return end(line);
-    const std::string wrong = number_ == 1 ? add_header(text) : text == first_ ? std::string() : add_unit(text);
+      return line == last_ ? keep(line) : "follows the part's last line; expected the end of the file";
+    if (number_ > 1 && is_end_line(line)) return end(line);
+    const std::string wrong = number_ == 1 ? add_header(line) : line == first_ ? std::string() : add_unit(line);
     if (!wrong.empty()) return wrong;
     state_.hash->add(line);
+    state_.hash->add(std::string_view("\n"));
     return keep(line);
   }
 
@@ -89,8 +56,8 @@ class Reading {
   [[nodiscard]] PartState take() { return std::move(state_); }
 
  private:
-  std::string keep(const std::string& line) {
-    state_.whole_bytes += line.size();
+  std::string keep(std::string_view line) {
+    state_.whole_bytes += line.size() + 1;
     return {};
   }
 
@@ -136,17 +103,16 @@ class Reading {
     return {};
   }
 
-  std::string end(const std::string& line) {
-    const std::string_view text = std::string_view(line).substr(0, line.size() - 1);
+  std::string end(std::string_view line) {
     StudyPart& part = state_.part;
     if (part.units.size() != units_of(part.header)) {
       return fmt::format("the last line comes after {} units; expected {}", part.units.size(), units_of(part.header));
     }
-    if (Status fits = check_end_line(text, part.units.size(), state_.hash->finish()); !fits) {
+    if (Status fits = check_end_line(line, part.units.size(), state_.hash->finish()); !fits) {
       return fits.error().message;
     }
     part.complete = true;
-    last_ = text;
+    last_ = line;
     return keep(line);
   }
 
@@ -169,23 +135,24 @@ Result<PartState> read_part_state(const std::filesystem::path& file, const Study
   const auto fault = [&](std::string message, int line) {
     return Diagnostic{.message = std::move(message), .file = file.string(), .line = line};
   };
-  Lines lines(file);
-  if (lines.error()) {
-    return fault(fmt::format("cannot be read: {}; expected a part written by `ninebit study`", lines.error().message()),
-                 0);
+  std::error_code error;
+  const posix::Stream stream(file, posix::Access::read, error);
+  if (error) {
+    return fault(fmt::format("cannot be read: {}; expected a part written by `ninebit study`", error.message()), 0);
   }
-  std::string line;
+  LinePieces lines(kMaxPartLine);
+  std::vector<char> piece(std::size_t{1} << 16);
   while (true) {
-    switch (lines.next(line)) {
-      case Lines::Next::none:
-        return reading.take();
-      case Lines::Next::unreadable:
-        return fault("cannot be read to the end", reading.line() + 1);
-      case Lines::Next::too_long:
-        return fault(fmt::format("the line is longer than {} bytes; expected a part of a study", kMaxPartLine),
-                     reading.line() + 1);
-      case Lines::Next::line:
-        if (std::string wrong = reading.add(line); !wrong.empty()) return fault(std::move(wrong), reading.line());
+    const std::size_t count = stream.read(piece, error);
+    if (error) return fault("cannot be read to the end", reading.line() + 1);
+    if (count == 0) return reading.take();  // without what follows the last \n
+    lines.add({piece.data(), count});
+    for (auto line = lines.next(); line && !lines.too_long(); line = lines.next()) {
+      if (std::string wrong = reading.add(*line); !wrong.empty()) return fault(std::move(wrong), reading.line());
+    }
+    if (lines.too_long()) {
+      return fault(fmt::format("the line is longer than {} bytes; expected a part of a study", kMaxPartLine),
+                   reading.line() + 1);
     }
   }
 }

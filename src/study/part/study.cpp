@@ -1,6 +1,6 @@
 #include "ninebit/study/study.h"
 
-#include "src/system/shell_word.h"
+#include "src/system/quoting.h"
 
 namespace ninebit {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/portion_walk.h"
 #include "src/combiner/given_registers.h"
 

@@ -11,6 +11,7 @@
 #include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/study/equivalence.h"
 
 namespace ninebit::proof {

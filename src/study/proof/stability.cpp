@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "src/study/proof/proof_side.h"
 

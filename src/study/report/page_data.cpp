@@ -11,8 +11,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "src/study/report/plot_points.h"
 #include "src/study/report/report_colors.h"
+#include "src/study/report/report_text.h"
 #include "src/system/hashing/openssl.h"
 
 namespace ninebit {

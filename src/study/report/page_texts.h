@@ -10,7 +10,8 @@ extern const std::string_view kChartScript;  // Chart.js, from the distribution'
 extern const std::string_view kValuesScript;  // page/values.js
 extern const std::string_view kPlotsScript;   // page/plots.js
 extern const std::string_view kPageScript;    // page/report.js
-extern const std::string_view kPageStyle;     // page/report.css
-extern const std::string_view kPrintStyle;    // page/print.css, for every page with tables and pictures
+extern const std::string_view kReportLook;  // page/look.css: colours and fonts, for every page with tables and pictures
+extern const std::string_view kPageStyle;   // page/report.css
+extern const std::string_view kPrintStyle;  // page/print.css, for every page with tables and pictures
 
 }  // namespace ninebit

@@ -185,8 +185,8 @@ Result<std::string> report_html(const StudyQuestion& question, std::string_view 
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
       "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n<title>{0} – ninebit</title>\n"
-      "<style>\n{1}{3}</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">ninebit study {2}</p>\n<h1>{0}</h1>\n",
-      escaped(report.title), kPageStyle, escaped(question.study), kPrintStyle);
+      "<style>\n{4}{1}{3}</style>\n</head>\n<body>\n<header>\n<p class=\"kind\">ninebit study {2}</p>\n<h1>{0}</h1>\n",
+      escaped(report.title), kPageStyle, escaped(question.study), kPrintStyle, kReportLook);
   page += answers(report) + how_it_was_made(question, version, report, rows) + "<nav aria-label=\"Sections\"><ul>\n";
   for (const Section& section : sections) {
     if (!section.content.empty()) page += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, section.title);

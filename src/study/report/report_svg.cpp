@@ -11,11 +11,10 @@
 #include <vector>
 
 #include "src/study/report/chart_axis.h"
-#include "src/study/report/plot_points.h"
 #include "src/study/report/report_colors.h"
 #include "src/study/report/report_text.h"
 #include "src/system/hashing/openssl.h"
-#include "src/system/printable_text.h"
+#include "src/system/quoting.h"
 
 namespace ninebit {
 namespace {

@@ -15,7 +15,7 @@
 #include "src/study/shadows/shadow_sweep_report.h"
 #include "src/study/shadows/wrong_pixel_traces.h"
 #include "src/system/hashing/openssl.h"
-#include "src/system/shell_word.h"
+#include "src/system/quoting.h"
 
 namespace ninebit {
 namespace {

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/study/vectors/vector_mistakes.h"
 
 namespace ninebit::vectors {

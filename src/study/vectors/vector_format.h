@@ -10,6 +10,7 @@
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/study/vectors.h"
+#include "src/system/lines.h"
 
 namespace ninebit::vectors {
 
@@ -42,10 +43,7 @@ class Lines {
       ++line_;
       return false;
     }
-    const std::size_t end = rest_.find('\n');
-    words_ = rest_.substr(0, end);
-    rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
-    if (!words_.empty() && words_.back() == '\r') words_.remove_suffix(1);
+    words_ = take_line(rest_);
     ++line_;
     return true;
   }

@@ -1,6 +1,7 @@
 // Runs wrong models of the combiners.
 #include <algorithm>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/portion_walk.h"
 #include "src/study/vectors/mistaken_codes.h"
 #include "src/study/vectors/vector_mistakes.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/portion_walk.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/study/stage_vectors.h"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/study/vectors/vector_groups.h"

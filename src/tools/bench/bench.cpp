@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/language/gl_calls.h"
 #include "src/bench/combiner_rate.h"
 #include "src/bench/programs.h"

@@ -10,7 +10,7 @@
 
 #include "ninebit/frame/settings.h"
 #include "ninebit/raster/surface.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 #include "src/system/number_list.h"
 
 namespace ninebit::tools {

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/explain.h"
 #include "src/tools/input/printable.h"

@@ -13,6 +13,7 @@
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/source_faults.h"
 #include "src/system/inside_folder.h"
+#include "src/system/lines.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/printable.h"
 
@@ -69,9 +70,7 @@ class SourceLines {
   // The line, and below it a mark under the word at the column; empty if there is no such line, or it is not plain text
   // of a terminal's width.
   std::string marked(int line, int column) {
-    for (; number_ < line && !rest_.empty(); ++number_) {
-      rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size() - 1) + 1);
-    }
+    for (; number_ < line && !rest_.empty(); ++number_) take_line(rest_);
     constexpr std::size_t kLongest = 160;
     std::string shown(rest_.substr(0, std::min(rest_.find('\n'), kLongest + 1)));
     if (shown.ends_with('\r')) shown.pop_back();

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "src/study/part/part_text.h"
-#include "src/system/shell_word.h"
+#include "src/system/quoting.h"
 #include "src/tools/input/printable.h"
 
 namespace ninebit::tools {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 #include "src/tools/input/program.h"
 
 namespace ninebit::tools {

@@ -10,10 +10,10 @@
 
 #include "ninebit/frame/pictures.h"
 #include "ninebit/image/image_io.h"
-#include "src/language/source/nearest_name.h"
 #include "src/shadow/ground_truth/judge.h"
 #include "src/study/report/page_texts.h"
 #include "src/system/hashing/openssl.h"
+#include "src/system/nearest_name.h"
 #include "src/tools/common/flag_values.h"
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"
@@ -475,6 +475,7 @@ std::string compare_page(const CompareFlags& flags, const Comparison& comparison
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
       "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n"
       "<title>Comparison – ninebit</title>\n<style>\n";
+  page += kReportLook;
   page += kCompareStyle;
   page += kPrintStyle;
   page += "</style>\n</head>\n<body>\n<noscript>This page needs JavaScript. report.json has its figures.</noscript>\n";

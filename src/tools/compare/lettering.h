@@ -9,9 +9,8 @@
 
 namespace ninebit::tools {
 
-inline constexpr int kLetterCells = 6;   // of width, with the gap to the next letter
-inline constexpr int kLineCells = 12;    // of height, with the gap to the next line
-inline constexpr int kCapitalCells = 7;  // above the line that letters stand on
+inline constexpr int kLetterCells = 6;  // of width, with the gap to the next letter
+inline constexpr int kLineCells = 12;   // of height, with the gap to the next line
 
 // A colour and a size of letters.
 struct Lettering {

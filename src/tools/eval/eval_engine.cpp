@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ninebit/combiner/normalize.h"
 #include "src/combiner/given_registers.h"
 
 namespace ninebit::tools {

@@ -8,11 +8,14 @@
 
 #include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/image/texture_io.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/combiner/given_registers.h"
 #include "src/image/texture/picture_loader.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/host.h"
+#include "src/tools/input/printable.h"
 
 namespace ninebit::tools {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "ninebit/combiner/normalize.h"
 #include "src/combiner/given_registers.h"
 
 namespace ninebit::tools {

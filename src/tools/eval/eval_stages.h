@@ -9,6 +9,7 @@
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/program_text.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
 #include "ninebit/texture_shader/stage_program.h"
 #include "src/tools/input/csv_lines.h"

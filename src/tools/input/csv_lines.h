@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "src/system/lines.h"
 #include "src/tools/input/input_file.h"
 
 namespace ninebit::tools {
@@ -18,9 +19,6 @@ struct CsvLine {
 
 // "FILE:LINE:COLUMN: MESSAGE".
 [[nodiscard]] Diagnostic csv_fault(const std::string& file, int line, std::size_t column, std::string message);
-
-// The text without spaces and tabs at both ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
 
 // A field as one printable line of at most 40 characters.
 [[nodiscard]] std::string shown(std::string_view field);
@@ -43,11 +41,9 @@ class CsvLines {
   Result<std::optional<std::string_view>> next_raw();
 
   InputFile input_;
-  std::string_view piece_;  // the unread rest of the last read
-  std::string carried_;     // a line that spans pieces
-  std::string beginning_;   // for kind_of_file()
-  bool ended_ = false;
-  int number_ = 0;
+  LinePieces lines_{kLongestCsvLine};
+  std::string beginning_;  // for kind_of_file()
+  bool ended_ = false;     // all is read
 };
 
 // The fault to report for a table's header: if the file seems to be of another kind, that; else `fault`.

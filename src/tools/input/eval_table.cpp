@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/combiner/given_registers.h"
 
 namespace ninebit::tools {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "src/system/printable_text.h"
+#include "src/system/quoting.h"
 
 namespace ninebit::tools {
 

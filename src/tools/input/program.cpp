@@ -11,9 +11,11 @@
 #include <system_error>
 #include <utility>
 
-#include "src/language/source/nearest_name.h"
+#include "ninebit/language/profile_json.h"
+#include "ninebit/numerics/hardware_profile.h"
+#include "src/system/nearest_name.h"
 #include "src/system/process.h"
-#include "src/system/shell_word.h"
+#include "src/system/quoting.h"
 #include "src/system/stream.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/host.h"
@@ -47,7 +49,7 @@ OwnedProfile read_profile(const std::string& path) {
 
 // Accepts the name of a shipped profile or the word, or reads a file into `own` and replaces its path with its
 // profile's name.
-std::string check_profile(std::string& text, std::optional<OwnedProfile>& own, const std::string& word = {}) {
+std::string check_profile(std::string& text, std::shared_ptr<const OwnedProfile>& own, const std::string& word = {}) {
   own.reset();
   if (find_profile(text) != nullptr || (text == word && !word.empty())) return {};
   if (!text.ends_with(".json")) {
@@ -57,7 +59,7 @@ std::string check_profile(std::string& text, std::optional<OwnedProfile>& own, c
     return fmt::format("unknown profile '{}'; expected {}, or the path of a .json file{}", text, fmt::join(names, ", "),
                        did_you_mean(text, names));
   }
-  own = read_profile(text);
+  own = std::make_shared<const OwnedProfile>(read_profile(text));
   text = own->profile.name;
   return {};
 }
@@ -70,7 +72,7 @@ std::string take_profile_names(const std::string& text, std::vector<std::string>
     if (std::find(names.begin(), names.end(), name) != names.end()) {
       return fmt::format("'{}' is given twice; expected each profile once", name);
     }
-    std::optional<OwnedProfile> none;
+    std::shared_ptr<const OwnedProfile> none;
     if (name.ends_with(".json")) return fmt::format("'{}' in a list; expected names from `ninebit profiles`", name);
     if (std::string fault = check_profile(name, none); !fault.empty()) return fault;
     names.push_back(std::move(name));

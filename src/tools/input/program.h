@@ -5,17 +5,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "ninebit/language/profile_json.h"
 #include "ninebit/language/source_text.h"
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/result.h"
+
+namespace ninebit {
+
+struct OwnedProfile;
+
+}  // namespace ninebit
 
 namespace ninebit::tools {
 
@@ -34,10 +39,10 @@ enum ExitCode : int {
 struct CommonFlags {
   bool json = false;
   bool quiet = false;
-  std::string profile = "geforce2";         // the name of the profile
-  std::optional<OwnedProfile> own_profile;  // if it came from a file
-  std::string profile_file;                 // that file
-  int threads = 0;                          // 0: all
+  std::string profile = "geforce2";                 // the name of the profile
+  std::shared_ptr<const OwnedProfile> own_profile;  // if it came from a file
+  std::string profile_file;                         // that file
+  int threads = 0;                                  // 0: all
 };
 
 // A file named by a flag is unreadable or invalid. Ends the program with kInvalidInput.
@@ -71,8 +76,8 @@ void add_profile_flag(CLI::App& verb, CommonFlags& flags, std::vector<std::strin
 
 // A profile beside that of --profile.
 struct ProfileChoice {
-  std::string name;                         // empty: not given
-  std::optional<OwnedProfile> own_profile;  // if it came from a file
+  std::string name;                                 // empty: not given
+  std::shared_ptr<const OwnedProfile> own_profile;  // if it came from a file
 };
 
 // Adds an option or, without dashes, an argument, whose value is checked and read as that of --profile. With `word`,

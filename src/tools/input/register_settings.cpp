@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/system/number_list.h"
 
 namespace ninebit::tools {

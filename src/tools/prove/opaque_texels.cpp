@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ninebit/combiner/batch_program.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/explain.h"
 #include "src/tools/input/printable.h"

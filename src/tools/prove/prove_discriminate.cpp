@@ -5,7 +5,7 @@
 
 #include "ninebit/study/combiner_fields.h"
 #include "ninebit/study/discriminate.h"
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/prove/prove.h"

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/prove/opaque_texels.h"

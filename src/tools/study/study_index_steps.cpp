@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "ninebit/language/profile_json.h"
 #include "ninebit/study/index_steps.h"
 #include "src/system/number_list.h"
 #include "src/tools/common/program_file.h"

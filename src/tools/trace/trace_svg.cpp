@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/page/diagram_page.h"
+#include "src/system/quoting.h"
 #include "src/tools/input/host.h"
 
 namespace ninebit::tools {

@@ -1,10 +1,10 @@
-#include "src/tools/verify/measured_combiners.h"
-
+// Measured tables of the combiners' own rules.
 #include <array>
 #include <optional>
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/fixed9.h"
@@ -12,6 +12,8 @@
 
 namespace ninebit::tools {
 namespace {
+
+using namespace columns_of_tables;
 
 struct OutputOption {
   Scale scale;
@@ -62,8 +64,7 @@ Texel gray(std::uint8_t byte, bool is_signed) {
   return {.value = {byte, byte, byte, byte}, .format = TextureFormat::rgba, .is_signed = is_signed};
 }
 
-}  // namespace
-
+// A byte through a scale and bias, in one portion.
 std::vector<int> run_scale(const MeasuredRow& row, const HardwareProfile& profile) {
   CombinerState state = state_with(input(Register::spare0));
   const auto [scale, bias] = *value_of(kOptions, row.text("op"));
@@ -83,6 +84,7 @@ std::vector<int> run_scale(const MeasuredRow& row, const HardwareProfile& profil
   return {run(state, {}, profile)[is_alpha ? 3 : 0]};
 }
 
+// Red as AB or blue as CD.
 std::vector<int> run_mux(const MeasuredRow& row, const HardwareProfile& profile) {
   CombinerState state = state_with(input(Register::primary));
   state.num_general_combiners = 2;
@@ -104,6 +106,7 @@ std::vector<int> run_mux(const MeasuredRow& row, const HardwareProfile& profile)
   return {color.begin(), color.end()};
 }
 
+// A signed texel, as it leaves the final combiner.
 std::vector<int> run_signed_texel(const MeasuredRow& row, const HardwareProfile& profile) {
   FragmentInputs inputs;
   inputs.texture[0] = gray(row.byte("texel_byte"), true);
@@ -111,11 +114,13 @@ std::vector<int> run_signed_texel(const MeasuredRow& row, const HardwareProfile&
   return {color[0], color[1], color[2]};
 }
 
+// A float vertex colour, likewise.
 std::vector<int> run_vertex_color(const MeasuredRow& row, const HardwareProfile& profile) {
   const FragmentInputs inputs = with_vertex_color(row, "float", profile);
   return {run(state_with(input(Register::primary)), initial_registers(profile, inputs), profile)[0]};
 }
 
+// A float vertex colour times a texel of 255, and of 51, in the final combiner.
 std::vector<int> run_product(const MeasuredRow& row, const HardwareProfile& profile) {
   CombinerState state = state_with(input(Register::zero));
   state.final_combiner.a = input(Register::texture0);
@@ -128,14 +133,6 @@ std::vector<int> run_product(const MeasuredRow& row, const HardwareProfile& prof
   }
   return products;
 }
-
-CombinerState quad_state(Register reg, bool own_alpha) {
-  CombinerState state = state_with(input(reg));
-  if (own_alpha) state.final_combiner.g = input(reg, ComponentUsage::alpha);
-  return state;
-}
-
-namespace {
 
 // Three bytes of constants or registers of the quads' programs.
 using Triple = std::array<int, 3>;
@@ -252,7 +249,29 @@ std::optional<QuadProgram> quad_of(const MeasuredRow& row) {
   return std::nullopt;
 }
 
+std::string wrong_scale(const MeasuredRow& row, const HardwareProfile&) {
+  const std::string wrong = wrong_word(row, "op", kOptions);
+  return wrong.empty() ? wrong_word(row, "portion", kPortions) : wrong;
+}
+
+std::string wrong_mux(const MeasuredRow& row, const HardwareProfile& profile) {
+  const std::string wrong = wrong_word(row, "mux_select", kMuxBits);
+  if (!wrong.empty() || profile.mux_by_lowest_bit || !*value_of(kMuxBits, row.text("mux_select"))) return wrong;
+  return fmt::format("profile {} has no mux by the lowest bit of spare0's alpha (NV2A)", profile.name);
+}
+
+constexpr StatedValue kMuxAb{"AB", "AB=C0=", StatedValue::Kind::list, 0, 255, "(255,0,0)", 3},
+    kMuxCd{"CD", "CD=C1=", StatedValue::Kind::list, 0, 255, "(0,0,255)", 3},
+    kFullTexel{"full", "full = texel ", StatedValue::Kind::real, 0, 255, "255"},
+    kDimTexel{"dim", "dim = texel ", StatedValue::Kind::real, 0, 255, "51"};
+
 }  // namespace
+
+CombinerState quad_state(Register reg, bool own_alpha) {
+  CombinerState state = state_with(input(reg));
+  if (own_alpha) state.final_combiner.g = input(reg, ComponentUsage::alpha);
+  return state;
+}
 
 std::vector<int> run_quad(const MeasuredRow& row, const HardwareProfile& profile) {
   QuadProgram quad = *quad_of(row);
@@ -272,15 +291,49 @@ std::string wrong_quad(const MeasuredRow& row, const HardwareProfile& profile) {
   return refused.empty() ? "" : fmt::format("profile {}: {}", profile.name, refused[0].message);
 }
 
-std::string wrong_scale(const MeasuredRow& row, const HardwareProfile&) {
-  const std::string wrong = wrong_word(row, "op", kOptions);
-  return wrong.empty() ? wrong_word(row, "portion", kPortions) : wrong;
-}
-
-std::string wrong_mux(const MeasuredRow& row, const HardwareProfile& profile) {
-  const std::string wrong = wrong_word(row, "mux_select", kMuxBits);
-  if (!wrong.empty() || profile.mux_by_lowest_bit || !*value_of(kMuxBits, row.text("mux_select"))) return wrong;
-  return fmt::format("profile {} has no mux by the lowest bit of spare0's alpha (NV2A)", profile.name);
+std::vector<MeasuredFormat> make_combiner_formats() {
+  const Column note{}, word{{}, Kind::word}, real{{}, Kind::real}, measured{{}, Kind::measured}, match{{}, Kind::match},
+      any_byte = byte({});
+  return {
+      {"scale and bias",
+       columns({{"op", word},
+                {"op_code_bits15_17", note},
+                {"portion", word},
+                {"channel", note},
+                {"in", any_byte},
+                {"hw_out", measured},
+                {"model_out", note},
+                {"match", match},
+                {"how", note}}),
+       run_scale, wrong_scale},
+      {"mux",
+       columns({{"mux_select", word},
+                {"spare0_alpha_byte", any_byte},
+                {"R,G,B,A", measured},
+                {"hw_selected,model_selected", note},
+                {"match", match}}),
+       run_mux,
+       wrong_mux,
+       {kMuxAb, kMuxCd}},
+      {"signed texels",
+       columns({{"texel_byte", any_byte},
+                {"as_int8", note},
+                {"hw_R,hw_G,hw_B", measured},
+                {"model", note},
+                {"match", match}}),
+       run_signed_texel},
+      {"vertex colours", columns({{"float", real}, {"model", note}, {"hw", measured}, {"match", match}}),
+       run_vertex_color},
+      {"A·B of the final combiner",
+       columns({{"col,row,ch", note},
+                {"diffuse_float", real},
+                {"f2b_model", note},
+                {"hw_full,hw_dim", measured},
+                {"model_dim,f2b_match,dim_match", note}}),
+       run_product,
+       nullptr,
+       {kFullTexel, kDimTexel}},
+  };
 }
 
 }  // namespace ninebit::tools

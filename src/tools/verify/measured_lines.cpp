@@ -16,6 +16,8 @@
 namespace ninebit::tools {
 namespace {
 
+using namespace columns_of_tables;
+
 constexpr int kSide = 256;  // of the window, in pixels
 
 // Window corners in 1/16 pixel, y growing downwards.
@@ -108,8 +110,7 @@ std::array<Corner, 2> ends_of(const MeasuredRow& row) {
   return {{{row.whole("Px"), row.whole("Py")}, {row.whole("Qx"), row.whole("Qy")}}};
 }
 
-}  // namespace
-
+// The pixels of a row of an object of lines that are drawn and not measured, or measured and not drawn.
 std::vector<int> draw_lines(const MeasuredRow& row, const HardwareProfile& profile) {
   const bool is_quad = row.text("object") == "quad";
   MeasuredWindow window(corners_of(row.list(row.text("object"))));
@@ -131,6 +132,7 @@ std::string wrong_line_color(const MeasuredRow& row, const HardwareProfile& /*pr
   return wrong_spread(ends_of(row), row.real("width"));
 }
 
+// A pixel of a line with two colours.
 std::vector<int> draw_line_color(const MeasuredRow& row, const HardwareProfile& profile) {
   const std::array<Corner, 2> ends = ends_of(row);
   const std::array<ColorBytes, 2> colors{color_of(row.digits("c0")), color_of(row.digits("c1"))};
@@ -142,6 +144,7 @@ std::vector<int> draw_line_color(const MeasuredRow& row, const HardwareProfile& 
   return {window.component(x, y, kRed), window.component(x, y, kGreen), window.component(x, y, kBlue)};
 }
 
+// The first and the last column of a point at a corner of pixels, from there.
 std::vector<int> draw_point(const MeasuredRow& row, const HardwareProfile& profile) {
   const std::array<Corner, 1> place{{{0, 0}}};
   MeasuredWindow window(place);
@@ -168,6 +171,57 @@ std::string wrong_lines(const MeasuredRow& row, const HardwareProfile& /*profile
       "the comments do not state the corners of the {0}; expected a comment such as # {0}: (160,398) "
       "(220,388) …",
       object);
+}
+
+// Lines: their width in pixels, and corners in window coordinates, y growing downwards.
+constexpr StatedValue kLineWidth{"width", "Line_", StatedValue::Kind::real, 0, 64, "16"},
+    kQuadCorners{"quad",
+                 "quad = PRIMITIVE_QUADS in polygon mode LINE, corners ",
+                 StatedValue::Kind::list,
+                 0,
+                 4095,
+                 "(160,398) (220,388) (218.5,473.375) (172.75,455.5)",
+                 8,
+                 true},
+    kLoopCorners{
+        "loop", "loop = LINE_LOOP through ", StatedValue::Kind::list, 0, 4095, "(356,95) (354,67) (342,145)", 0, true};
+
+}  // namespace
+
+std::vector<MeasuredFormat> make_line_formats() {
+  const Column note{}, word{{}, Kind::word}, digits{{}, Kind::digits}, real{{}, Kind::real},
+      measured{{}, Kind::measured}, match{{}, Kind::match}, position = whole({}, -100'000, 100'000),
+                                                            pixel = whole({}, 0, 4095);
+  return {
+      {"lines",
+       columns({{"picture", note},
+                {"width", real},
+                {"object", word},
+                {"y", pixel},
+                {"hw_runs", {{}, Kind::runs}},
+                {"model_runs", note},
+                {"match", match}}),
+       draw_lines,
+       wrong_lines,
+       {kQuadCorners, kLoopCorners}},
+      {"colours of lines",
+       columns({{"Px,Py,Qx,Qy", position},
+                {"c0,c1", digits},
+                {"x,y", pixel},
+                {"hw_R,hw_G,hw_B", measured},
+                {"model_R,model_G,model_B", note},
+                {"match", match}}),
+       draw_line_color,
+       wrong_line_color,
+       {kLineWidth}},
+      {"points",
+       columns({{"picture", note},
+                {"size_eighths", whole({}, 0, 512)},
+                {"hw_first,hw_last", {{}, Kind::extent}},
+                {"model_first,model_last", note},
+                {"match", match}}),
+       draw_point},
+  };
 }
 
 }  // namespace ninebit::tools

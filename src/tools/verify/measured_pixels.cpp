@@ -1,5 +1,4 @@
-#include "src/tools/verify/measured_pixels.h"
-
+// Measured tables of depth formats, fog, wrap modes, colour keys and combiner quads.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,13 +8,12 @@
 #include <map>
 #include <optional>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/fragment/fog.h"
-#include "src/tools/verify/measured_columns.h"
-#include "src/tools/verify/measured_combiners.h"
 #include "src/tools/verify/measured_rows.h"
 
 namespace ninebit::tools {

@@ -14,6 +14,8 @@
 namespace ninebit::tools {
 namespace {
 
+using namespace columns_of_tables;
+
 constexpr Words<CompareFunction, 8> kFunctions{{{"Never", CompareFunction::never},
                                                 {"LessThan", CompareFunction::less},
                                                 {"Equal", CompareFunction::equal},
@@ -167,12 +169,16 @@ Bytes4 texel_bytes(const Texture& texture, const Sampler& sampler, std::array<fl
   return made->bytes(coordinates, 0);
 }
 
+namespace {
+
+// A fragment of red 1 over black: 1 where it is drawn, else 0.
 std::vector<int> draw_alpha_test(const MeasuredRow& row, const HardwareProfile& profile) {
   PipelineState state = plain_state(profile);
   state.alpha_test = {true, *value_of(kFunctions, row.text("func")), row.byte("ref")};
   return {draw_color(state, {255, 0, 0, row.byte("alpha_byte")}, {}).is_drawn ? 1 : 0};
 }
 
+// s over d, whose result a second blend shows over what the table states.
 std::vector<int> draw_blend(const MeasuredRow& row, const HardwareProfile& profile) {
   PipelineState state = plain_state(profile);
   state.blend = {true, *value_of(kFactors, row.text("sfactor")), *value_of(kFactors, row.text("dfactor")),
@@ -184,22 +190,26 @@ std::vector<int> draw_blend(const MeasuredRow& row, const HardwareProfile& profi
   return values(draw_color(state, blended, under).color);
 }
 
+// A texel of a block.
 std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profile) {
   const auto x = static_cast<unsigned>(row.whole("x_and_3")), y = static_cast<unsigned>(row.whole("y_and_3"));
   const Bytes4 texel = texel_of(row, S3tcFormat::dxt1_rgba, {}, x, y, profile);
   return {texel[0], texel[1], texel[2], texel[3]};
 }
 
+// A texel of a DXT3 block and its alpha, shown over the stated background.
 std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile) {
   return shown(texel_of(row, S3tcFormat::dxt3, {row.byte("alpha4")}, 0, 0, profile), row);
 }
 
+// A texel of a DXT5 block and its alpha, shown over the stated background.
 std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile) {
   return shown(
       texel_of(row, S3tcFormat::dxt5, {row.byte("alpha0"), row.byte("alpha1"), row.byte("alpha_index")}, 0, 0, profile),
       row);
 }
 
+// Four texels of a level, and four of the next one, with their weights.
 std::vector<int> draw_filter(const MeasuredRow& row, const HardwareProfile& profile) {
   const std::uint8_t level = level_sample(row, "", profile);
   if (row.whole("f") == 0) return {level};
@@ -212,6 +222,8 @@ std::vector<int> draw_filter(const MeasuredRow& row, const HardwareProfile& prof
   return {sampled(levels, sampler, {0.5F, 0.5F, 0.0F}, profile, 0.5F)};
 }
 
+// A place between the texels 0 and 255, read as the luminance of a bump environment and shown over what the table
+// states.
 std::vector<int> draw_weight(const MeasuredRow& row, const HardwareProfile& profile) {
   const Texture texture = luminance({{1, 2, std::vector<std::uint8_t>{0, 255}}});
   const int read = sampled(texture, kLinear, {0.5F, between_texels(row.real("place")), 0.0F}, profile);
@@ -219,6 +231,7 @@ std::vector<int> draw_weight(const MeasuredRow& row, const HardwareProfile& prof
   return {shown_over(value, row.whole("alpha"), row.whole("under"))};
 }
 
+// A pixel of a triangle with three colours.
 std::vector<int> draw_smooth(const MeasuredRow& row, const HardwareProfile& profile) {
   constexpr int kHeight = 480;  // of the picture, whose y grows downwards
   std::array<glm::vec4, 3> corners;
@@ -236,6 +249,7 @@ std::vector<int> draw_smooth(const MeasuredRow& row, const HardwareProfile& prof
   return {color[0], color[1], color[2]};
 }
 
+// The depth code of a pixel of a quad.
 std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profile) {
   const DepthStencilFormat format = row.whole("bits") == 16 ? DepthStencilFormat::d16 : DepthStencilFormat::d24s8;
   const double largest = max_depth(format);
@@ -251,6 +265,7 @@ std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profi
   return {static_cast<int>(draw_pixel(state, arrays, {}, {}, format).depth)};
 }
 
+// The comparison of r with a depth texture: 1 where it holds, else 0.
 std::vector<int> draw_shadow(const MeasuredRow& row, const HardwareProfile& profile) {
   const bool is_16 = row.whole("bits") == 16;
   const InternalFormat format = is_16 ? InternalFormat::depth16 : InternalFormat::depth24;
@@ -276,10 +291,6 @@ std::string wrong_blend(const MeasuredRow& row, const HardwareProfile&) {
   return "";
 }
 
-std::string wrong_depth(const MeasuredRow& row, const HardwareProfile&) {
-  return row.whole("bits") == 16 || row.whole("bits") == 24 ? "" : "bits must be 16 or 24";
-}
-
 std::string wrong_shadow(const MeasuredRow& row, const HardwareProfile& profile) {
   for (const std::string& wrong :
        {wrong_word(row, "mode", kStageModes), wrong_word(row, "func", kComparisons), wrong_depth(row, profile)}) {
@@ -287,6 +298,134 @@ std::string wrong_shadow(const MeasuredRow& row, const HardwareProfile& profile)
   }
   if (std::max(row.whole("r"), row.whole("t")) >> row.whole("bits") == 0) return "";
   return fmt::format("r and t must be whole numbers from 0 to {}", (1 << row.whole("bits")) - 1);
+}
+
+constexpr StatedValue kBlendConstant{"constant", "blend constant ", StatedValue::Kind::digits,
+                                     0,          0xFFFFFFFFP0,      "55555555"},
+    kUnderTexel{"under", "texel + (255-A)*", StatedValue::Kind::real, 0, 255, "16"},
+    kAlphaUnderTexel{"alpha_under", "A*A + (255-A)*", StatedValue::Kind::real, 0, 255, "254"},
+    kBlendAlpha{"alpha", "alpha ", StatedValue::Kind::real, 0, 255, "127"},
+    kUnder{"under", "blended over ", StatedValue::Kind::real, 0, 255, "32"};
+
+}  // namespace
+
+std::string wrong_depth(const MeasuredRow& row, const HardwareProfile&) {
+  return row.whole("bits") == 16 || row.whole("bits") == 24 ? "" : "bits must be 16 or 24";
+}
+
+// Their pictures: abaire/nxdk_pgraph_tests_golden_results.
+std::vector<MeasuredFormat> make_row_formats() {
+  const Column note{}, word{{}, Kind::word}, digits{{}, Kind::digits}, real{{}, Kind::real},
+      measured{{}, Kind::measured}, match{{}, Kind::match},
+      any_byte = byte({}), cut = whole({}, 0, 3), weight = whole({}, 0, 255), next_level{{}, Kind::whole, 0, 255, true},
+      depth = whole({}, 0, (1 << 24) - 1), position = whole({}, -100'000, 100'000), pixel = whole({}, 0, 4095);
+  return {
+      {"alpha test",
+       columns({{"func", word},
+                {"ref,alpha_byte", any_byte},
+                {"hw_drawn", measured},
+                {"pixels,model_drawn", note},
+                {"match", match}}),
+       draw_alpha_test, wrong_alpha_test},
+      {"blending",
+       columns({{"equation,sfactor,dfactor", word},
+                {"s,d", digits},
+                {"bR,bG,bB,bA", note},
+                {"hw_R,hw_G,hw_B,hw_A", measured},
+                {"model_R,model_G,model_B,model_A", note},
+                {"match", match}}),
+       draw_blend,
+       wrong_blend,
+       {kBlendConstant, kUnderBlend}},
+      {"DXT1",
+       columns({{"c0,c1", digits},
+                {"index,x_and_3,y_and_3", cut},
+                {"hw_R,hw_G,hw_B,hw_A", measured},
+                {"model_R,model_G,model_B", note},
+                {"match", match}}),
+       draw_dxt1},
+      {"DXT3",
+       columns({{"c0,c1", digits},
+                {"index", cut},
+                {"alpha4", whole({}, 0, 15)},
+                {"hw_R,hw_G,hw_B,hw_A", measured},
+                {"texel_R,texel_G,texel_B,texel_A,model_R,model_G,model_B,model_A", note},
+                {"match", match}}),
+       draw_dxt3,
+       nullptr,
+       {kUnderTexel, kAlphaUnderTexel}},
+      {"DXT5",
+       columns({{"c0,c1", digits},
+                {"index", cut},
+                {"alpha0,alpha1", any_byte},
+                {"alpha_index", whole({}, 0, 7)},
+                {"hw_R,hw_G,hw_B,hw_A", measured},
+                {"texel_R,texel_G,texel_B,texel_A,model_R,model_G,model_B,model_A", note},
+                {"match", match}}),
+       draw_dxt5,
+       nullptr,
+       {kUnderTexel, kAlphaUnderTexel}},
+      {"linear filters",
+       columns({{"bias,level", note},
+                {"fu,fv", weight},
+                {"A,B,C,D", any_byte},
+                {"f", weight},
+                {"fu2,fv2,A2,B2,C2,D2", next_level},
+                {"hw", measured},
+                {"model", note},
+                {"match", match}}),
+       draw_filter},
+      {"weights of linear filters",
+       columns({{"row", note},
+                {"place", real},
+                {"w,lum", note},
+                {"hw_R(values seen)", measured},
+                {"model_out", note},
+                {"match", match},
+                {"model_out_if_nearest,match_if_nearest", note}}),
+       draw_weight,
+       nullptr,
+       {kBlendAlpha, kUnder}},
+      {"depth comparison",
+       columns({{"picture", note},
+                {"mode", word},
+                {"bits", whole({}, 16, 24)},
+                {"r", depth},
+                {"func", word},
+                {"t", depth},
+                {"hw", measured},
+                {"model", note},
+                {"match", match}}),
+       draw_shadow, wrong_shadow},
+      {"smooth colours",
+       columns({{"triangle", word},
+                {"x,y", pixel},
+                {"hw_R,hw_G,hw_B", measured},
+                {"model_R,model_G,model_B", note},
+                {"match", match}}),
+       draw_smooth,
+       nullptr,
+       {},
+       "nv2a_gouraud_triangles.csv",
+       "triangle",
+       columns({{"triangle", word},
+                {"picture,vertices", note},
+                {"x0,y0,x1,y1,x2,y2", position},
+                {"w0,w1,w2", real},
+                {"c0,c1,c2", digits},
+                {"pixels,wrong,uncovered", note}})},
+      {"depth codes",
+       columns({{"bits", whole({}, 16, 24)},
+                {"x0,x1", pixel},
+                {"z_left,z_right", depth},
+                {"x", pixel},
+                {"exact", note},
+                {"hw", measured},
+                {"model_floor", note},
+                {"match", match},
+                {"match_if_nearest", note}}),
+       draw_depth, wrong_depth},
+  };
 }
 
 }  // namespace ninebit::tools

@@ -1,4 +1,5 @@
-// A profile's results for the rows of measured tables: the values of the picture, in the order of their columns.
+// Shared by the files that compute a profile's results for the rows of measured tables: the values of the picture, in
+// the order of their columns.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,12 +7,15 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "ninebit/numerics/hardware_profile.h"
+#include "ninebit/combiner/state.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"
@@ -20,51 +24,52 @@
 
 namespace ninebit::tools {
 
-class MeasuredRow;
+// The formats of the tables, each in the file that computes the values of their pictures for a profile: of one pixel,
+// of lines and points, of the combiners' own rules, of texture-shader stages and texel formats, of surfaces, and of
+// depth formats, fog, wrap modes, colour keys and combiner quads.
+[[nodiscard]] std::vector<MeasuredFormat> make_row_formats();
+[[nodiscard]] std::vector<MeasuredFormat> make_line_formats();
+[[nodiscard]] std::vector<MeasuredFormat> make_combiner_formats();
+[[nodiscard]] std::vector<MeasuredFormat> make_stage_formats();
+[[nodiscard]] std::vector<MeasuredFormat> make_surface_formats();
+[[nodiscard]] std::vector<MeasuredFormat> make_pixel_formats();
 
-// A fragment of red 1 over black: 1 where it is drawn, else 0.
-[[nodiscard]] std::vector<int> draw_alpha_test(const MeasuredRow& row, const HardwareProfile& profile);
+// Short forms for the columns of these tables.
 
-// s over d, whose result a second blend shows over what the table states.
-[[nodiscard]] std::vector<int> draw_blend(const MeasuredRow& row, const HardwareProfile& profile);
+namespace columns_of_tables {
 
-// A texel of a block. Those of DXT3 and DXT5, and their alpha, are shown over what the table states.
-[[nodiscard]] std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profile);
-[[nodiscard]] std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile);
-[[nodiscard]] std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile);
+using Column = MeasuredColumn;
+using Kind = MeasuredColumn::Kind;
 
-// Four texels of a level, and four of the next one, with their weights.
-[[nodiscard]] std::vector<int> draw_filter(const MeasuredRow& row, const HardwareProfile& profile);
+inline Column whole(std::string_view name, std::int64_t low, std::int64_t high) {
+  return {name, Kind::whole, low, high};
+}
+inline Column byte(std::string_view name) {
+  return whole(name, 0, 255);
+}
 
-// A place between the texels 0 and 255, read as the luminance of a bump environment and shown over what the table
-// states.
-[[nodiscard]] std::vector<int> draw_weight(const MeasuredRow& row, const HardwareProfile& profile);
+// Columns of one kind, from their part of the header.
+inline void add_columns(std::vector<Column>& to, std::string_view names, Column like) {
+  for (const std::string_view name : pieces(names, ',')) {
+    like.name = name;
+    to.push_back(like);
+  }
+}
+inline std::vector<Column> columns(std::initializer_list<std::pair<std::string_view, Column>> groups) {
+  std::vector<Column> all;
+  for (const auto& [names, like] : groups) add_columns(all, names, like);
+  return all;
+}
 
-// A pixel of a triangle with three colours.
-[[nodiscard]] std::vector<int> draw_smooth(const MeasuredRow& row, const HardwareProfile& profile);
+}  // namespace columns_of_tables
 
-// The depth code of a pixel of a quad.
-[[nodiscard]] std::vector<int> draw_depth(const MeasuredRow& row, const HardwareProfile& profile);
+// The combiners' results for a quad of the pictures of combiner programs, and the fault of its row's words for a
+// profile; empty: none.
+[[nodiscard]] std::vector<int> run_quad(const MeasuredRow& row, const HardwareProfile& profile);
+[[nodiscard]] std::string wrong_quad(const MeasuredRow& row, const HardwareProfile& profile);
 
-// The pixels of a row of an object of lines that are drawn and not measured, or measured and not drawn.
-[[nodiscard]] std::vector<int> draw_lines(const MeasuredRow& row, const HardwareProfile& profile);
-
-// A pixel of a line with two colours.
-[[nodiscard]] std::vector<int> draw_line_color(const MeasuredRow& row, const HardwareProfile& profile);
-
-// The first and the last column of a point at a corner of pixels, from there.
-[[nodiscard]] std::vector<int> draw_point(const MeasuredRow& row, const HardwareProfile& profile);
-
-// The comparison of r with a depth texture: 1 where it holds, else 0.
-[[nodiscard]] std::vector<int> draw_shadow(const MeasuredRow& row, const HardwareProfile& profile);
-
-// The fault of a row's words, which draw_… would not find; empty: none.
-[[nodiscard]] std::string wrong_alpha_test(const MeasuredRow& row, const HardwareProfile& profile);
-[[nodiscard]] std::string wrong_blend(const MeasuredRow& row, const HardwareProfile& profile);
-[[nodiscard]] std::string wrong_depth(const MeasuredRow& row, const HardwareProfile& profile);
-[[nodiscard]] std::string wrong_line_color(const MeasuredRow& row, const HardwareProfile& profile);
-[[nodiscard]] std::string wrong_lines(const MeasuredRow& row, const HardwareProfile& profile);
-[[nodiscard]] std::string wrong_shadow(const MeasuredRow& row, const HardwareProfile& profile);
+// General combiners that write nothing; the output is the register's colour, with its alpha or 1.0.
+[[nodiscard]] CombinerState quad_state(Register reg, bool own_alpha);
 
 // Shared by the drawings of measured rows.
 
@@ -86,6 +91,9 @@ class MeasuredRow;
   state.depth_test.enabled = false;
   return state;
 }
+
+// The background that a picture was blended over, and the alpha.
+inline constexpr StatedValue kUnderBlend{"under", "over ", StatedValue::Kind::list, 0, 255, "(32,32,32,255)", 4};
 
 // One pixel and what was drawn into it.
 struct Pixel {
@@ -115,6 +123,9 @@ inline constexpr std::array<glm::vec4, 3> kWholePixel{glm::vec4(-1, -1, 0, 1), g
                                  const HardwareProfile& profile);
 
 // Checks of the words in measured tables.
+
+// The fault of a depth; empty: none.
+[[nodiscard]] std::string wrong_depth(const MeasuredRow& row, const HardwareProfile& profile);
 
 using effect_detail::value_of;
 using effect_detail::Words;

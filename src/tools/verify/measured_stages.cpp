@@ -1,5 +1,4 @@
-#include "src/tools/verify/measured_stages.h"
-
+// Measured tables of texture-shader stages and of texel formats.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +13,8 @@
 
 namespace ninebit::tools {
 namespace {
+
+using namespace columns_of_tables;
 
 constexpr Words<TextureOperation, 4> kCubeModes{
     {{"STR_CUBE", TextureOperation::dot_product_cube_map},
@@ -192,8 +193,7 @@ std::optional<std::array<float, 3>> eye_of(const std::string& text) {
   return eye;
 }
 
-}  // namespace
-
+// s, t, r, q as a colour, shown by its alpha over what the table states.
 std::vector<int> run_pass_through(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::pass_through;
@@ -201,6 +201,7 @@ std::vector<int> run_pass_through(const MeasuredRow& row, const HardwareProfile&
   return shown_pixel(result.stage[0].texel, row);
 }
 
+// The cell of a checkerboard that an offset texture reads: 0 or 1.
 std::vector<int> run_offset(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::texture_2d;
@@ -223,6 +224,7 @@ std::vector<int> run_offset(const MeasuredRow& row, const HardwareProfile& profi
   return {result.stage[1].texel[0]};
 }
 
+// A component of an offset texture's texel, times the luminance.
 std::vector<int> run_luminance(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::texture_2d;
@@ -235,6 +237,7 @@ std::vector<int> run_luminance(const MeasuredRow& row, const HardwareProfile& pr
   return {result.stage[1].texel[0]};
 }
 
+// The colour that a cube map has where dot products, or the eye that they reflect, look.
 std::vector<int> run_dot_cube(const MeasuredRow& row, const HardwareProfile& profile) {
   const TextureOperation mode = *value_of(kCubeModes, row.text("mode"));
   const bool is_diffuse = mode == TextureOperation::dot_product_diffuse_cube_map;
@@ -259,6 +262,7 @@ std::vector<int> run_dot_cube(const MeasuredRow& row, const HardwareProfile& pro
   return {color[0], color[1], color[2]};
 }
 
+// The cell of a checkerboard that the dot products of a filtered texel of 16 bits read: 0 or 1.
 std::vector<int> run_hilo_dots(const MeasuredRow& row, const HardwareProfile& profile) {
   const TextureShaderState state = dot_state(2, TextureOperation::dot_product_2d, DotMapping::hilo_1);
   std::array<Bytes4, 4> texels{};
@@ -280,6 +284,7 @@ std::vector<int> run_hilo_dots(const MeasuredRow& row, const HardwareProfile& pr
   return {result.stage[2].texel[0]};
 }
 
+// The quotient of two dot products as a depth code of 16 bits.
 std::vector<int> run_depth_replace(const MeasuredRow& row, const HardwareProfile& profile) {
   const TextureShaderState state = dot_state(2, TextureOperation::dot_product_depth_replace, DotMapping::zero_to_one);
   StageTextures textures;
@@ -293,6 +298,7 @@ std::vector<int> run_depth_replace(const MeasuredRow& row, const HardwareProfile
   return {static_cast<int>(replaced_depth_code(program, *result.depth, max_depth(DepthStencilFormat::d16)))};
 }
 
+// The colour of a cube map in a direction.
 std::vector<int> run_cube_map(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::texture_cube_map;
@@ -303,6 +309,7 @@ std::vector<int> run_cube_map(const MeasuredRow& row, const HardwareProfile& pro
   return {color[0], color[1], color[2]};
 }
 
+// The last of three layers that CULL_FRAGMENT leaves: 1 to 3, or 0.
 std::vector<int> run_cull(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::cull_fragment;
@@ -319,6 +326,7 @@ std::vector<int> run_cull(const MeasuredRow& row, const HardwareProfile& profile
   return {visible};
 }
 
+// A texel of Y, U and V as red, green and blue.
 std::vector<int> run_yuv(const MeasuredRow& row, const HardwareProfile& profile) {
   TextureShaderState state = nv2a_state();
   state.stage[0].operation = TextureOperation::texture_2d;
@@ -330,6 +338,7 @@ std::vector<int> run_yuv(const MeasuredRow& row, const HardwareProfile& profile)
   return {codes[0], codes[1], codes[2]};
 }
 
+// A texel of a word, shown by its alpha over what the table states.
 std::vector<int> run_texel_word(const MeasuredRow& row, const HardwareProfile&) {
   return shown_pixel(texel_of_word(*texel_word_called(row.text("format")), row.digits("word")), row);
 }
@@ -371,6 +380,72 @@ std::string wrong_texel_word(const MeasuredRow& row, const HardwareProfile&) {
   }
   if (bits_of(*format) == 32 || row.digits("word") >> bits_of(*format) == 0) return "";
   return fmt::format("word must have at most {} bits, not '{}'", bits_of(*format), shown(row.text("word")));
+}
+
+constexpr StatedValue kCube0{
+    "rows of cube 0", "rows of cube 0: ", StatedValue::Kind::rows, -1e30, 1e30, "1 0 1; -1 -1 1; 0 0 0", 9},
+    kCube1{"rows of cube 1", "rows of cube 1: ", StatedValue::Kind::rows, -1e30, 1e30, "1 0 1; 1 1 -1; 0 0 0", 9};
+
+}  // namespace
+
+std::vector<MeasuredFormat> make_stage_formats() {
+  const Column note{}, word{{}, Kind::word}, digits{{}, Kind::digits}, real{{}, Kind::real},
+      measured{{}, Kind::measured}, any_byte = byte({}), flag = whole({}, 0, 1), pixel = whole({}, 0, 167),
+                                    code = whole({}, 0, 65535), cube = whole({}, 0, 1);
+  return {
+      {"pass through",
+       columns({{"s,t,r,q", real}, {"pic_r,pic_g,pic_b,pic_a", measured}, {"model_r,model_g,model_b,model_a", note}}),
+       run_pass_through,
+       wrong_stages,
+       {kUnderBlend}},
+      {"offset textures",
+       columns({{"picture", note},
+                {"Bs,Gs", flag},
+                {"i,j", pixel},
+                {"b_first,g_first,b_last,g_last", any_byte},
+                {"b,g", note},
+                {"m00,m01,m11,m10", real},
+                {"class", measured}}),
+       run_offset, wrong_stages},
+      {"luminance of offset textures", columns({{"scale,offset", real}, {"L,T", any_byte}, {"out", measured}}),
+       run_luminance, wrong_stages},
+      {"dot products of cube maps",
+       columns({{"mode,mapping,eye", word},
+                {"cube", cube},
+                {"R,G,B,A", any_byte},
+                {"face,tx,ty", note},
+                {"pic_r,pic_g,pic_b", measured},
+                {"tex", word}}),
+       run_dot_cube,
+       wrong_dot_cube,
+       {kCube0, kCube1},
+       {},
+       {},
+       {},
+       "nv2a_cube_radial.csv"},
+      {"dot products of 16 bits",
+       columns({{"picture", note},
+                {"As,Gs", flag},
+                {"i,j", pixel},
+                {"hi0,lo0,hi1,lo1,hi2,lo2,hi3,lo3", code},
+                {"H,L", note},
+                {"class", measured}}),
+       run_hilo_dots, wrong_stages},
+      {"replaced depths",
+       columns({{"x,y", note}, {"R,G,B", any_byte}, {"a0,a1,a2,b0,b1,b2", real}, {"depth", measured}, {"model", note}}),
+       run_depth_replace, wrong_stages},
+      {"cube maps", columns({{"s,t,r", real}, {"face,tx,ty", note}, {"pic_r,pic_g,pic_b", measured}}), run_cube_map,
+       wrong_stages},
+      {"culled fragments",
+       columns({{"modes", word}, {"s0,t0,r0,q0,s1,t1,r1,q1,s2,t2,r2,q2", real}, {"visible", measured}}), run_cull,
+       wrong_cull},
+      {"YUV", columns({{"Y,U,V", any_byte}, {"R,G,B", measured}}), run_yuv, wrong_stages},
+      {"texel formats",
+       columns({{"format", word}, {"word", digits}, {"pic_r,pic_g,pic_b,pic_a", measured}}),
+       run_texel_word,
+       wrong_texel_word,
+       {kUnderBlend}},
+  };
 }
 
 }  // namespace ninebit::tools

@@ -1,5 +1,4 @@
-#include "src/tools/verify/measured_surfaces.h"
-
+// Measured tables of surfaces, stipple, point sprites and samples.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/surface.h"
@@ -18,6 +18,8 @@
 
 namespace ninebit::tools {
 namespace {
+
+using namespace columns_of_tables;
 
 constexpr Words<ColorFormat, 8> kBlendedSurfaces{{{"A8R8G8B8", ColorFormat::a8r8g8b8},
                                                   {"X8R8G8B8_Z", ColorFormat::x8r8g8b8_z},
@@ -122,8 +124,7 @@ std::string wrong_multisampling(const HardwareProfile& profile) {
   return profile.multisampling ? "" : fmt::format("profile {} has no surfaces with several samples", profile.name);
 }
 
-}  // namespace
-
+// Up to four colours, blended one after the other into a surface, as a texture shows it.
 std::vector<int> blend_into_surface(const MeasuredRow& row, const HardwareProfile& profile) {
   const ColorFormat format = *value_of(kBlendedSurfaces, row.text("surface"));
   Surface surface = Surface::make(1, 1, {.color = format}).value();
@@ -140,6 +141,7 @@ std::vector<int> blend_into_surface(const MeasuredRow& row, const HardwareProfil
   return {color[0], color[1], color[2]};
 }
 
+// The word in memory of a colour that was written, or blended over 0.
 std::vector<int> store_in_surface(const MeasuredRow& row, const HardwareProfile& profile) {
   const ColorFormat format = *value_of(kStoredSurfaces, row.text("surface"));
   Surface surface = Surface::make(1, 1, {.color = format}).value();
@@ -150,6 +152,7 @@ std::vector<int> store_in_surface(const MeasuredRow& row, const HardwareProfile&
   return {static_cast<int>(color_word(format, color_at(target, 0, 0)))};
 }
 
+// A pixel of a stippled polygon: 1 where it is drawn, else 0.
 std::vector<int> draw_stippled(const MeasuredRow& row, const HardwareProfile& profile) {
   constexpr int kHeight = 480;      // of the picture
   constexpr int kPatternSide = 32;  // of the pattern
@@ -164,6 +167,7 @@ std::vector<int> draw_stippled(const MeasuredRow& row, const HardwareProfile& pr
               : 0};
 }
 
+// A pixel of a textured point over grey.
 std::vector<int> draw_sprite(const MeasuredRow& row, const HardwareProfile& profile) {
   constexpr int kWindowSide = 80;  // of a window around the point, in pixels
   const auto test = static_cast<std::size_t>(row.whole("test"));
@@ -205,6 +209,7 @@ std::vector<int> draw_sprite(const MeasuredRow& row, const HardwareProfile& prof
   return {color[0], color[1], color[2], color[3]};
 }
 
+// The alpha of a pixel of a smoothed triangle, blended over 255.
 std::vector<int> draw_smoothed(const MeasuredRow& row, const HardwareProfile& profile) {
   // One pixel; the window's y grows upwards.
   const double x = row.whole("x"), y = row.whole("y");
@@ -223,6 +228,7 @@ std::vector<int> draw_smoothed(const MeasuredRow& row, const HardwareProfile& pr
   return {color_at(target, 0, 0)[3]};
 }
 
+// The first and the last pixel of a row whose sample a quad covers; -1: none.
 std::vector<int> draw_samples(const MeasuredRow& row, const HardwareProfile& profile) {
   constexpr int kWidth = 640;
   const SampleMode mode = *value_of(kSampleModes, row.text("mode"));
@@ -242,6 +248,7 @@ std::vector<int> draw_samples(const MeasuredRow& row, const HardwareProfile& pro
   return extent;
 }
 
+// A sample of a triangle on a surface with four for each pixel: 1 where it is covered, else 0.
 std::vector<int> draw_square(const MeasuredRow& row, const HardwareProfile& profile) {
   const int x = row.whole("column") / 2, y = row.whole("row") / 2;
   Surface surface = Surface::make(1, 1, {.samples = SampleMode::square_offset_4}).value();
@@ -294,6 +301,34 @@ std::string wrong_samples(const MeasuredRow& row, const HardwareProfile& profile
 
 std::string wrong_square(const MeasuredRow& /*row*/, const HardwareProfile& profile) {
   return wrong_multisampling(profile);
+}
+
+}  // namespace
+
+std::vector<MeasuredFormat> make_surface_formats() {
+  const Column word{{}, Kind::word}, real{{}, Kind::real}, measured{{}, Kind::measured},
+      any_byte = byte({}), flag = whole({}, 0, 1), pixel = whole({}, 0, 4095);
+  return {
+      {"blending into surfaces",
+       columns({{"surface,dst_factor", word},
+                {"n", whole({}, 1, 4)},
+                {"r1,g1,b1,a1,r2,g2,b2,a2,r3,g3,b3,a3,r4,g4,b4,a4", any_byte},
+                {"pic_r,pic_g,pic_b", measured}}),
+       blend_into_surface, wrong_surface_blend},
+      {"colours in memory",
+       columns({{"surface", word}, {"blend", flag}, {"r,g,b,a", any_byte}, {"word_hex", {{}, Kind::word_hex}}}),
+       store_in_surface, wrong_surface_store},
+      {"polygon stipple", columns({{"pattern", word}, {"x,y", pixel}, {"drawn", measured}}), draw_stippled,
+       wrong_stipple},
+      {"point sprites",
+       columns({{"test", flag}, {"x,y", pixel}, {"r,g,b,a", any_byte}, {"pic_r,pic_g,pic_b,pic_a", measured}}),
+       draw_sprite, wrong_sprite},
+      {"smoothed triangles", columns({{"x0,y0,x1,y1,x2,y2", real}, {"x,y", pixel}, {"alpha", measured}}), draw_smoothed,
+       wrong_smoothed},
+      {"samples of rows", columns({{"mode", word}, {"sample", flag}, {"y", pixel}, {"first,last", measured}}),
+       draw_samples, wrong_samples},
+      {"samples of a square", columns({{"column,row", pixel}, {"covered", measured}}), draw_square, wrong_square},
+  };
 }
 
 }  // namespace ninebit::tools

@@ -7,11 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "src/tools/verify/measured_rows.h"
+
 namespace ninebit::tools {
 namespace {
 
-using Column = MeasuredColumn;
-using Kind = MeasuredColumn::Kind;
+using namespace columns_of_tables;
 
 constexpr double kLargestReal = 3.4e38;  // as a float it is finite
 
@@ -285,6 +286,40 @@ Result<std::map<std::string, MeasuredRow>> read_beside(const std::string& file, 
     std::string key = row.text(format.key);
     rows.insert_or_assign(std::move(key), std::move(row));
   }
+}
+
+std::string header_of(const std::vector<MeasuredColumn>& all) {
+  std::string header;
+  for (const MeasuredColumn& column : all) header += (header.empty() ? "" : ",") + std::string(column.name);
+  return header;
+}
+
+namespace {
+
+const std::vector<MeasuredFormat>& formats() {
+  static const std::vector<MeasuredFormat> all = [] {
+    std::vector<MeasuredFormat> joined = make_row_formats();
+    for (const auto& more : {make_line_formats(), make_combiner_formats(), make_stage_formats(), make_surface_formats(),
+                             make_pixel_formats()}) {
+      joined.insert(joined.end(), more.begin(), more.end());
+    }
+    return joined;
+  }();
+  return all;
+}
+
+}  // namespace
+
+std::string measured_places() {
+  std::string places;
+  for (const MeasuredFormat& format : formats()) places += (places.empty() ? "" : ", ") + std::string(format.place);
+  return places;
+}
+
+const MeasuredFormat* measured_format(std::string_view header) {
+  const auto found = std::find_if(formats().begin(), formats().end(),
+                                  [&](const MeasuredFormat& format) { return header_of(format.columns) == header; });
+  return found == formats().end() ? nullptr : &*found;
 }
 
 }  // namespace ninebit::tools

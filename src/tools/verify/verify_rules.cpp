@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/numerics/profile_fields.h"
 #include "ninebit/study/combiner_fields.h"

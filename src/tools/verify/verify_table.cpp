@@ -6,10 +6,11 @@
 #include <cstdlib>
 #include <limits>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
 #include "src/combiner/given_registers.h"
-#include "src/language/source/nearest_name.h"
 #include "src/system/inside_folder.h"
+#include "src/system/nearest_name.h"
 
 namespace ninebit::tools {
 namespace {

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <set>
 
+#include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/study/stage_vectors.h"
 #include "ninebit/study/vectors.h"
+#include "src/system/lines.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/input/input_file.h"
 #include "src/tools/input/printable.h"
@@ -221,12 +223,10 @@ std::string mistakes_text(const VectorVerdict& verdict) {
   return text + "\nNo single mistake explains all of them.\n";
 }
 
-std::string indented(const std::string& text) {
+std::string indented(std::string_view text) {
   std::string out;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end != begin) out += "     " + text.substr(begin, end - begin) + '\n';
-    begin = end + 1;
+  while (!text.empty()) {
+    if (const std::string_view line = take_line(text); !line.empty()) out.append("     ").append(line) += '\n';
   }
   return out;
 }

@@ -1,4 +1,5 @@
-// Which bytes of foreign text may be shown as they are, and how the others are escaped.
+// Foreign text in messages, on terminals, in commands and in markup: which bytes are shown as they are, and how the
+// others are escaped.
 #pragma once
 
 #include <algorithm>
@@ -91,6 +92,34 @@ struct EscapedByte {
     rest.remove_prefix(size);
   }
   return out + (rest.empty() ? "" : "…") + mark;
+}
+
+// A word of a command that a user may copy into a shell, in quotes if a shell would change it.
+[[nodiscard]] inline std::string shell_word(std::string_view word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+// The text between tags, or in an attribute between double quotes; with `apostrophes`, between single ones, too.
+[[nodiscard]] inline std::string escaped_markup(std::string_view text, bool apostrophes = false) {
+  std::string out;
+  for (const char c : text) {
+    const std::string_view reference = c == '&'                   ? "&amp;"
+                                       : c == '<'                 ? "&lt;"
+                                       : c == '>'                 ? "&gt;"
+                                       : c == '"'                 ? "&quot;"
+                                       : c == '\'' && apostrophes ? "&#39;"
+                                                                  : "";
+    if (reference.empty()) {
+      out += c;
+    } else {
+      out += reference;
+    }
+  }
+  return out;
 }
 
 }  // namespace ninebit

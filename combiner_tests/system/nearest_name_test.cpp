@@ -1,5 +1,5 @@
 // Which names are suggested for one that is not known.
-#include "src/language/source/nearest_name.h"
+#include "src/system/nearest_name.h"
 
 #include <gtest/gtest.h>
 
