@@ -130,8 +130,8 @@ Family family_of(const std::vector<StudyRow>& rows, std::string_view form) {
     all.exact += row.count("exact");
     EXPECT_EQ(row.count("exact") + row.count("inexact"), row.count("cases"));
     all.max_error = std::max(all.max_error, row.number("max_error_codes"));
-    all.sizes += row.number("sum_of_sizes");
-    all.errors += row.number("sum_of_errors");
+    all.sizes += row.number("sum_of_sizes_codes_times_4one");
+    all.errors += row.number("sum_of_errors_codes_times_4one");
   }
   return all;
 }

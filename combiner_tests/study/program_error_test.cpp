@@ -48,6 +48,14 @@ const StudyRow& row_of(const std::vector<StudyRow>& rows, std::string_view table
   throw std::runtime_error("no such row");
 }
 
+// The report on all rows with its maps and files.
+StudyReport drawn_report(const Study& study, const std::vector<StudyRow>& rows) {
+  auto report = study.report(rows, study.units());
+  if (!report) throw std::runtime_error(report.error().text());
+  if (Status status = study.draw(rows, {}, *report); !status) throw std::runtime_error(status.error().text());
+  return *std::move(report);
+}
+
 // The ends and the sum, and each colour between against the trace's codes run through what is left of the state.
 TEST(ProgramErrors, StagesAddUpToTheErrorOfRandomPrograms) {
   if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
@@ -203,10 +211,9 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
   EXPECT_EQ(row_of(rows, "stages", "a", 3).number("added_max_codes"), 0.0);
   EXPECT_EQ(row_of(rows, "stages", "a", 3).text("name"), "final");
 
-  const auto report = study->report(rows, 1);
-  ASSERT_TRUE(report.ok());
-  ASSERT_EQ(report->heat_maps.size(), 1U);  // alpha's: the colour is 0
-  const HeatMap& map = report->heat_maps[0];
+  const StudyReport report = drawn_report(*study, rows);
+  ASSERT_EQ(report.heat_maps.size(), 1U);  // alpha's: the colour is 0
+  const HeatMap& map = report.heat_maps[0];
   EXPECT_EQ(map.width, 128);
   RegisterFile registers;
   registers[Register::primary][kRed] = 9;
@@ -215,12 +222,12 @@ TEST(ProgramErrors, AllCombinationsMatchDirectEvaluation) {
       to_real(profile, evaluate(program, registers)[kAlpha]) - evaluate_real(program, registers).color[kAlpha];
   EXPECT_NEAR(map.values[(127 - 4) * 128 + 9], error * 127.0, 1e-5);
 
-  ASSERT_EQ(report->files.size(), 2U);
-  const std::string &csv = report->files[0].content, &npy = report->files[1].content;
-  EXPECT_EQ(report->files[0].name, "error.csv");
+  ASSERT_EQ(report.files.size(), 2U);
+  const std::string &csv = report.files[0].content, &npy = report.files[1].content;
+  EXPECT_EQ(report.files[0].name, "error.csv");
   EXPECT_TRUE(csv.starts_with("primary.r,tex0.r,error.r,error.g,error.b,error.a\n0,0,0,0,0,")) << csv.substr(0, 80);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 128 * 128);
-  EXPECT_EQ(report->files[1].name, "error.npy");
+  EXPECT_EQ(report.files[1].name, "error.npy");
   EXPECT_TRUE(npy.starts_with(std::string("\x93NUMPY\x01\x00\x76\x00", 10)));
   EXPECT_NE(npy.find("'descr': '<f4', 'fortran_order': False, 'shape': (128, 128, 4)"), std::string::npos);
   ASSERT_EQ(npy.size(), 128U + in_codes.size() * 4 * sizeof(float));
@@ -253,6 +260,15 @@ TEST(ProgramErrors, FixedComponentsAreColumnsOfOneValue) {
   const auto refused = program_error_study({}, profile, program, twice);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "primary.r is fixed and varied; expected one of them");
+  const auto error_of = [&](const ProgramInputs& inputs) {
+    return program_error_study({}, profile, program, inputs).error().message;
+  };
+  EXPECT_EQ(error_of({.components = {varied, fixed, varied}}),
+            "primary.r is varied twice; expected each register component once");
+  EXPECT_EQ(error_of({.components = {varied, varied}, .codes = std::vector<s9>{1, 2}}),
+            "primary.r is varied twice; expected each register component once");
+  EXPECT_EQ(error_of({.components = {varied}, .fixed = {{fixed, 100}, {fixed, 100}}}),
+            "tex0.r is fixed twice; expected each register component once");
 }
 
 TEST(ProgramErrors, BiasesOfStagesAddUpOnAnyProfile) {
@@ -378,25 +394,134 @@ TEST(ProgramErrors, ChannelsThatSeparateAreMeasuredApart) {
   EXPECT_EQ(rows.size(), 4U * (1U + 2U + 17U));
   for (const StudyRow& row : rows) EXPECT_EQ(row.text("over") == "primary.r, tex0.r", row.text("component") == "r");
 
-  const auto report = study->report(rows, 3);
-  ASSERT_TRUE(report.ok());
-  EXPECT_TRUE(report->answers[0].starts_with("red over primary.r, tex0.r: exact for ")) << report->answers[0];
-  EXPECT_EQ(report->answers.back(), "alpha: the same for all inputs, and exact.");
-  for (const ReportTable& table : report->tables) {
+  const StudyReport report = drawn_report(*study, rows);
+  EXPECT_TRUE(report.answers[0].starts_with("red over primary.r, tex0.r: exact for ")) << report.answers[0];
+  EXPECT_TRUE(report.answers[1].starts_with("red over primary.r, tex0.r: on average ")) << report.answers[1];
+  ASSERT_EQ(report.answers.size(), 7U);
+  EXPECT_EQ(report.answers[5], "alpha depends on no input that varies: exact.");
+  EXPECT_EQ(report.answers[6], "No component of the colour depends on fog.r.");
+  for (const ReportTable& table : report.tables) {
     EXPECT_EQ(table.columns[1], "over");
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
   }
-  for (const Plot& plot : report->plots) {
+  for (const Plot& plot : report.plots) {
     EXPECT_NE(plot.caption.find("red over primary.r, tex0.r; green over primary.g, tex0.g; blue over none"),
               std::string::npos);
   }
-  ASSERT_EQ(report->heat_maps.size(), 2U);
-  EXPECT_EQ(report->heat_maps[1].title, "Error of green");
-  EXPECT_EQ(report->heat_maps[1].x_label, "primary.g, as code");
-  ASSERT_EQ(report->files.size(), 4U);
-  EXPECT_EQ(report->files[0].name, "error-r.csv");
-  EXPECT_TRUE(report->files[0].content.starts_with("primary.r,tex0.r,error.r\n0,0,0\n"));
-  EXPECT_NE(report->files[3].content.find("'shape': (256, 256, 1)"), std::string::npos);
+  ASSERT_EQ(report.heat_maps.size(), 2U);
+  EXPECT_EQ(report.heat_maps[1].title, "Error of green");
+  EXPECT_EQ(report.heat_maps[1].x_label, "primary.g, as code");
+  ASSERT_EQ(report.files.size(), 4U);
+  EXPECT_EQ(report.files[0].name, "error-r.csv");
+  EXPECT_TRUE(report.files[0].content.starts_with("primary.r,tex0.r,error.r\n0,0,0\n"));
+  EXPECT_NE(report.files[3].content.find("'shape': (256, 256, 1)"), std::string::npos);
+}
+
+// All components depend on the same two of four inputs: the report still names them and those that are left out.
+TEST(ProgramErrors, OneGroupOfFewerInputsIsNamed) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  CombinerState state;
+  Portion& alpha = state.general[0].alpha;
+  alpha.a = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  alpha.b = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  alpha.c = alpha.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  FinalCombiner& last = state.final_combiner;
+  last.a = last.b = last.c = {};
+  last.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  last.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  const ProgramInputs all{.components = {{Register::texture0, kAlpha},
+                                         {Register::primary, kAlpha},
+                                         {Register::texture1, kRed},
+                                         {Register::texture1, kGreen}}};
+  const HardwareProfile& profile = profiles::geforce2;
+  const auto study = valid(program_error_study({}, profile, compiled(state, profile), all));
+  ASSERT_EQ(study->units(), 1U);
+  EXPECT_EQ(study->unit_name(0), "geforce2, over tex0.a, primary.a, fragments from 0");
+  const StudyReport report = drawn_report(*study, all_rows(*study));
+  EXPECT_TRUE(report.answers[0].starts_with("red over tex0.a, primary.a: exact for ")) << report.answers[0];
+  EXPECT_EQ(report.answers.back(), "No component of the colour depends on tex1.r, tex1.g.");
+  EXPECT_EQ(report.tables.at(0).columns.at(1), "over");
+  EXPECT_NE(report.plots.at(0).caption.find("alpha over tex0.a, primary.a."), std::string::npos);
+  ASSERT_EQ(report.files.size(), 2U);
+  EXPECT_EQ(report.files[0].name, "error.csv");
+}
+
+// A component over no inputs that is not exact: one half is 128 codes on this profile, exactly 127.5.
+TEST(ProgramErrors, AComponentOverNoInputsSaysItsError) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  const HardwareProfile& profile = profiles::geforce2;
+  CombinerState state;
+  Portion& rgb = state.general[0].rgb;
+  rgb.a = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  rgb.b = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  Portion& alpha = state.general[0].alpha;
+  alpha.a = {Register::zero, InputMapping::half_bias_negate, ComponentUsage::alpha};
+  alpha.b = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::alpha};
+  alpha.c = alpha.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  FinalCombiner& last = state.final_combiner;
+  last.a = last.b = last.c = {};
+  last.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  last.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  const ProgramInputs all{.components = {{Register::primary, kRed},
+                                         {Register::primary, kGreen},
+                                         {Register::texture0, kRed},
+                                         {Register::texture0, kGreen}}};
+  const auto study = valid(program_error_study({}, profile, compiled(state, profile), all));
+  const auto report = study->report(all_rows(*study), study->units());
+  ASSERT_TRUE(report.ok());
+  const std::string expected = "alpha depends on no input that varies: it is 128, exact 127.500, error 0.500 codes.";
+  EXPECT_EQ(std::count(report->answers.begin(), report->answers.end(), expected), 1) << report->answers.back();
+}
+
+// Alpha has no rows yet; the bars keep the names of their codes.
+TEST(ProgramErrors, PartsOfAReportKeepTheNamesOfBars) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  const HardwareProfile& profile = profiles::geforce2;
+  const RegisterComponent red[]{{Register::primary, kRed}, {Register::texture0, kRed}};
+  const RegisterComponent green[]{{Register::primary, kGreen}, {Register::texture0, kGreen}};
+  const auto study = valid(program_error_study({}, profile, products_by_channel(profile),
+                                               {.components = {red[0], red[1], green[0], green[1]}}));
+  const std::vector<StudyRow> rows = study->run(0, {}).value();
+  const auto report = study->report(rows, 1);
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(report->answers[0], "Only 1 of 3 units were measured.");
+  const auto histogram = std::find_if(report->plots.begin(), report->plots.end(),
+                                      [](const Plot& plot) { return plot.file == "histogram"; });
+  ASSERT_NE(histogram, report->plots.end());
+  EXPECT_EQ(histogram->x_names, (std::vector<std::string>{"-1", "0", "1"}));
+  ASSERT_EQ(histogram->series.size(), 4U);
+  EXPECT_EQ(histogram->series[0].points.size(), 3U);
+  EXPECT_TRUE(histogram->series[3].points.empty());
+}
+
+// Answers need no second evaluation of the fragments, and a drawing ends when it is cancelled.
+TEST(ProgramErrors, DrawingsComeApartAndCanBeCancelled) {
+  if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+  const HardwareProfile& profile = profiles::geforce2;
+  const auto study =
+      valid(program_error_study({}, profile, comparison(profile),
+                                {.components = {{Register::primary, kRed}, {Register::texture0, kRed}}, .codes = {}}));
+  const std::vector<StudyRow> rows = all_rows(*study);
+  auto report = study->report(rows, 1);
+  ASSERT_TRUE(report.ok());
+  EXPECT_TRUE(report->heat_maps.empty() && report->files.empty());
+  std::vector<double> shares;
+  const auto keep = [&](double done) {
+    shares.push_back(done);
+    return true;
+  };
+  ASSERT_TRUE(study->draw(rows, keep, *report));
+  EXPECT_EQ(report->heat_maps.size(), 1U);
+  ASSERT_GT(shares.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+  int calls = 0;
+  const Status stopped = study->draw(
+      rows, [&](double) { return ++calls < 2; }, *report);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().fault, Fault::cancelled);
+  EXPECT_EQ(calls, 2);
 }
 
 // A pixel over three inputs has the largest error over all values of the third.
@@ -412,10 +537,9 @@ TEST(ProgramErrors, MapsOfThreeInputsShowTheLargestError) {
       {}, profile, program,
       {.components = {{Register::primary, kRed}, {Register::texture0, kRed}, {Register::texture0, kGreen}},
        .codes = {}}));
-  const auto report = study->report(all_rows(*study), study->units());
-  ASSERT_TRUE(report.ok());
-  ASSERT_EQ(report->heat_maps.size(), 1U);
-  const HeatMap& map = report->heat_maps[0];
+  const StudyReport report = drawn_report(*study, all_rows(*study));
+  ASSERT_EQ(report.heat_maps.size(), 1U);
+  const HeatMap& map = report.heat_maps[0];
   EXPECT_EQ(map.title, "Largest error of alpha over all values of tex0.g");
   ASSERT_EQ(map.values.size(), 32U * 32U);
   double overall = 0.0;
@@ -463,13 +587,12 @@ TEST(ProgramErrors, UnitsAddUpInTheReport) {
   ASSERT_EQ(study->units(), 2U);
   const std::vector<StudyRow> rows = all_rows(*study);
   EXPECT_EQ(rows.size(), 2U * (4U + 4U * 3U + 4U * 17U));
-  const auto report = study->report(rows, 2);
-  ASSERT_TRUE(report.ok());
-  const std::vector<StudyValue>& alpha = report->tables.at(0).rows.at(3);
+  const StudyReport report = drawn_report(*study, rows);
+  const std::vector<StudyValue>& alpha = report.tables.at(0).rows.at(3);
   EXPECT_EQ(std::get<std::uint64_t>(alpha.at(1)), static_cast<std::uint64_t>(kFragments));
   EXPECT_NEAR(std::get<double>(alpha.at(4)), most * 255.0, 1e-8);
   EXPECT_NEAR(std::get<double>(alpha.at(5)), sizes * 255.0 / kFragments, 1e-8);
-  EXPECT_TRUE(report->heat_maps.empty());
+  EXPECT_TRUE(report.heat_maps.empty());
 }
 
 // A constant among the components stands in for the program's own.

@@ -22,8 +22,8 @@ namespace NINEBIT_PUBLIC ninebit {
 //   profile, form, a
 //   cases, exact, inexact   all inputs with this A; inputs whose result is exact; the others
 //   max_error_codes         the largest absolute error, in codes
-//   sum_of_sizes            the sum of absolute errors, in units of 1 / (4 one²)
-//   sum_of_errors           the sum of signed errors, in units of 1 / (4 one²)
+//   sum_of_sizes_codes_times_4one    the sum of absolute errors in codes, times 4 one: a whole number
+//   sum_of_errors_codes_times_4one   the sum of signed errors in codes, times 4 one: a whole number
 //   sum_of_codes, sum_of_squares   checksums: the sums of all results and of their squares. If narrowing is
 //                           symmetric, sum_of_codes is 0, because each case has a partner with all signs changed.
 [[nodiscard]] Result<std::unique_ptr<Study>> exhaustive_sum_study(StudyQuestion question,

@@ -23,6 +23,10 @@ namespace NINEBIT_PUBLIC ninebit {
 // Called now and then, by any thread: returns false to cancel the work. May be empty.
 using GoOn = std::function<bool()>;
 
+// Called now and then, by the caller's thread, with the share of a drawing that is done, 0 to 1: returns false to
+// cancel the drawing. May be empty.
+using DrawProgress = std::function<bool(double done)>;
+
 // The question of a study: everything that can change a row, as the flags of an equivalent command line.
 struct StudyQuestion {
   std::string study;    // "index-steps"
@@ -64,6 +68,10 @@ class Study {
   // The report on all rows in the order of their units; `done` of units() units were run. Reports errors in reading
   // rows and in drawing, such as pictures of a scene.
   [[nodiscard]] virtual Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const = 0;
+  // Adds the heat maps and files that take long to make to the report on the rows of all units. Needed only where a
+  // report is written or shown as a page. Reports Fault::cancelled if progress returns false. Default: adds nothing.
+  [[nodiscard]] virtual Status draw(std::span<const StudyRow> rows, const DrawProgress& progress,
+                                    StudyReport& report) const;
 };
 
 }  // namespace ninebit

@@ -54,8 +54,8 @@ class ExhaustiveSum final : public Study {
                                              {"exact", all.cases - all.inexact},
                                              {"inexact", all.inexact},
                                              {"max_error_codes", static_cast<double>(all.max_error) * codes_of_unit()},
-                                             {"sum_of_sizes", all.sum_of_sizes},
-                                             {"sum_of_errors", all.sum_of_errors},
+                                             {"sum_of_sizes_codes_times_4one", all.sum_of_sizes},
+                                             {"sum_of_errors_codes_times_4one", all.sum_of_errors},
                                              {"sum_of_codes", all.sum_of_codes},
                                              {"sum_of_squares", all.sum_of_squares}}}};
   }
@@ -66,7 +66,8 @@ class ExhaustiveSum final : public Study {
     return {{.fields = {exactly("profile", profile_), exactly("form", std::string(form_of(unit).name)),
                         exactly("a", std::int64_t{a_of(unit)}), exactly("cases", cases), count_up_to("exact", most),
                         count_up_to("inexact", most), real_in("max_error_codes", 0.0, kMostError),
-                        whole_in("sum_of_sizes", 0.0, kMostSum), whole_in("sum_of_errors", -kMostSum, kMostSum),
+                        whole_in("sum_of_sizes_codes_times_4one", 0.0, kMostSum),
+                        whole_in("sum_of_errors_codes_times_4one", -kMostSum, kMostSum),
                         whole_in("sum_of_codes", -kMostSum, kMostSum), whole_in("sum_of_squares", 0.0, kMostSum)}}};
   }
 
@@ -131,8 +132,8 @@ class ExhaustiveSum final : public Study {
       cases += row.count("cases");
       exact += row.count("exact");
       max_error = std::max(max_error, row.number("max_error_codes"));
-      sizes += sum_in(row, "sum_of_sizes");
-      errors += sum_in(row, "sum_of_errors");
+      sizes += sum_in(row, "sum_of_sizes_codes_times_4one");
+      errors += sum_in(row, "sum_of_errors_codes_times_4one");
       codes += sum_in(row, "sum_of_codes");
       squares += sum_in(row, "sum_of_squares");
     }

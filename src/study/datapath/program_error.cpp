@@ -73,8 +73,12 @@ using Errors = std::array<ComponentErrors, 4>;
 class ProgramErrorStudy final : public Study {
  public:
   ProgramErrorStudy(StudyQuestion question, const HardwareProfile& profile, const Program& program,
-                    std::vector<MeasuredColor> colors)
-      : question_(std::move(question)), profile_(profile.name), program_(program), colors_(std::move(colors)) {}
+                    std::vector<RegisterComponent> asked, std::vector<MeasuredColor> colors)
+      : question_(std::move(question)),
+        profile_(profile.name),
+        program_(program),
+        asked_(std::move(asked)),
+        colors_(std::move(colors)) {}
 
   [[nodiscard]] const StudyQuestion& question() const override { return question_; }
   [[nodiscard]] std::size_t units() const override {
@@ -84,7 +88,9 @@ class ProgramErrorStudy final : public Study {
   }
   [[nodiscard]] std::string unit_name(std::size_t unit) const override {
     const Unit at = place_of(unit);
-    const std::string over = colors_.size() == 1 ? "" : fmt::format(" over {},", at.color->fragments.names());
+    const std::string over = at.color->fragments.components().size() == asked_.size()
+                                 ? ""
+                                 : fmt::format(" over {},", at.color->fragments.names());
     return fmt::format("{},{} fragments from {}", profile_, over, at.first);
   }
 
@@ -152,7 +158,12 @@ class ProgramErrorStudy final : public Study {
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
-    return program_report(program_, colors_, rows, done, units());
+    return program_report(program_, asked_, colors_, rows, done, units());
+  }
+
+  [[nodiscard]] Status draw(std::span<const StudyRow> rows, const DrawProgress& progress,
+                            StudyReport& report) const override {
+    return draw_program(program_, colors_, rows, progress, report);
   }
 
  private:
@@ -276,6 +287,7 @@ class ProgramErrorStudy final : public Study {
   StudyQuestion question_;
   std::string profile_;
   Program program_;
+  std::vector<RegisterComponent> asked_;  // the inputs that vary
   std::vector<MeasuredColor> colors_;
 };
 
@@ -318,8 +330,8 @@ Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const
   if (!colors) return colors.error();
   Program with_fixed = program;
   colors->front().fragments.put_fixed_constants(with_fixed);
-  return std::unique_ptr<Study>(
-      std::make_unique<ProgramErrorStudy>(std::move(question), profile, with_fixed, *std::move(colors)));
+  return std::unique_ptr<Study>(std::make_unique<ProgramErrorStudy>(std::move(question), profile, with_fixed,
+                                                                    std::move(inputs.components), *std::move(colors)));
 }
 
 }  // namespace ninebit

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -30,6 +31,14 @@ std::string names_of(const std::vector<RegisterComponent>& components) {
   std::string names;
   for (const RegisterComponent& one : components) names += (names.empty() ? "" : ", ") + one.name();
   return names;
+}
+
+// The name of the first component that is among those before it.
+std::optional<std::string> first_repeated(const std::vector<RegisterComponent>& components) {
+  for (auto one = components.begin(); one != components.end(); ++one) {
+    if (std::find(components.begin(), one, *one) != one) return one->name();
+  }
+  return std::nullopt;
 }
 
 // The lowest value of a component among all combinations.
@@ -153,6 +162,14 @@ std::vector<std::size_t> MeasuredColor::measured() const {
 Result<std::vector<MeasuredColor>> measured_colors(const HardwareProfile& profile, const Program& program,
                                                    const ProgramInputs& inputs) {
   if (inputs.components.empty()) return Diagnostic{.message = "no register component given; expected at least one"};
+  if (const auto twice = first_repeated(inputs.components)) {
+    return Diagnostic{.message = fmt::format("{} is varied twice; expected each register component once", *twice)};
+  }
+  std::vector<RegisterComponent> given;
+  for (const auto& fixed : inputs.fixed) given.push_back(fixed.first);
+  if (const auto twice = first_repeated(given)) {
+    return Diagnostic{.message = fmt::format("{} is fixed twice; expected each register component once", *twice)};
+  }
   for (const auto& fixed : inputs.fixed) {
     if (std::find(inputs.components.begin(), inputs.components.end(), fixed.first) == inputs.components.end()) continue;
     return Diagnostic{.message = fmt::format("{} is fixed and varied; expected one of them", fixed.first.name())};

@@ -40,9 +40,7 @@ class JoinedStudy final : public Study {
     std::vector<Plot> shared;
     bool first = true;
     for (const ProfileStudy& one : studies_) {
-      std::vector<StudyRow> own;
-      std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
-                   [&](const StudyRow& row) { return row.text("profile") == one.profile; });
+      const std::vector<StudyRow> own = rows_about(one.profile, rows);
       const std::size_t own_done = std::min(done, one.study->units());
       done -= own_done;
       if (own.empty()) continue;
@@ -60,7 +58,28 @@ class JoinedStudy final : public Study {
     return all;
   }
 
+  [[nodiscard]] Status draw(std::span<const StudyRow> rows, const DrawProgress& progress,
+                            StudyReport& report) const override {
+    double before = 0.0;
+    for (const ProfileStudy& one : studies_) {
+      const auto all = static_cast<double>(studies_.size());
+      const auto share = [&](double done) { return !progress || progress((before + done) / all); };
+      StudyReport drawn;
+      if (Status status = one.study->draw(rows_about(one.profile, rows), share, drawn); !status) return status;
+      append(one.profile, std::move(drawn), report);
+      before += 1.0;
+    }
+    return {};
+  }
+
  private:
+  static std::vector<StudyRow> rows_about(const std::string& profile, std::span<const StudyRow> rows) {
+    std::vector<StudyRow> own;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+                 [&](const StudyRow& row) { return row.text("profile") == profile; });
+    return own;
+  }
+
   // The study of a unit, whose number becomes that within the study.
   [[nodiscard]] const Study& study_of(std::size_t& unit) const {
     auto one = studies_.begin();

@@ -8,6 +8,11 @@ double Study::weight(std::size_t /*unit*/) const {
   return 1.0;
 }
 
+Status Study::draw(std::span<const StudyRow> /*rows*/, const DrawProgress& /*progress*/,
+                   StudyReport& /*report*/) const {
+  return {};
+}
+
 std::vector<std::string> StudyQuestion::words() const {
   std::vector<std::string> words{study};
   if (!arguments.empty()) words.push_back(arguments);

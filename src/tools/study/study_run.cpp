@@ -96,8 +96,17 @@ int answer_rows(const Study& study, const StudyReport& made, std::span<const Stu
 // Writes the report on the rows of `done` units and prints the answer.
 int finish(const Study& study, const std::string& folder, std::span<const StudyRow> rows, std::size_t done,
            const CommonFlags& flags) {
-  const auto made = study.report(rows, done);
+  auto made = study.report(rows, done);
   if (!made) return report(made.error());
+  if (done == study.units() && (!folder.empty() || host() != nullptr)) {
+    Status drawn;
+    {
+      UnitProgress progress(flags.quiet);
+      drawn = study.draw(
+          rows, [&](double share) { return progress.step("maps and files", share); }, *made);
+    }
+    if (!drawn) return report(drawn.error());
+  }
   if (!folder.empty()) {
     // From here on, the first signal does not interrupt: the report is finished.
     if (!ProgressLine(flags.quiet).step("report", 1.0)) {
