@@ -79,12 +79,12 @@ struct ProgramInputs {
 //   error_codes, count         fragments whose error, rounded to whole codes, is this; -8 and 8 include all errors
 //   beyond
 //
-// Study::draw adds to the report a heat map for each component of the colour that has an error, over all combinations of
-// two or more components: the first runs to the right, the second upward. If there are at most 2^20 fragments, it also
-// adds the files error.csv, a line for each fragment with its inputs and the errors of red, green, blue and alpha in
-// codes, and error.npy, the same errors as 32-bit floats of NumPy (an axis for each component of combinations, or one
-// for the fragments of a table; then the colour). Components of the colour that are measured over different inputs have
-// files of their own: error-r.csv, error-gb.csv.
+// Study::draw adds to the report a heat map for each component of the colour that has an error, over all combinations
+// of two or more components: the first runs to the right, the second upward. If there are at most 2^20 fragments, it
+// also adds the files error.csv, a line for each fragment with its inputs and the errors of red, green, blue and alpha
+// in codes, and error.npy, the same errors as 32-bit floats of NumPy (an axis for each component of combinations, or
+// one for the fragments of a table; then the colour). Components of the colour that are measured over different inputs
+// have files of their own: error-r.csv, error-gb.csv.
 [[nodiscard]] Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const HardwareProfile& profile,
                                                                  const Program& program, ProgramInputs inputs);
 
