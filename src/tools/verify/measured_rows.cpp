@@ -88,7 +88,7 @@ Bytes4 texel_of(const MeasuredRow& row, S3tcFormat format, Block block, unsigned
   return decode_s3tc_block(format, profile.dxt1_palette, bytes)[at];
 }
 
-std::vector<int> shown(const Bytes4& texel, const MeasuredRow& row) {
+std::vector<int> shown_texel(const Bytes4& texel, const MeasuredRow& row) {
   const auto over = [&](std::size_t k, const char* under) { return shown_over(texel[k], texel[3], row.whole(under)); };
   return {over(0, "under"), over(1, "under"), over(2, "under"), over(3, "alpha_under")};
 }
@@ -199,12 +199,12 @@ std::vector<int> draw_dxt1(const MeasuredRow& row, const HardwareProfile& profil
 
 // A texel of a DXT3 block and its alpha, shown over the stated background.
 std::vector<int> draw_dxt3(const MeasuredRow& row, const HardwareProfile& profile) {
-  return shown(texel_of(row, S3tcFormat::dxt3, {row.byte("alpha4")}, 0, 0, profile), row);
+  return shown_texel(texel_of(row, S3tcFormat::dxt3, {row.byte("alpha4")}, 0, 0, profile), row);
 }
 
 // A texel of a DXT5 block and its alpha, shown over the stated background.
 std::vector<int> draw_dxt5(const MeasuredRow& row, const HardwareProfile& profile) {
-  return shown(
+  return shown_texel(
       texel_of(row, S3tcFormat::dxt5, {row.byte("alpha0"), row.byte("alpha1"), row.byte("alpha_index")}, 0, 0, profile),
       row);
 }
