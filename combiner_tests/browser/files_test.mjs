@@ -170,3 +170,18 @@ test('a name that is typed into the effect leaves no files on its way', async ()
   assert.deepEqual(page.complaints, []);
   await page.close();
 });
+
+test('on a phone, tabs scroll in their row, and the page stays where it is', async () => {
+  const page = await openPage(browser, { width: 390, height: 844 });
+  await openEffect(page, 'index_cube');
+  assert.equal(await page.evaluate(() => window.scrollY), 0);
+  await page.evaluate(() => globalThis.ninebit.store.change('files', (state) => {
+    for (let number = 0; number < 20; number++) state.files[`a_long_name_${number}.h`] = '';
+  }));
+  assert.equal(await page.evaluate(() => window.scrollY), 0);
+  await openTab(page, 'effect.json');
+  const { left, right, scrolled } = await page.$eval('#files [aria-selected=true]', (tab) => ({ left: tab.getBoundingClientRect().left, right: tab.getBoundingClientRect().right, scrolled: tab.parentElement.scrollLeft }));
+  assert.ok(left >= 0 && right <= 390 && scrolled > 0, `${left} to ${right}`);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+  await page.close();
+});

@@ -137,7 +137,7 @@ test('what waits to be put into an engine that is stopped is put into the next o
 
 test('a file of the page that could not be put is put again', async () => {
   let broken = true;
-  const shelf = new Shelf({ put: () => (broken ? Promise.reject(new Error('stopped')) : Promise.resolve()) }, { 'a.obj': '' });
+  const shelf = new Shelf({ put: () => (broken ? Promise.reject(new Error('stopped')) : Promise.resolve()) }, new Map([['a.obj', new Uint8Array(1)]]));
   await assert.rejects(shelf.load('a.obj'), /stopped/);
   broken = false;
   await shelf.load('a.obj');

@@ -128,6 +128,25 @@ TEST(LayerLists, AListIsOneAfterItsEnd) {
   }
 }
 
+// The former list is deleted, and the one that is compiled is there after its end, with its first commands.
+TEST(LayerLists, DeletedWhileItIsCompiled) {
+  NINEBIT_GL_CONTEXT(context);
+  show_constant({1, 0, 0, 1});
+  make_constant_list(1, 0, 0, 1);
+  glNewList(1, GL_COMPILE);
+  glClearColor(0, 1, 0, 0);
+  set_constant(0, 1, 0);
+  glDeleteLists(1, 1);
+  EXPECT_EQ(glIsList(1), GL_FALSE);
+  glEndList();
+  EXPECT_EQ(glIsList(1), GL_TRUE);
+  glCallList(1);
+  GLfloat clear[4];
+  glGetFloatv(GL_COLOR_CLEAR_VALUE, clear);
+  EXPECT_EQ(clear[1], 1);
+  EXPECT_EQ(drawn(), kGreen);
+}
+
 // As an error of a program's own call, and as nothing where a list has it.
 TEST(LayerLists, ACallOfListZero) {
   NINEBIT_GL_CONTEXT(context);

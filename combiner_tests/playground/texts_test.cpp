@@ -200,6 +200,16 @@ TEST(PlaygroundRead, RefusesChoicesOfOtherKinds) {
   }
 }
 
+TEST(PlaygroundRead, SaysThatATextOfAnotherFormHasNoChoice) {
+  const std::string text = "!!RC1.0\nout.rgb = tex0;\n";
+  const auto fault = [&](const PageJson& choice) {
+    return read_source(choice, text)["faults"][0]["message"].get<std::string>();
+  };
+  EXPECT_NE(fault({{"function", "f"}}).find("is chosen, and this is an !!RC1.0 program"), std::string::npos);
+  EXPECT_NE(fault({{"defines", {{"a", "1"}}}}).find("and this is an !!RC1.0 program"), std::string::npos);
+  EXPECT_TRUE(read_source(PageJson::object(), text)["valid"]);
+}
+
 TEST(PlaygroundConvert, WritesTheChosenFunction) {
   const PageJson answer = ask({{"do", "convert"},
                                {"text", kTwoFunctions},

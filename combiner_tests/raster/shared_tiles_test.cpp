@@ -12,6 +12,7 @@
 #include "combiner_tests/raster/random_passes.h"
 #include "combiner_tests/support/slow_build.h"
 #include "src/raster/draw/tile.h"
+#include "src/raster/lanes/tile_planes.h"
 
 namespace ninebit::test {
 namespace {
@@ -288,6 +289,53 @@ TEST(SharedTiles, NothingToDrawIsStillCleared) {
           EXPECT_GE(time.count(), 0);
         }
       }
+    }
+  }
+}
+
+// Cleared targets of more than 4 MB are stored past the caches if their rows begin on lines: they hold the same as with
+// padded rows.
+TEST(SharedTiles, LargeTargetsHoldWhatPaddedOnesHold) {
+  constexpr int kWidth = 1088, kHeight = 1000;
+  Mesh mesh;
+  mesh.positions = {{-1, -1, -1}, {1, -1, 0.5F}, {-1, 1, 0}, {0.9F, 1, 1}};
+  mesh.vertex_colors = {{255, 0, 0, 9}, {0, 255, 0, 99}, {0, 0, 255, 200}, {90, 80, 70, 60}};
+  mesh.add_triangle(0, 1, 2);
+  mesh.add_triangle(3, 2, 1);
+  for (const bool tests_depth : {false, true}) {
+    PipelineState state;
+    state.depth_test.enabled = tests_depth;
+    const VertexArrays arrays = mesh.arrays();
+    const DrawPass pass{.state = &state, .arrays = arrays};
+    for (const std::int64_t on : simd_targets()) {
+      const OnTarget only(on);
+      Surface surface = Surface::make(kWidth, kHeight).value();
+      Canvas padded(kWidth, kHeight);
+      padded.target.outputs.clear();
+      RenderTarget whole = surface.target();
+      for (RenderTarget* const target : {&whole, &padded.target}) {
+        PreparedDraw prepared;
+        ASSERT_TRUE(prepare(state, kIdentity, arrays, *target, prepared).ok());
+        const DrawActions actions{.clear = ClearValues{.color = {5, 6, 7, 8}, .depth = 0.75, .stencil = 9}};
+        ASSERT_TRUE(rasterize({&pass, 1}, prepared, actions, *target).ok());
+      }
+      EXPECT_TRUE(padded.padding_is_whole());
+      int differences = 0;
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          bool is_same = whole.depth.at(x, y) == padded.target.depth.at(x, y) &&
+                         whole.stencil.at(x, y) == padded.target.stencil.at(x, y);
+          for (std::size_t k = 0; k < 4; ++k) {
+            is_same = is_same && whole.color[k].at(x, y) == padded.target.color[k].at(x, y);
+          }
+          differences += is_same ? 0 : 1;
+        }
+      }
+      EXPECT_EQ(differences, 0) << simd_target_name(on);
+      const TileContents all{
+          .writes_depth = true, .writes_stencil = true, .color = {true, true, true, true}, .clears = true};
+      EXPECT_TRUE(TilePlanes(whole, all).streams);
+      EXPECT_FALSE(TilePlanes(padded.target, all).streams);
     }
   }
 }

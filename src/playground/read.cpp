@@ -154,6 +154,15 @@ Parsed<TextProgram> valid_program(const SourceText& source, const HardwareProfil
     return fault("#" + std::to_string(choice.program) +
                  " picks a set-up of a log, or a program of a function of a source; this is neither");
   }
+  const std::string kind(form_row(form).kind);
+  if (!choice.functions.empty() && form != ProgramForm::source) {
+    return fault("the function " + json::in_quotes(choice.functions[0]) + " is chosen, and this is " + kind +
+                 "; expected a source file, or no function");
+  }
+  if (!choice.definitions.empty() && !form_row(form).takes_definitions) {
+    return fault("a value is given for " + json::in_quotes(choice.definitions[0].name) + ", and this is " + kind +
+                 "; expected a source file or a pixel shader, or no value");
+  }
   choice.include = include_from(others, source.file);
   auto parsed = parse_program(source, form, profile, {.setup = choice.program, .source = std::move(choice)});
   if (!parsed) return parsed;

@@ -48,8 +48,8 @@ struct NumberedName {
 // The form that a text is read as: one that looks like calls and is read with a choice is a source.
 [[nodiscard]] ProgramForm form_to_read(std::string_view text, const SourceSelection& choice);
 // A program that the profile accepts, or every fault of its text. It includes texts of `others` by their names beside
-// its own. The functions of a choice are for sources, its definitions for pixel shaders, too; other forms leave them
-// unread.
+// its own. The functions of a choice are for sources, its definitions for pixel shaders, too: other forms with some are
+// faults.
 [[nodiscard]] Parsed<TextProgram> valid_program(const SourceText& source, const HardwareProfile& profile,
                                                 const FileTexts& others = {}, SourceSelection choice = {});
 // Reads the text of `others` that stands below the folder of the file `beside`; `others` must outlive it.

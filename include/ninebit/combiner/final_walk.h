@@ -20,6 +20,7 @@
 //   exact fractions, floats     src/combiner/real_rules.h
 //   values with their ranges    src/combiner/batch_compiler.cpp, which makes vector operations of them
 //   text                        src/language/emit/emit_program.cpp
+//   sets of inputs              src/study/datapath/color_inputs.cpp
 #pragma once
 
 #include <array>

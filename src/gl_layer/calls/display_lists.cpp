@@ -1,5 +1,6 @@
 #include "src/gl_layer/calls/display_lists.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <utility>
@@ -46,15 +47,27 @@ bool is_step_list(const Context& context, GLuint number) {
   return context.group->step_lists.contains(number);
 }
 
-// Deletes the program's lists of the driver, and not those between their numbers that it never got.
+// Whether the driver has the first part of the list that is compiled, by the program's number.
+bool has_first_part(const OpenList* open) {
+  return open != nullptr && open->driver_number != open->number;
+}
+
+// Deletes the program's lists of the driver, and not those between their numbers that it never got, or the first part
+// of the list that is compiled.
 void delete_visible_lists(Context& context, GLuint list, GLsizei range) {
   std::vector<GLuint> kept;
+  OpenList* const open = context.open_list.get();
+  if (range > 0 && has_first_part(open) && open->number - list < static_cast<GLuint>(range)) {
+    kept.push_back(open->number);
+    open->replaces = false;
+  }
   if (range > 0 && context.group->had_steps) {
     const std::lock_guard lock(context.group->mutex);
     const auto& all = context.group->step_lists;
     for (auto at = all.lower_bound(list); at != all.end() && *at - list < static_cast<GLuint>(range); ++at) {
       kept.push_back(*at);
     }
+    std::sort(kept.begin(), kept.end());
   }
   GLuint begin = list;
   for (const GLuint number : kept) {
@@ -384,9 +397,8 @@ GLAPI GLboolean GLAPIENTRY glIsList(GLuint list) {
   const Context* const context = current();
   if (context == nullptr || context->in_begin) return find_driver().IsList(list);
   if (is_step_list(*context, list)) return GL_FALSE;
+  // The list that is compiled is none before glEndList.
   const OpenList* const open = context->open_list.get();
-  // The driver has its first part already, which is none before glEndList.
-  if (open != nullptr && open->number == list && open->driver_number != list)
-    return open->replaces ? GL_TRUE : GL_FALSE;
+  if (has_first_part(open) && open->number == list) return open->replaces ? GL_TRUE : GL_FALSE;
   return found_driver.IsList(list);
 }

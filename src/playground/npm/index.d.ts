@@ -24,6 +24,24 @@ export class NinebitError extends Error {
   others: Place[];
 }
 
+/** What is chosen of a text that leaves a choice: flags of `ninebit explain` by these names, and its `#N`. */
+export interface Choice {
+  /** The function of a source. */
+  function?: string;
+  /** Values that a source or a pixel shader does not give. */
+  defines?: Record<string, string>;
+  /** A program of a function that draws several times, or a set-up of a log, from 1. */
+  program?: number;
+}
+
+/** Of a program's text: `files` has the texts that it includes, by names beside its own `name`. */
+export interface Reading {
+  profile?: Profile;
+  name?: string;
+  files?: Record<string, string>;
+  choice?: Choice;
+}
+
 export interface Picture {
   width: number;
   height: number;
@@ -44,9 +62,9 @@ export class Ninebit {
   /** Version, forms of programs, profiles with every field. */
   about(): Record<string, any>;
   /** What a program is and computes: form, faults, explanation, the textures and constants that it reads. */
-  read(text: string, options?: { profile?: Profile }): Record<string, any>;
+  read(text: string, options?: Reading): Record<string, any>;
   /** The program in another form: "rc10", "ps11", "glsl", … as about() lists them. */
-  convert(text: string, to: string, options?: { profile?: Profile }): string;
+  convert(text: string, to: string, options?: Reading): string;
   /** Every stage of one fragment: the object of `ninebit trace --json`. */
   trace(text: string, options?: { profile?: Profile; registers?: Record<string, Codes> }): Record<string, any>;
   /**
@@ -57,8 +75,9 @@ export class Ninebit {
            options?: { profile?: Profile; registers?: Record<string, Codes> }): Uint8Array;
   /** Keeps a picture, or a file's bytes (.gltf, .glb, .obj, .ply, .off), for effects that name it. */
   put(name: string, content: Picture | { data: Uint8Array }): void;
-  /** Draws an effect file, an object or a text; `files` has its programs' texts by name. */
-  draw(effect: object | string, options?: { files?: Record<string, string>; profile?: Profile; size?: [number, number] }): Drawing;
+  /** Draws an effect file, an object or a text; `files` has its programs' texts by name, `choices` what is chosen of them. */
+  draw(effect: object | string, options?: {
+    files?: Record<string, string>; choices?: Record<string, Choice>; profile?: Profile; size?: [number, number] }): Drawing;
   /** A pixel of the last drawing, from the top left: the object of `ninebit trace --effect --json`. */
   pixel(x: number, y: number): Record<string, any>;
   /** Any request of the engine, docs/playground_engine.md lists them, and its bytes. */

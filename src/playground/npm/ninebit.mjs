@@ -52,12 +52,12 @@ export class Ninebit {
     return this.ask({ do: 'about' }).answer;
   }
 
-  read(text, { profile } = {}) {
-    return this.ask({ do: 'read', text, profile }).answer;
+  read(text, { profile, name, files, choice } = {}) {
+    return this.ask({ do: 'read', text, profile, name, files, choice }).answer;
   }
 
-  convert(text, to, { profile } = {}) {
-    return this.ask({ do: 'convert', text, to, profile }).answer.text;
+  convert(text, to, { profile, name, files, choice } = {}) {
+    return this.ask({ do: 'convert', text, to, profile, name, files, choice }).answer.text;
   }
 
   trace(text, { profile, registers } = {}) {
@@ -84,8 +84,8 @@ export class Ninebit {
     this.ask({ do: 'put', name, kind, ...(kind === 'pixels' ? { width, height } : {}) }, data);
   }
 
-  draw(effect, { files, profile, size } = {}) {
-    const { answer, bytes } = this.ask({ do: 'draw', effect, files, profile, size });
+  draw(effect, { files, choices, profile, size } = {}) {
+    const { answer, bytes } = this.ask({ do: 'draw', effect, files, choices, profile, size });
     return { ...answer, data: bytes };
   }
 

@@ -40,7 +40,8 @@ export function inOneFolder({ effect, files, choices }) {
     if (!choice?.function && Object.keys(choice?.defines ?? {}).length === 0) return { ...pass, program };
     if (!converted.has(program)) {
       let to = `${from}${number ? `-${number}` : ''}.json`;
-      while ([...names.values()].includes(to)) to = to.replace(/json$/, 'program.json');
+      const taken = [...names.values(), ...[...converted.values()].map((other) => other.to)];
+      while (taken.includes(to)) to = to.replace(/json$/, 'program.json');
       converted.set(program, { from, number, choice, to });
     }
     return { ...pass, program: converted.get(program)?.to };

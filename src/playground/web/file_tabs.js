@@ -41,7 +41,9 @@ export class FileTabs {
     replaceChildren(this.list, ...allFiles(state).map((name) => element('button', {
       type: 'button', role: 'tab', class: 'file-tab', 'data-file': name, title: name, 'aria-selected': String(name === file), 'aria-controls': 'editor',
       tabindex: name === file ? 0 : -1, onclick: () => this.hears.open(name) }, name.replace(/^.*\/(?=.)/, ''))));
-    this.list.querySelector('[aria-selected=true]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    // The list alone scrolls: on a phone, the page stays where it is.
+    const tab = this.list.querySelector('[aria-selected=true]')?.getBoundingClientRect(), list = this.list.getBoundingClientRect();
+    if (tab) this.list.scrollLeft += Math.min(0, tab.left - list.left) + Math.max(0, tab.right - list.right);
     // What a pass names stays.
     this.rename.hidden = !(file in state.files);
     this.remove.hidden = this.rename.hidden || programFiles(state).includes(file);

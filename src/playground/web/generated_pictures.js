@@ -1,13 +1,16 @@
 /**
  * Small pictures of textures that the engine makes: it draws them on a rectangle, or on a sphere where they are cubes.
  */
-import { fileIn } from './shelf.js';
 
 const side = 64;
 const program = '!!RC1.0\nout.rgb = tex0;\nout.a = unsigned_invert(zero);\n';
 
-/** A file with no word before it: the shelf has its picture. Targets have none before their pass is drawn. @param {string} source */
-const isGenerated = (source) => source !== '' && !/^(target|depth):/.test(source) && (source !== fileIn(source) || !/\.\w+$/.test(source));
+/**
+ * Whether the engine makes the texture of bytes: of its other makings, which only texture-shader stages read, the file is shown, and a
+ * target has no picture before its pass is drawn.
+ * @param {string} source
+ */
+export const isGenerated = (source) => /^(normals:|normalize-cube:|checker:|gradient$|falloff$)/.test(source);
 
 export class GeneratedPictures {
   /**

@@ -3,7 +3,7 @@
  */
 import { cameraSliders } from './camera.js';
 import { choice, element, replaceChildren } from './dom.js';
-import { GeneratedPictures } from './generated_pictures.js';
+import { GeneratedPictures, isGenerated } from './generated_pictures.js';
 import { fileIn } from './shelf.js';
 import { MoreInputs } from './more_inputs.js';
 import { bare, passOf } from './state.js';
@@ -111,10 +111,9 @@ export class InputsPanel {
     const now = effect.scene?.mesh ?? rectangle;
     const mesh = choice('Mesh', [rectangle, ...this.about.meshes, ...this.shelf.meshes()], now, (value) => {
       this.edit((pass, edited) => {
-        edited.scene ??= {};
-        if (value === rectangle) delete edited.scene.mesh;
-        else edited.scene.mesh = value;
-        if (Object.keys(edited.scene).length === 0) delete edited.scene;
+        // A scene is that of a mesh.
+        if (value === rectangle) delete edited.scene;
+        else edited.scene = { ...edited.scene, mesh: value };
       });
       this.view = null;
       this.show();
@@ -137,7 +136,8 @@ export class InputsPanel {
     const files = this.shelf.names();
     const title = (/** @type {string} */ name) => name.replace(/^([a-z0-9-]+:)?(textures|dropped)\//, '$1');
     const sources = [off, ...this.about.textures, ...[...files, ...files.map((name) => `normals:${name}`)].map((name) => [name, title(name)])];
-    const picture = this.shelf.pictures.get(fileIn(String(texture?.source ?? '')));
+    const source = String(texture?.source ?? '');
+    const picture = isGenerated(source) ? undefined : this.shelf.pictures.get(fileIn(source));
     const rows = [choice('Texture', sources, texture?.source ?? off, (value) => this.setSource(number, value))];
     if (texture) {
       rows.push(

@@ -4,7 +4,7 @@
 import { element } from './dom.js';
 import { programFiles } from './files.js';
 import { controlsOf, schemaOf } from './schema_controls.js';
-import { bare, passOf } from './state.js';
+import { passOf } from './state.js';
 
 /** Titles, places and keys. @type {[string, 'effect'|'scene'|'pass', string[]][]} */
 const groups = [
@@ -47,6 +47,7 @@ export class MoreInputs {
     return groups.map(([title, place, keys]) => this.group(title, () => {
       const { state } = this.store;
       const { effect } = state;
+      if (place === 'scene' && !effect.scene?.mesh) return [element('p', { class: 'quiet' }, 'A rectangle has no scene: choose a mesh above.')];
       const of = { effect, scene: effect.scene, pass: passOf(state) }[place];
       const options = /** @type {Record<string, string[]>} */ (place === 'pass' ? { program: [...new Set([...programFiles(state), ...Object.keys(state.files)])], target: ['picture', ...Object.keys(effect.targets ?? {})] } : {});
       return controlsOf(schemaOf(place), keys, of, (edit) => this.edit(place, edit), { path: `${place}.`, options });
@@ -64,11 +65,7 @@ export class MoreInputs {
     const old = passOf(this.store.state).program;
     this.store.change('inputs', (state) => {
       const { effect } = state;
-      if (place === 'scene') {
-        effect.scene ??= bare({});
-        edit(effect.scene);
-        if (Object.keys(effect.scene).length === 0) delete effect.scene;
-      } else edit(place === 'pass' ? passOf(state) : effect);
+      edit({ effect, scene: effect.scene, pass: passOf(state) }[place]);
     });
     if (passOf(this.store.state).program !== old) this.store.change('files', () => {});
   }

@@ -211,7 +211,9 @@ export class Page {
       this.inputs.view = null;
       this.program.editor.forget();
     }
-    if (what === 'all' || (what === 'inputs' && this.program.shows === 'effect')) this.inputs.show();
+    if (what === 'all' || (what === 'inputs' && this.program.editing)) this.inputs.show();
+    // Controls change the effect's text, where that is shown.
+    if (what === 'inputs' && this.program.shows === 'effect' && !this.program.editing) this.program.show();
     if (what === 'all') this.program.show();
     if (what === 'files' || what === 'choices') this.program.show();
     if (what === 'pass') this.inputs.show();

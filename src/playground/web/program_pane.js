@@ -19,6 +19,8 @@ export class ProgramPane {
     /** The file that is shown; `null`: that of the pass. @type {string|null} */
     this.file = null;
     this.effectText = null;
+    /** Whether a change comes from the effect's text. */
+    this.editing = false;
     /** Files that exist since an edit of the effect names them. @type {Set<string>} */
     this.added = new Set();
     this.editor = new Editor(byId('editor'), (text) => this.edited(text));
@@ -108,6 +110,7 @@ export class ProgramPane {
       return;
     }
     this.setFaults('read', []);
+    this.editing = true;
     this.store.change('inputs', (state) => {
       state.effect = effect;
       state.pass = Math.min(state.pass, Math.max(0, effect.passes.length - 1));
@@ -120,6 +123,7 @@ export class ProgramPane {
         this.added.add(file);
       }
     });
+    this.editing = false;
     this.tabs.show(effectFile);
   }
 

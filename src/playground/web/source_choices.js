@@ -27,6 +27,10 @@ export class SourceChoices {
     this.store = store;
     /** What is shown, as a text. */
     this.shown = '';
+    /** The file and the function of the fields, and their names. */
+    this.of = '';
+    /** @type {string[]} */
+    this.names = [];
   }
 
   hide() {
@@ -44,19 +48,23 @@ export class SourceChoices {
     const all = functionsOf(offered);
     const roots = (offered.functions ?? []).filter(({ helper }) => !helper);
     const needs = offered.needs ?? all.find(([value]) => value === chosen)?.[2] ?? (roots.length === 1 ? roots[0].needs : []);
-    const names = [...new Set([...Object.keys(defines), ...needs])].sort();
+    // A value that is half typed may hide what else is needed: while one types, no field goes.
+    const typing = this.of === JSON.stringify([file, chosen]) && this.parent.contains(document.activeElement);
+    const names = [...new Set([...Object.keys(defines), ...needs, ...typing ? this.names : []])].sort();
+    this.of = JSON.stringify([file, chosen]);
+    this.names = names;
     const programs = Math.max(offered.programs ?? 1, number);
-    const asks = [all.length > 1 || chosen ? all.map(([value, title]) => [value, title]) : [], programs > 1 ? programs : 0, names];
+    const asks = [all.map(([value, title]) => [value, title]), programs, names];
     const shown = JSON.stringify([file, chosen, number, asks]);
     if (shown === this.shown) return undefined;
     this.shown = shown;
     const controls = [];
-    if (asks[0] instanceof Array && asks[0].length) {
-      const options = /** @type {string[][]} */ ([['', 'choose …'], ...asks[0]]);
+    if (all.length > 1 || chosen) {
+      const options = [['', 'none'], ...all.map(([value, title]) => [value, title])];
       controls.push(named('function', choice('Function', options, chosen, (value) => this.edit(file, (now) => { now.function = value; }))));
     }
     if (programs > 1) {
-      const options = [['0', 'choose …'], ...Array.from({ length: Math.min(programs, 1000) }, (_, at) => [String(at + 1), `#${at + 1}`])];
+      const options = [['0', 'none'], ...Array.from({ length: Math.min(programs, 1000) }, (_, at) => [String(at + 1), `#${at + 1}`])];
       controls.push(named('program', choice('Program', options, String(number), (value) => this.pick(file, Number(value)))));
     }
     controls.push(...names.map((name) => this.field(file, name, defines[name] ?? '')));

@@ -32,6 +32,7 @@ TileContents tile_contents(std::span<const LanePass> passes, const RenderTarget&
     const std::array<bool, 4> color = planes_written(pass.context, target);
     for (std::size_t k = 0; k < 4; ++k) all.color[k] = all.color[k] || color[k];
   }
+  all.draws_depth_stencil = all.writes_depth || all.writes_stencil;
   all.clears = actions.clear != nullptr;
   if (all.clears) {
     all.depth = all.writes_depth = static_cast<bool>(target.depth);

@@ -50,7 +50,7 @@ HWY_INLINE void output_to_colors(LaneBatch& batch, std::size_t count, const Draw
   const std::array<bool, 4> wanted = context.wanted_color;
   const auto below_one = hn::Set(codes, static_cast<s9>(profile.one - 1));
   for (std::size_t i = 0; i < count; i += 2 * kLaneCount) {
-    // The bytes, in numbers of 16 bits whose upper halves hold anything.
+    // The bytes in lanes of 16 bits, whose high bytes are unspecified.
     const auto bytes = [&](std::size_t k) HWY_ATTR {
       if (!wanted[k]) return hn::Zero(d16);
       const auto code = hn::Load(codes, batch.out.plane[k].data() + i);
@@ -112,14 +112,17 @@ HWY_INLINE V stored_colors(const LaneDraw<D>& draw, V colors) {
 struct SpanPart {
   std::size_t place;  // of the first one's pixel
   std::size_t first;  // fragment
-  std::size_t count;  // of them, or more than a vector holds
+  std::size_t count;  // fragments left in the span; may exceed a vector
 };
 
 // Calls visit(part) for a span's vectors.
 template <class Visit>
 HWY_INLINE void for_parts(const LaneFragments::Span span, const Visit& visit) {
-  for (std::size_t i = 0; i < span.count; i += kLaneCount)
+  std::size_t i = 0;
+  do {
     visit(SpanPart{span.place + i, span.first + i, span.count - i});
+    i += kLaneCount;
+  } while (HWY_UNLIKELY(i < span.count));
 }
 
 HWY_INLINE V load_stored(const TilePlanes& tile, const SpanPart& part) {

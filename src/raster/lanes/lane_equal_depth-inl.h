@@ -1,4 +1,4 @@
-// One triangle of a pass whose tests gathering decides, row by row.
+// Gathers one triangle row by row, in passes whose tests are decided while gathering.
 #if defined(NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
 #undef NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
@@ -6,8 +6,6 @@
 #define NINEBIT_RASTER_LANES_LANE_EQUAL_DEPTH_INL_H_
 #endif
 
-#include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,8 +20,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
-// How the fragments of a row are found: as the tile's known owners say, or as their depths do in a pass that
-// asks_equal_depth, or all of them in one that tests_nothing.
+// How a row's fragments are found: by the tile's owners; by depth (asks_equal_depth); all that are covered
+// (tests_nothing).
 enum class Finding { by_owners, by_depths, all };
 
 // Gathers the fragments of triangle k, a whole row at a time.

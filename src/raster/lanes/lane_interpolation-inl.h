@@ -53,7 +53,7 @@ constexpr std::size_t next_vector(std::size_t i, std::size_t lanes) {
 template <bool kQuotients>
 HWY_INLINE bool normalize(LaneFragments& f, LaneFragments::Lanes<float>& sums) {
   const std::size_t count = f.count;
-  // What follows the last fragment has the first one's weights.
+  // Lanes after the last fragment have the first one's weights.
   for (std::size_t k = 0; k < 3; ++k) hn::StoreU(hn::Set(kDF, f.weight[k][0]), kDF, f.weight[k].data() + count);
   const VF first = hn::Set(kDF, (f.weight[0][0] + f.weight[1][0]) + f.weight[2][0]);
   const VF of_first = kQuotients ? hn::Div(hn::Set(kDF, 1.0F), first) : first;

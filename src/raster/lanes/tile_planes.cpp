@@ -20,9 +20,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 #if HWY_TARGET == HWY_SCALAR
 
 void load_rows(TilePlanes&, TileRow, int, int) {}
-void store_rows(const TilePlanes&, TileRow, int, int) {}
+void store_rows(const TilePlanes&, TileRow, int, int, bool) {}
 void find_farthest(const TilePlanes&, FarthestDepths&) {}
-void fill_planes(TilePlanes&, std::uint32_t, std::uint32_t) {}
+void fill_words(TileWords&, std::uint32_t) {}
 
 #else
 
@@ -145,9 +145,10 @@ void load_rows(TilePlanes& tile, TileRow from, int row, int count) {
   for (int y = row; y < row + count; ++y, from.move_up()) load_row(tile, from, static_cast<std::size_t>(y * kTileSize));
 }
 
-void store_rows(const TilePlanes& tile, TileRow to, int row, int count) {
+// `streams`: past the caches.
+void store_rows(const TilePlanes& tile, TileRow to, int row, int count, bool streams) {
   const auto place = [](int y) { return static_cast<std::size_t>(y * kTileSize); };
-  if (!tile.streams) {
+  if (!streams) {
     for (int y = row; y < row + count; ++y, to.move_up()) store_row<false>(tile, to, place(y));
     return;
   }
@@ -155,12 +156,9 @@ void store_rows(const TilePlanes& tile, TileRow to, int row, int count) {
   hwy::FlushStream();
 }
 
-void fill_planes(TilePlanes& tile, std::uint32_t depth_stencil, std::uint32_t color) {
+void fill_words(TileWords& words, std::uint32_t value) {
   static_assert(kTileWords % kLanes == 0);
-  for (std::size_t i = 0; i < kTileWords; i += kLanes) {
-    hn::Store(hn::Set(kD32, depth_stencil), kD32, tile.depth_stencil.data() + i);
-    hn::Store(hn::Set(kD32, color), kD32, tile.color.data() + i);
-  }
+  for (std::size_t i = 0; i < kTileWords; i += kLanes) hn::Store(hn::Set(kD32, value), kD32, words.data() + i);
 }
 
 void find_farthest(const TilePlanes& tile, FarthestDepths& to) {
@@ -193,7 +191,7 @@ namespace {
 HWY_EXPORT(load_rows);
 HWY_EXPORT(store_rows);
 HWY_EXPORT(find_farthest);
-HWY_EXPORT(fill_planes);
+HWY_EXPORT(fill_words);
 
 // A row of which only some pixels may be drawn: the draw's pixels are copied to and from it.
 struct Staging {
@@ -258,9 +256,8 @@ bool any_gap(const RenderTarget& target, const TileContents& contents, bool colo
   return gaps;
 }
 
-// True if what the target's tiles are cleared to and drawn is better stored past the caches: planes that are too large
-// for the caches of a core, whose old contents nothing reads. Elsewhere each line would first be fetched, and the next
-// pass finds small maps in the caches.
+// True if stored rows should bypass the caches: the target is cleared, so that its old contents are not read, and is
+// larger than a core's caches. An ordinary store would first fetch each line. Small maps stay cached for the next pass.
 bool streams_rows(const RenderTarget& target, const TileContents& contents, bool has_gaps) {
   constexpr std::size_t kSmall = std::size_t{1} << 22;  // bytes
   constexpr std::size_t kLine = 64;
@@ -276,7 +273,7 @@ bool streams_rows(const RenderTarget& target, const TileContents& contents, bool
   };
   if (contents.writes_depth) take(target.depth);
   if (contents.writes_stencil) take(target.stencil);
-  // Of words, only red's address is that of the line.
+  // In words, only red's plane begins where the line does.
   if (has_color_words(target, contents)) {
     take(target.color[0]);
     bytes_a_pixel += 3;
@@ -337,17 +334,20 @@ void fill_tile(TilePlanes& tile, const ClearValues& values) {
   const std::array<std::uint8_t, 4> stored = stored_color(tile.target.color_format, values.color);
   std::uint32_t color = 0;
   std::memcpy(&color, stored.data(), sizeof(color));
-  HWY_DYNAMIC_DISPATCH(fill_planes)
-  (tile, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil), color);
+  HWY_DYNAMIC_DISPATCH(fill_words)(tile.color, color);
+  if (tile.keeps_depth_stencil) return;
+  HWY_DYNAMIC_DISPATCH(fill_words)
+  (tile.depth_stencil, depth_code(format, values.depth) << 8 | stencil_value(format, values.stencil));
+  tile.keeps_depth_stencil = !tile.contents.draws_depth_stencil;
 }
 
 void store_tile(const TilePlanes& tile) {
   TileRow row = first_row(tile, tile.contents.writes_depth, tile.contents.writes_stencil);
   const int first = tile.pixels.bottom - tile.bottom, end = tile.pixels.top - tile.bottom;
-  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(store_rows)(tile, row, first, end - first);
+  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(store_rows)(tile, row, first, end - first, tile.streams);
   Staging staging;
   for (int y = first; y < end; ++y, row.move_up()) {
-    HWY_DYNAMIC_DISPATCH(store_rows)(tile, staging.row(tile), y, 1);
+    HWY_DYNAMIC_DISPATCH(store_rows)(tile, staging.row(tile), y, 1, false);  // it is read at once
     copy(tile, staging.row(tile), row);
   }
 }

@@ -24,8 +24,10 @@ struct TileContents {
   bool stencil = false;
   bool writes_depth = false;
   bool writes_stencil = false;
-  std::array<bool, 4> color{};  // held and written back
-  bool clears = false;          // true if tiles begin with clear values: all planes are held and written
+  std::array<bool, 4> color{};       // held and written back
+  bool draws_depth_stencil = false;  // true if a pass writes depth or stencil
+  bool clears = false;  // true if tiles begin with clear values: all planes are held, and written but for a depth that
+                        // is discarded
 
   [[nodiscard]] bool has_color() const { return color[0] || color[1] || color[2] || color[3]; }
 };
@@ -45,6 +47,9 @@ struct TilePlanes {
 
   PixelBox pixels{};         // the pixels that may be drawn
   int left = 0, bottom = 0;  // the tile's lowest corner
+  // True once depth and stencil have been filled with clear values that no pass changes: they serve the next tiles,
+  // too.
+  bool keeps_depth_stencil = false;
 
   alignas(64) TileWords depth_stencil{};  // depth code × 256 + stencil value
   alignas(64) TileWords color{};          // red in the lowest byte, alpha in the highest

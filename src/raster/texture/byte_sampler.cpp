@@ -261,7 +261,7 @@ void TextureSampler::ByteSampler::sample(const TextureCoordinates& at, std::size
                                          const std::array<s9*, 4>& codes) const {
   Texels texels;
   find_texels(at, first, count, texels);
-  // The first component that reads each one of the texel; the others copy its codes.
+  // The first component that reads each texel component; the others copy its codes.
   std::array<s9*, 4> to{};
   for (std::size_t out = 4; out-- > 0;) {
     if (source_[out] >= 0) to[static_cast<std::size_t>(source_[out])] = codes[out] + first;

@@ -71,13 +71,14 @@ HWY_INLINE VF clamped(const Axis& axis, VF s) {
   return hn::Mul(hn::Min(s, set(1.0F)), axis.size);
 }
 
-// True if whole_bits() may be called. (Elsewhere floats have to be wrapped before they become integers.)
+// True if whole_bits() may be called. Otherwise wrap the float first.
 HWY_INLINE bool have_whole_bits(VF v) {
   return hn::AllTrue(kDF, hn::Lt(hn::Abs(v), set(0x1p22F - 256.0F)));
 }
 
 // The lowest 22 bits of whole + more; the others mean nothing. Whole numbers wrap in them: a side has at most 2^14
-// texels, in steps of weights 2^22. Faster than a conversion, which cares for numbers that do not fit.
+// texels, in steps of weights 2^22. Faster than a conversion, which also handles
+// numbers that do not fit.
 HWY_INLINE VI whole_bits(VF whole, int more) {
   return hn::BitCast(kDI, hn::Add(whole, set(0x1.8p23F + static_cast<float>(more))));
 }
@@ -117,7 +118,7 @@ HWY_INLINE VI texels_along(const Axis& axis, VF s, const Rules& rules, VI& secon
       const VI fixed = whole_bits(hn::Floor(steps), -(1 << bits) / 2);
       const VI first = hn::ShiftRightSame(fixed, bits);
       weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));
-      second = hn::And(hn::Sub(first, hn::Set(kDI, -1)), axis.last);  // all ones: no load
+      second = hn::And(hn::Sub(first, hn::Set(kDI, -1)), axis.last);  // adds 1; -1 needs no constant from memory
       return hn::And(first, axis.last);
     }
   }

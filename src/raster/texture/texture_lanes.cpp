@@ -112,7 +112,8 @@ void split_words(const LaneWords& words, int byte_shift, std::size_t count, cons
     const auto low = hn::ConcatEven(d16, second, first), high = hn::ConcatOdd(d16, second, first);
     const auto put = [&](std::size_t byte, hn::Vec<decltype(d16)> v) HWY_ATTR {
       if (to[byte] == nullptr) return;
-      hn::StoreU(hn::BitCast(codes, hn::ShiftRightSame(v, byte_shift)), codes, to[byte] + lane);
+      if (byte_shift != 0) v = hn::ShiftRightSame(v, byte_shift);
+      hn::StoreU(hn::BitCast(codes, v), codes, to[byte] + lane);
     };
     const auto bits = hn::Set(d16, 0xFF);
     put(0, hn::And(low, bits));

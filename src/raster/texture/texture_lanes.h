@@ -59,8 +59,8 @@ inline constexpr std::size_t kMostLanes = 64;
 void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
                          std::size_t count, std::uint32_t* to);
 
-// The bytes of `count` words as codes, without their lowest `byte_shift` bits: the lowest byte of each to to[0], and so
-// on; none to null.
+// Splits `count` words into their bytes as codes, without their lowest `byte_shift` bits: the lowest byte goes to
+// to[0], and so on; a null pointer skips its byte.
 void split_words(const LaneWords& words, int byte_shift, std::size_t count, const std::array<s9*, 4>& to);
 
 // The weighted sum of the texels' bytes, rounded to nearest, halves up, once or after each blend. Writes some lanes

@@ -231,8 +231,7 @@ HWY_INLINE void filter_same(const WordLevels& texture, const Rules& rules, const
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
     Places places;
     places.face = load_place(texture.cube, at, i, places.s, places.t);
-    // Calls by name: the compiler would not inline a lambda.
-
+    // Written out twice: the compiler does not inline a lambda here.
     Sum sum(texture.cube
                 ? read_taps<kAllLinear, true>(texture, rules, places, fine.of_faces(texture, places.face, step), linear)
                 : read_taps<kAllLinear>(texture, rules, places, fine, linear),

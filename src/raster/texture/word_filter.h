@@ -35,7 +35,7 @@ struct LevelRules {
   FilterRules filter;
 };
 
-// The levels that each fragment reads. If they are_same for all, those of the first are there.
+// The levels that each fragment reads. If they are_same for all, only the first vector's values are set.
 struct LevelLanes {
   alignas(64) LaneIntegers level;
   alignas(64) LaneIntegers next;    // weight of level + 1 in 1/2^weight bits
