@@ -152,6 +152,17 @@ TEST_F(StudyDatapath, ChannelsThatSeparate) {
   EXPECT_TRUE(files.contains("error-r.npy") && files.contains("error-green.png"));
   const Outcome said = study({"--program", program, "--over", over});
   EXPECT_NE(said.out.find("green over primary.g, tex0.g: exact for "), std::string::npos) << said.out;
+
+  // A report on some of the units has no maps and files of the errors, which would show fragments that were not
+  // measured.
+  const std::vector<std::string> part{"--program", program,          "--over",   over,
+                                      "-o",        folder_ / "part", "--budget", "0.005"};
+  EXPECT_TRUE(study(part).out.starts_with("Only "));
+  const Files some = files_in(folder_ / "part");
+  EXPECT_TRUE(some.contains("histogram.svg"));
+  EXPECT_FALSE(some.contains("error-r.csv") || some.contains("error-red.png"));
+  EXPECT_TRUE(study({"--program", program, "--over", over, "-o", folder_ / "part"}).out.starts_with("red over "));
+  EXPECT_EQ(files_in(folder_ / "part").at("error-red.png"), files.at("error-red.png"));
 }
 
 TEST_F(StudyDatapath, EveryCaseOfTheSum) {

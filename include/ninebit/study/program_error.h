@@ -37,7 +37,7 @@ struct RegisterComponent {
 // profile gives a fragment with fog and all texture units off and bytes of 0, with these exceptions: spare0's alpha is
 // texture 0's; constants are the program's. A listed constant replaces the program's in every stage.
 struct ProgramInputs {
-  std::vector<RegisterComponent> components;  // at least one
+  std::vector<RegisterComponent> components;  // at least one, each once
   // A code for each component, fragment after fragment. std::nullopt: all combinations of the components' values, the
   // last component changing fastest. Values range from 0 to one, as bytes do; in spare0 and spare1 from lowest to one.
   std::optional<std::vector<s9>> codes{};
@@ -47,7 +47,7 @@ struct ProgramInputs {
 
 // Measures the program, which was compiled for the profile, over the inputs. Constants that the program reads and does
 // not set are inputs, too: they are added to combinations, and a table must have them. Reports a profile whose
-// arithmetic is not integer, inputs without components or fragments, a component that is varied and fixed, and too many
+// arithmetic is not integer, inputs without components or fragments, a component that is given twice, and too many
 // combinations. A unit is up to 2^18 fragments.
 //
 // Up to 2^26 combinations are all run. If there are more, each component of the colour is measured over the
@@ -79,10 +79,12 @@ struct ProgramInputs {
 //   error_codes, count         fragments whose error, rounded to whole codes, is this; -8 and 8 include all errors
 //   beyond
 //
-// The report has the files error.csv, a line for each fragment with its inputs and the errors of red, green, blue and
-// alpha in codes, and error.npy, the same errors as 32-bit floats of NumPy (an axis for each component of combinations,
-// or one for the fragments of a table; then the colour), if there are at most 2^20 fragments. Components of the colour
-// that are measured over different inputs have files of their own: error-r.csv, error-gb.csv.
+// Study::draw adds to the report a heat map for each component of the colour that has an error, over all combinations
+// of two or more components: the first runs to the right, the second upward. If there are at most 2^20 fragments, it
+// also adds the files error.csv, a line for each fragment with its inputs and the errors of red, green, blue and alpha
+// in codes, and error.npy, the same errors as 32-bit floats of NumPy (an axis for each component of combinations, or
+// one for the fragments of a table; then the colour). Components of the colour that are measured over different inputs
+// have files of their own: error-r.csv, error-gb.csv.
 [[nodiscard]] Result<std::unique_ptr<Study>> program_error_study(StudyQuestion question, const HardwareProfile& profile,
                                                                  const Program& program, ProgramInputs inputs);
 
