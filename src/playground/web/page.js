@@ -210,6 +210,7 @@ export class Page {
       this.inputs.ofProgram = {};
       this.inputs.view = null;
       this.program.editor.forget();
+      this.program.choices.forget();
     }
     if (what === 'all' || (what === 'inputs' && this.program.editing)) this.inputs.show();
     // Controls change the effect's text, where that is shown.
