@@ -219,6 +219,12 @@ test('in a frame of another page there are picture, editor and trace, and nothin
   await page.evaluate(() => globalThis.ninebit.page.keep());
   assert.equal(await page.evaluate(() => localStorage.length), 0);
   assert.match(await page.$eval('#whole', ({ textContent }) => textContent), /Open in the playground/);
+  // It has no tabs: a link that was copied beside another file shows the program, too.
+  assert.equal(await page.evaluate(() => {
+    const { page: shown } = globalThis.ninebit;
+    shown.look({ file: 'effect.json' });
+    return shown.program.shows;
+  }), 'program');
   assert.deepEqual(page.complaints, []);
   await page.close();
 });

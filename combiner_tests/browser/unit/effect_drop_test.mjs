@@ -21,3 +21,9 @@ test('a profile.json that is not a profile is refused by its name', async () => 
     await assert.rejects(stateOfDropped(effect(), 'effect.json', [program, new File([text], 'profile.json')], shelf), /^Error: profile\.json: /);
   }
 });
+
+test('a sources.json of something else is not read; one of an archive is checked', async () => {
+  const drop = (/** @type {any} */ sources) => stateOfDropped(effect(), 'effect.json', [program, new File([JSON.stringify(sources)], 'sources.json')], shelf);
+  for (const other of [[1], null, 7, { sources: ['a.c'] }, { ninebit: 'other', programs: 7 }]) assert.deepEqual(Object.keys((await drop(other)).files), ['a.rc1']);
+  await assert.rejects(drop({ ninebit: 'sources', programs: 7 }), /^Error: sources\.json: it\.programs must be an object/);
+});

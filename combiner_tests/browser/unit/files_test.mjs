@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { commandsOf, inOneFolder } from '../../../src/playground/web/command_line.js';
-import { allFiles, faultOfName, freeName, includedIn, isBelow, programFile, programIn, remove, rename } from '../../../src/playground/web/files.js';
+import { allFiles, besideProgram, faultOfName, freeName, includedIn, isBelow, programFile, programIn, remove, rename } from '../../../src/playground/web/files.js';
 import { bare, checkedState } from '../../../src/playground/web/state.js';
 
 const state = () => bare({
@@ -33,7 +33,7 @@ test('a name goes everywhere that its file is named', () => {
 
 test('names that a folder cannot have are refused', () => {
   for (const name of ['', '/a', '../a', 'a/../b', 'a//b', 'a\\b', '-a', 'a\n', 'effect.json', 'sources.json', 'program-3.txt']) assert.equal(isBelow(name), false, name);
-  assert.match(faultOfName(state(), 'a#1') ?? '', /is no name for a file/);
+  assert.match(faultOfName(state(), 'a#1') ?? '', /is not a valid name for a file/);
   assert.match(faultOfName(state(), 'x.h') ?? '', /There is a file x\.h/);
   assert.equal(faultOfName(state(), '__proto__'), null);
   assert.equal(freeName(state(), 'a.rc1'), 'a-2.rc1');
@@ -52,6 +52,28 @@ test('the script converts what an effect cannot name, and names the rest', () =>
   const plain = { ...state(), choices: {} };
   assert.deepEqual(inOneFolder(plain).effect.passes.map(({ program }) => program), ['b.c#2', undefined, 'a.rc1', 'b.c']);
   assert.doesNotMatch(commandsOf(plain, null), /convert/);
+});
+
+test('what a source is converted to takes the name of no other file', () => {
+  const choice = { function: 'f' };
+  for (const [files, programs, expected] of [[['effect'], ['effect'], ['effect.program.json']], [['sources'], ['sources'], ['sources.program.json']],
+    [['profile'], ['profile'], ['profile.program.json']], [['a', 'a.json'], ['a'], ['a.program.json']],
+    [['a', 'a-1'], ['a#1', 'a-1'], ['a-1.json', 'a-1.program.json']]]) {
+    const named = bare({ ...state(), effect: { passes: programs.map((program) => ({ program })) }, files: Object.fromEntries(files.map((name) => [name, ''])),
+      choices: Object.fromEntries(files.map((name) => [name, choice])) });
+    assert.deepEqual(inOneFolder(named).converted.map(({ to }) => to), expected);
+  }
+});
+
+test('a dropped text stands beside the program if that includes it, or if it is a header', () => {
+  const including = (/** @type {string} */ text, program = 'src/b.c') => bare({ ...state(), effect: { passes: [{ program }] }, files: { [program]: text } });
+  assert.equal(besideProgram(including('#include "lib/lights.h"\n'), 'lights.h'), 'src/lib/lights.h');
+  assert.equal(besideProgram(including('#include "../lights.c"\n#include "lights.c"\n'), 'lights.c'), 'src/lights.c');
+  assert.equal(besideProgram(including(''), 'lights.h'), 'src/lights.h');
+  assert.equal(besideProgram(including(''), 'lights.c'), undefined);
+  for (const name of ['../common/lights.h', '/lights.h', 'a/../lights.h']) {
+    assert.throws(() => besideProgram(including(`#include "${name}"\n`), 'lights.h'), { message: `lights.h: it is included as ${JSON.stringify(name)}; expected a name in the program's folder or below, such as "lights.h"` });
+  }
 });
 
 test('choices of other kinds are errors in words, and a state without them has none', () => {

@@ -1,7 +1,8 @@
-/** What texts in fields stand for. */
+/** Controls made of the schema: what texts in fields stand for, and objects that may be off. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { schemaOf, valueOf } from '../../../src/playground/web/schema_controls.js';
+import { controlsOf, schemaOf, valueOf } from '../../../src/playground/web/schema_controls.js';
+import { enter } from './small_dom.mjs';
 
 const number = { type: 'number' }, moving = { anyOf: [{ type: 'number' }, { type: 'string' }] };
 const three = { type: 'array', items: moving, minItems: 3, maxItems: 3 };
@@ -15,4 +16,20 @@ test('a text is a number, an expression, a list or nothing', () => {
 
 test('each place has a schema', () => {
   for (const [place, key] of [['effect', 'passes'], ['scene', 'mesh'], ['texture', 'source'], ['pass', 'blend']]) assert.ok(schemaOf(place).properties[key], place);
+});
+
+test('an object that may be off has a value inside, or is off, in the controls as in the effect', () => {
+  const pass = /** @type {any} */ ({});
+  const [off, ...inside] = controlsOf(schemaOf('pass'), ['depth'], pass, (edit) => edit(pass)).map((control) => control.querySelector('select, input'));
+  const first = inside.find(({ dataset }) => dataset.key === 'depth.function');
+  enter(off, 'off');
+  assert.equal(pass.depth, null);
+  enter(first, 'less');
+  assert.deepEqual({ ...pass.depth }, { function: 'less' });
+  assert.equal(off.value, '');
+  enter(off, 'off');
+  assert.equal(pass.depth, null);
+  assert.equal(first.value, '');
+  enter(off, '');
+  assert.deepEqual(pass, {});
 });

@@ -194,6 +194,7 @@ class ShaderReader {
     if (!answer.unknown.empty() && asked_.insert(answer.unknown).second) {
       out_.is_whole = false;
       const std::string condition = quoted(between(line));
+      // src/playground/read.cpp reads the name from "give it as in --define '".
       faults_.add(hash_of(directive), quoted(answer.unknown) + " is not defined, and #" + std::string(directive.text) +
                                           " " + condition.substr(1, condition.size() - 2) +
                                           " depends on it; give it as in --define '" + answer.unknown +

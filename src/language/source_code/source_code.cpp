@@ -35,6 +35,7 @@ Parsed<CombinerState> program_of(const std::vector<WholeState>& all, std::size_t
   }
   detail::SourceFaults faults(source);
   const std::string count = std::to_string(all.size());
+  // src/playground/read.cpp reads the count from "draws with … pick one with #1".
   faults.add(0,
              number == 0
                  ? "draws with " + count + " programs; pick one with #1 to #" + count + " behind the file's name"

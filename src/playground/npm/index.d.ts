@@ -42,6 +42,19 @@ export interface Reading {
   choice?: Choice;
 }
 
+/** The choices that a text leaves. */
+export interface Choices {
+  /**
+   * Of a source, the functions that set combiners. `name` is empty for code outside of functions; `helper`: its calls
+   * depend on its parameters, and another function calls it; `needs`: names of values that the text does not give.
+   */
+  functions?: { name: string; line: number; helper: boolean; needs: string[] }[];
+  /** How many programs the source's function draws with, or how many set-ups a log has. */
+  programs?: number;
+  /** Names on which conditions of a pixel shader depend and that nothing defines. */
+  needs?: string[];
+}
+
 export interface Picture {
   width: number;
   height: number;
@@ -61,8 +74,11 @@ export interface Drawing extends Record<string, unknown> {
 export class Ninebit {
   /** Version, forms of programs, profiles with every field. */
   about(): Record<string, any>;
-  /** What a program is and computes: form, faults, explanation, the textures and constants that it reads. */
-  read(text: string, options?: Reading): Record<string, any>;
+  /**
+   * What a program is and computes: form, faults, explanation, the textures and constants that it reads, and the choices
+   * that it leaves.
+   */
+  read(text: string, options?: Reading): Choices & Record<string, any>;
   /** The program in another form: "rc10", "ps11", "glsl", … as about() lists them. */
   convert(text: string, to: string, options?: Reading): string;
   /** Every stage of one fragment: the object of `ninebit trace --json`. */
@@ -75,7 +91,10 @@ export class Ninebit {
            options?: { profile?: Profile; registers?: Record<string, Codes> }): Uint8Array;
   /** Keeps a picture, or a file's bytes (.gltf, .glb, .obj, .ply, .off), for effects that name it. */
   put(name: string, content: Picture | { data: Uint8Array }): void;
-  /** Draws an effect file, an object or a text; `files` has its programs' texts by name, `choices` what is chosen of them. */
+  /**
+   * Draws an effect file, an object or a text. By name, `files` has the texts of its programs and of what they include,
+   * `choices` what is chosen of them.
+   */
   draw(effect: object | string, options?: {
     files?: Record<string, string>; choices?: Record<string, Choice>; profile?: Profile; size?: [number, number] }): Drawing;
   /** A pixel of the last drawing, from the top left: the object of `ninebit trace --effect --json`. */

@@ -41,7 +41,7 @@ export function inOneFolder({ effect, files, choices }) {
     if (!converted.has(program)) {
       let to = `${from}${number ? `-${number}` : ''}.json`;
       const taken = [...names.values(), ...[...converted.values()].map((other) => other.to)];
-      while (taken.includes(to)) to = to.replace(/json$/, 'program.json');
+      while (taken.includes(to) || !isBelow(to)) to = to.replace(/json$/, 'program.json');
       converted.set(program, { from, number, choice, to });
     }
     return { ...pass, program: converted.get(program)?.to };

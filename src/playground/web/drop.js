@@ -5,12 +5,9 @@
 import { mostBytes } from './decode_picture.js';
 import { findEffect, stateOfDropped } from './effect_drop.js';
 import { messageOf } from './dom.js';
-import { freeName, includedIn, isBelow, programFile } from './files.js';
+import { besideProgram, freeName, programFile } from './files.js';
 import { meshEnding } from './shelf.js';
 import { copied, mostCharacters, passOf } from './state.js';
-
-/** A name beside a file. @param {string|undefined} file @param {string} name */
-const inFolderOf = (file, name) => (file ?? '').replace(/[^/]*$/, '') + name;
 
 /**
  * @param {File} file
@@ -32,11 +29,8 @@ async function take(file, unit, { store, shelf, inputs, editor }) {
     const text = await file.text();
     if (text.includes('\0')) throw new Error(`${file.name}: not a picture, a mesh or a program; expected a picture such as PNG, a glTF, OBJ, PLY or OFF file, or a text`);
     store.change('text', (/** @type {import('./state.js').State} */ state) => {
-      const own = programFile(state);
-      // What a program includes, and a header, stands beside it.
-      const wanted = Object.values(state.files).flatMap(includedIn).find((name) => name.split('/').pop() === file.name);
-      const beside = wanted ?? (/\.(h|hh|hpp|inc|inl)$/i.test(file.name) && isBelow(file.name) ? file.name : undefined);
-      const name = (beside && inFolderOf(own, beside)) ?? own ?? freeName(state, 'program.rc1');
+      const beside = besideProgram(state, file.name);
+      const name = beside ?? programFile(state) ?? freeName(state, 'program.rc1');
       if (!beside) passOf(state).program ??= name;
       state.files[name] = text;
     });

@@ -59,6 +59,8 @@ async function sourcesIn(files) {
   if (!file) return new Map();
   try {
     const found = JSON.parse(await textOf(file));
+    // Another file of that name says nothing about this effect.
+    if (found?.ninebit !== 'sources') return new Map();
     const wrong = complaint(kindOfSources, found, 'it');
     if (wrong) throw new Error(wrong);
     return new Map(Object.entries(found.programs));

@@ -44,7 +44,7 @@ export class FileTabs {
     // The list alone scrolls: on a phone, the page stays where it is.
     const tab = this.list.querySelector('[aria-selected=true]')?.getBoundingClientRect(), list = this.list.getBoundingClientRect();
     if (tab) this.list.scrollLeft += Math.min(0, tab.left - list.left) + Math.max(0, tab.right - list.right);
-    // What a pass names stays.
+    // A file that a pass names cannot be deleted.
     this.rename.hidden = !(file in state.files);
     this.remove.hidden = this.rename.hidden || programFiles(state).includes(file);
   }

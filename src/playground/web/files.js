@@ -42,7 +42,7 @@ export const isBelow = (name) => /^[^/\\\0-\x1f-][^\\\0-\x1f]*$/.test(name) && !
 /** Why a file cannot have a name, in one sentence; `null`: it can. @param {State} state @param {string} name */
 export function faultOfName(state, name) {
   if (!isBelow(name) || numbered.test(name) || name.length > 200) {
-    return `${JSON.stringify(name)} is no name for a file; expected one such as lights.c or lib/lights.h`;
+    return `${JSON.stringify(name)} is not a valid name for a file; expected one such as lights.c or lib/lights.h`;
   }
   return allFiles(state).includes(name) ? `There is a file ${name}; expected another name` : null;
 }
@@ -79,6 +79,19 @@ export function remove(state, name) {
 
 /** Names in quotation marks that a text includes. @param {string} text @returns {string[]} */
 export const includedIn = (text) => [...text.matchAll(/^[ \t]*#[ \t]*include[ \t]*"([^"\n]+)"/gm)].map(([, name]) => name.replaceAll('\\', '/').replace(/^(\.\/)+/, ''));
+
+/**
+ * The name of a text that stands beside the pass's program, as what that includes does and a header; `undefined`: it does not.
+ * @param {State} state
+ * @param {string} name of the dropped file
+ */
+export function besideProgram(state, name) {
+  const wanted = Object.values(state.files).flatMap(includedIn).filter((path) => path.split('/').pop() === name);
+  const found = wanted.find(isBelow);
+  if (wanted.length && !found) throw new Error(`${name}: it is included as ${JSON.stringify(wanted[0])}; expected a name in the program's folder or below, such as "${name}"`);
+  const beside = found ?? (/\.(h|hh|hpp|inc|inl)$/i.test(name) && isBelow(name) ? name : undefined);
+  return beside && (programFile(state) ?? '').replace(/[^/]*$/, '') + beside;
+}
 
 /** What an archive says of programs that were made of sources, so that the page opens the sources again. @param {import('./command_line.js').Converted[]} converted */
 export const sourcesOf = (converted) => ({ ninebit: 'sources', version: 1, programs: Object.fromEntries(converted.map(({ from, number, choice, to }) => [to, {

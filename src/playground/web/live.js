@@ -50,7 +50,7 @@ export class Live {
     const { file, number } = programIn(state.files, pass.program ?? '');
     const text = state.files[file] ?? '';
     const { [file]: choice } = readable(state.choices);
-    // What is included may include more.
+    // An included file may include others.
     return { text, name: file, profile: state.profile, choice: { ...choice, ...(number && { program: number }) }, ...(/#\s*include/.test(text) && { files: state.files }) };
   }
 

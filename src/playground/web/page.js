@@ -210,6 +210,7 @@ export class Page {
       this.inputs.ofProgram = {};
       this.inputs.view = null;
       this.program.editor.forget();
+      this.program.choices.forget();
     }
     if (what === 'all' || (what === 'inputs' && this.program.editing)) this.inputs.show();
     // Controls change the effect's text, where that is shown.
@@ -347,7 +348,8 @@ export class Page {
   /** Looks at what a link says; what cannot be is left out. @param {any} view */
   look(view) {
     const { pixel, tab, shadow, sweep, losses, flip, file } = view ?? {};
-    if (typeof file === 'string' && allFiles(this.store.state).includes(file)) this.program.openFile(file);
+    // A frame has no tabs: it could not go back to the program.
+    if (!this.embedded && typeof file === 'string' && allFiles(this.store.state).includes(file)) this.program.openFile(file);
     if (typeof shadow === 'object' && shadow !== null) this.shadow.take(shadow);
     this.sweep.take(sweep);
     if (Array.isArray(losses)) this.losses.take(String(losses[0]), /^\d$/.test(losses[1]) ? losses[1] : '');

@@ -3,7 +3,8 @@
  */
 import { enlarged, png, zip } from './archive.js';
 import { inOneFolder } from './command_line.js';
-import { choice, element, save } from './dom.js';
+import { choice, element, messageOf, save } from './dom.js';
+import { Fault } from './engine_client.js';
 import { sourcesFile, sourcesOf } from './files.js';
 import { Live } from './live.js';
 import { fileIn, roomFile } from './shelf.js';
@@ -40,7 +41,7 @@ export class SavePanel {
         button('PNG, enlarged', 'save-large', () => this.savePicture(this.times))),
       block('The effect', element('p', { class: 'quiet' }, 'The effect file, its programs, pictures, meshes and profile as one archive. Unpack it: ',
         element('code', {}, 'ninebit draw effect.json'), ' draws it, with ', element('code', {}, '--profile profile.json'), ' if that is there, and this page opens its files when they are dropped together.'),
-        button('ZIP archive', 'save-zip', async () => save(`${this.name()}.zip`, zip(await this.files())))),
+        button('ZIP archive', 'save-zip', () => this.saveArchive())),
       block('An animation', element('p', { class: 'quiet' }, `Of an effect that moves, ${rate} frames a second, as APNG.`),
         choice('Seconds', [1, 2, 4, 8].map(String), String(this.seconds), (value) => { this.seconds = Number(value); }),
         button('Animated PNG', 'save-animation', () => this.saveAnimation()))), this.text);
@@ -69,8 +70,20 @@ export class SavePanel {
     save(`${this.name()}${times > 1 ? `_x${times}` : ''}.png`, await png([enlarged(pixels, width, height, times)], width * times, height * times));
   }
 
-  /** The effect with the page's profile, and what it reads, by names that lie in one folder. @returns {Promise<[string, Uint8Array][]>} */
-  async files() {
+  async saveArchive() {
+    /** @type {string[]} */
+    const refused = [];
+    const files = await this.files(refused);
+    save(`${this.name()}.zip`, zip(files));
+    this.text.textContent = refused.join(' ');
+  }
+
+  /**
+   * The effect with the page's profile, and what it reads, by names that lie in one folder.
+   * @param {string[]} [refused] takes a sentence for each program that is left out because the engine refuses its source
+   * @returns {Promise<[string, Uint8Array][]>}
+   */
+  async files(refused = []) {
     const { state } = this.store;
     const { effect, texts, converted } = inOneFolder(state);
     // Without one, `ninebit draw` takes another than the page.
@@ -86,7 +99,12 @@ export class SavePanel {
     for (const { from, number, choice: chosen, to } of converted) {
       const request = { ...Live.program({ ...state, files: Object.fromEntries(texts), choices: { [from]: chosen } }, { program: from }), to: 'json' };
       if (number) request.choice.program = number;
-      files.push([to, text((await this.engine.ask({ ...request, do: 'convert' })).answer.text)]);
+      try {
+        files.push([to, text((await this.engine.ask({ ...request, do: 'convert' })).answer.text)]);
+      } catch (error) {
+        if (!(error instanceof Fault)) throw error;
+        refused.push(`The archive is without ${to}, so only this page opens it: ${messageOf(error)}.`);
+      }
     }
     const sources = Object.values(effect.textures ?? {}).flatMap((texture) => fileIn(String(/** @type {any} */ (texture)?.source ?? '')).split(','));
     for (const name of new Set([...sources, mesh])) {

@@ -83,6 +83,15 @@ function select(label, path, options, value, change) {
   return made;
 }
 
+/** Shows a control as that of a key that is not there. @param {HTMLElement} control */
+function empty(control) {
+  for (const input of /** @type {NodeListOf<HTMLInputElement|HTMLSelectElement>} */ (control.querySelectorAll('input, select'))) {
+    input.value = '';
+    input.removeAttribute('aria-invalid');
+  }
+  for (const fault of control.querySelectorAll('.fault')) fault.textContent = '';
+}
+
 /**
  * The controls of some keys of an object.
  * @param {any} schema of the object
@@ -106,14 +115,21 @@ export function controlsOf(schema, keys, value, change, { path = '', before = ''
     if (own.type === 'boolean') return select(label, place, ['yes', 'no'], now === undefined ? '' : now ? 'yes' : 'no', (wanted) => set(wanted ? wanted === 'yes' : undefined));
     const object = kindsOf(own).find(({ type }) => type === 'object');
     if (!object) return field(label, place, own, now, set);
+    const nullable = kindsOf(own).some(({ type }) => type === 'null');
+    // With the object, its values go.
+    const off = nullable ? select(label, place, ['off'], now === null ? 'off' : '', (wanted) => {
+      set(wanted ? null : undefined);
+      inside.forEach(empty);
+    }) : null;
     const inside = controlsOf(object, Object.keys(object.properties), now ?? undefined, (edit) => change((outer) => {
       const inner = outer[key] ?? bare({});
       edit(inner);
       if (Object.keys(inner).length) outer[key] = inner;
       else delete outer[key];
+      // A value inside means that the object is no longer off.
+      if (off) empty(off);
     }), { path: `${place}.`, before: `${label}: ` });
-    if (!kindsOf(own).some(({ type }) => type === 'null')) return inside;
-    return [select(label, place, ['off'], now === null ? 'off' : '', (wanted) => set(wanted ? null : undefined)), ...inside];
+    return off ? [off, ...inside] : inside;
   });
 }
 

@@ -33,8 +33,13 @@ export class SourceChoices {
     this.names = [];
   }
 
-  hide() {
+  /** Another state may have other values for the same names: the fields are made anew. */
+  forget() {
     this.shown = '';
+  }
+
+  hide() {
+    this.forget();
     this.parent.hidden = true;
   }
 
