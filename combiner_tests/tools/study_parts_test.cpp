@@ -73,7 +73,7 @@ TEST_F(AlteredPart, OfDepthPackingIsRefused) {
   make({"depth-packing", "--packings", "rgba8-mod", "--depths", "16", "--storages", "round"});
   expect_refused([](auto& p) { value(p, 0, "packing") = std::string("x"); },
                  {":2: unit 0", "row 1", "packing is 'x'; expected 'rgba8-mod'"});
-  expect_refused([](auto& p) { value(p, 0, "max_error_codes") = 1e308; }, {"max_error_codes is 1e+308"});
+  expect_refused([](auto& p) { value(p, 0, "max_error") = 1e308; }, {"max_error is 1e+308"});
   expect_refused([](auto& p) { value(p, 0, "count") = std::uint64_t{1} << 63; }, {"expected 65536"});
   expect_refused([](auto& p) { value(p, 1, "digit") = std::int64_t{-1}; }, {":3: unit 1", "expected 0"});
   expect_refused([](auto& p) { p.units[1].rows.pop_back(); }, {"has 255 rows; expected 256"});
