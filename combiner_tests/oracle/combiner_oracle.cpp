@@ -2,9 +2,6 @@
 
 #include <cstddef>
 
-#include "ninebit/combiner/normalize.h"
-#include "ninebit/numerics/hardware_profile.h"
-
 namespace ninebit::oracle {
 namespace {
 

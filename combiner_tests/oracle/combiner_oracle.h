@@ -11,7 +11,7 @@
 
 #include "ninebit/combiner/registers.h"
 #include "ninebit/combiner/state.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::oracle {
 

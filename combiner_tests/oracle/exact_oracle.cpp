@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 #include "combiner_tests/oracle/real_oracle.h"
-#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::oracle {
 namespace {

@@ -2,7 +2,6 @@
 #include <cstddef>
 
 #include "combiner_tests/oracle/real_oracle.h"
-#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::oracle {
 namespace {

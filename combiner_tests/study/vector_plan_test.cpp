@@ -213,12 +213,12 @@ TEST(VectorPlan, EmulatorsWithManyFaultsAreMended) {
 }
 
 // An author who mends what `verify` names first, and runs the pack again, until nothing differs: every step removes a
-// fault that is there. NINEBIT_JOURNEYS=all takes the longest one, too.
+// fault that is there. Each step takes seconds: NINEBIT_JOURNEYS=all takes the journeys of more than two faults, too.
 TEST(VectorPlan, JourneysFromAnEmulatorToTheChip) {
   if (test::kSanitized) GTEST_SKIP() << "too slow; the build without sanitizers runs this";
   const bool all = std::getenv("NINEBIT_JOURNEYS") != nullptr;
   for (const Emulator& emulator : kEmulators) {
-    if (!all && emulator.faults.size() > 9) continue;
+    if (!all && emulator.faults.size() > 2) continue;
     SCOPED_TRACE(emulator.name);
     std::set<EmulatorFault> left = emulator.faults;
     std::size_t steps = 0;

@@ -6,7 +6,6 @@ import { Clock } from './clock.js';
 import { ConvertPanel } from './convert_panel.js';
 import { afterPause, byId, choice, element, nextFrame, replaceChildren } from './dom.js';
 import { acceptDrops } from './drop.js';
-import { allFiles } from './files.js';
 import { Flip } from './flip.js';
 import { Gallery } from './gallery.js';
 import { GpuPanel } from './gpu_panel.js';
@@ -348,8 +347,7 @@ export class Page {
   /** Looks at what a link says; what cannot be is left out. @param {any} view */
   look(view) {
     const { pixel, tab, shadow, sweep, losses, flip, file } = view ?? {};
-    // A frame has no tabs: it could not go back to the program.
-    if (!this.embedded && typeof file === 'string' && allFiles(this.store.state).includes(file)) this.program.openFile(file);
+    if (!this.embedded) this.program.look(file); // a frame has no tabs: it could not go back to the program
     if (typeof shadow === 'object' && shadow !== null) this.shadow.take(shadow);
     this.sweep.take(sweep);
     if (Array.isArray(losses)) this.losses.take(String(losses[0]), /^\d$/.test(losses[1]) ? losses[1] : '');

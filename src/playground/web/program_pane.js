@@ -68,6 +68,11 @@ export class ProgramPane {
     this.show();
   }
 
+  /** Shows the file that a link names, if there is one. @param {unknown} file */
+  look(file) {
+    if (typeof file === 'string' && allFiles(this.store.state).includes(file)) this.openFile(file);
+  }
+
   /** Shows a file; that of a program goes with the first pass that has it. @param {string} file */
   openFile(file) {
     const { state } = this.store;
