@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/gl_nv/extra_extensions.h"
 #include "src/system/process.h"
 #include "src/tools/input/printable.h"
