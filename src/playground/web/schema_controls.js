@@ -126,7 +126,7 @@ export function controlsOf(schema, keys, value, change, { path = '', before = ''
       edit(inner);
       if (Object.keys(inner).length) outer[key] = inner;
       else delete outer[key];
-      // A value inside means that the object is no longer off.
+      // A value inside switches the object on.
       if (off) empty(off);
     }), { path: `${place}.`, before: `${label}: ` });
     return off ? [off, ...inside] : inside;
