@@ -97,6 +97,10 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
     made.comparison_ = sampler.comparison;
     made.format_ = TextureFormat::depth_comparison;
   }
+  // Rule 54: a key makes an alpha 0 that such texels do not store.
+  const ColorKeyOperation key = sampler.color_key.operation;
+  const bool has_alpha_key = key == ColorKeyOperation::alpha || key == ColorKeyOperation::rgba;
+  if (made.format_ == TextureFormat::rgb && has_alpha_key) made.format_ = TextureFormat::rgba;
   made.cube_ = texture.target == TextureTarget::cube_map;
   made.volume_ = texture.target == TextureTarget::texture_3d;
   made.rectangle_ = texture.target == TextureTarget::rectangle;
@@ -397,6 +401,7 @@ Texel TextureSampler::texel(const TextureCoordinates& at, std::size_t i) const {
       result.value[k] = static_cast<std::uint8_t>(filtered.code[k]);
     }
   }
+  if (format_ == TextureFormat::rgba && texture_->format == InternalFormat::rgb8) result.value[kAlpha] = 255;
   const ColorKeyOperation operation = sampler_.color_key.operation;
   const bool clears = operation == ColorKeyOperation::alpha || operation == ColorKeyOperation::rgba;
   if (clears && is_keyed(result)) {
