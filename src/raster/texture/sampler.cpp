@@ -99,8 +99,9 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
   }
   // Rule 54: a key makes an alpha 0 that such texels do not store.
   const ColorKeyOperation key = sampler.color_key.operation;
-  const bool has_alpha_key = key == ColorKeyOperation::alpha || key == ColorKeyOperation::rgba;
-  if (made.format_ == TextureFormat::rgb && has_alpha_key) made.format_ = TextureFormat::rgba;
+  const bool clears_alpha = key == ColorKeyOperation::alpha || key == ColorKeyOperation::rgba;
+  const bool adds_alpha = clears_alpha && made.format_ == TextureFormat::rgb;
+  if (adds_alpha) made.format_ = TextureFormat::rgba;
   made.cube_ = texture.target == TextureTarget::cube_map;
   made.volume_ = texture.target == TextureTarget::texture_3d;
   made.rectangle_ = texture.target == TextureTarget::rectangle;
@@ -128,7 +129,7 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
     made.border_code_[i] = code_of(border, largest);
   }
   made.find_sources(profile, use);
-  made.byte_sampler_ = ByteSampler::make(made);
+  if (!adds_alpha) made.byte_sampler_ = ByteSampler::make(made);
   return made;
 }
 
