@@ -136,6 +136,7 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
 void TextureSampler::find_sources(const HardwareProfile& profile, TexelUse use) {
   const InternalFormat format = texture_->format;
   is_signed_ = signed_components(*texture_, sampler_);
+  if (format == InternalFormat::rgb8) is_signed_[kAlpha] = false;
   // The combiners do not see these formats' numbers.
   if (use == TexelUse::stages && format_ >= TextureFormat::hilo) {
     const std::array<bool, 4> stored = stored_components(format);
