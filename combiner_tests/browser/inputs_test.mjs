@@ -31,7 +31,7 @@ test('pass, tests, fog, scene and picture are edited by controls, with the nativ
     [['pass.cull', 'front']], [['pass.polygon_mode', 'line'], ['pass.line_width', '2']], [['pass.color_mask', 'rg']],
     [['pass.depth', 'off'], ['pass.blend.source', 'one'], ['pass.blend.destination', 'one']], [['pass.depth.function', 'greater'], ['pass.clear.depth', '0']],
     [['pass.alpha_test.function', 'never']], [['pass.alpha_test.function', ''], ['pass.stencil.function', 'never'], ['pass.stencil.reference', '3']],
-    [['pass.stencil.function', ''], ['pass.stencil.reference', ''], ['pass.clear.color', '0.25, 0.5, 0.75, 1']], [['scene.fov', '20']], [['scene.look_at', '0.2, 0, 0']],
+    [['pass.stencil.function', ''], ['pass.stencil.reference', ''], ['pass.clear.color', '0.25, 0.5, 0.75, 1']], [['effect.depth_stencil', 'w16']], [['scene.fov', '20']], [['scene.look_at', '0.2, 0, 0']],
     [['effect.size', '64, 32'], ['effect.color_format', 'r5g6b5']], [['texture0.lod_bias', '2'], ['texture0.border_color', '1, 0, 0, 1']],
   ];
   const hashes = new Set([await hashOf(page)]);
@@ -46,7 +46,7 @@ test('pass, tests, fog, scene and picture are edited by controls, with the nativ
   assert.equal('stencil' in effect.passes[0], false, 'an object whose last key goes, goes');
   assert.deepEqual(effect.size, [64, 32]);
   for (const key of ['pass.cull', 'pass.polygon_mode', 'pass.line_width', 'pass.color_mask', 'pass.depth', 'pass.blend.source', 'pass.blend.destination', 'pass.clear.depth', 'pass.clear.color',
-    'scene.fov', 'scene.look_at', 'effect.color_format', 'texture0.lod_bias', 'texture0.border_color', 'pass.depth.function']) await set(page, key, '');
+    'scene.fov', 'scene.look_at', 'effect.color_format', 'effect.depth_stencil', 'texture0.lod_bias', 'texture0.border_color', 'pass.depth.function']) await set(page, key, '');
   await set(page, 'effect.size', '256, 256');
   await page.select('#panel-inputs fieldset:not([data-unit]) select', 'rectangle');
   assert.deepEqual(await stateOf(page), before);

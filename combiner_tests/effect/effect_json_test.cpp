@@ -26,8 +26,8 @@ TEST(EffectJson, ReadsAllOfAPass) {
     "scene": {"mesh": "cube", "camera": [0, 1, 5], "fov": 30, "light": [1, 2, 3], "light_type": "spot", "floor": -1},
     "textures": {"a": {"source": "normals:h.png", "steepness": 2, "filter": "linear", "wrap": "clamp"},
                  "c": {"source": "k.png", "filter": "nearest", "wrap": "clamp-to-border", "border_color": [1, 0, 0.5, 1],
-                       "border_texels": true, "cylinder_wrap": "t", "color_key": "kill:00fF00FF"},
-                 "b": {"source": "target:m"}},
+                       "border_texels": true, "color_key": "kill:00fF00FF"},
+                 "b": {"source": "target:m"}, "d": {"source": "gradient", "cylinder_wrap": "t"}},
     "targets": {"m": {"size": 16, "cube": true, "format": "rgb8", "color_format": "x1a7r8g8b8_o"},
                 "s": {"size": 8, "samples": "square_offset_4"}},
     "passes": [{"target": "m", "primary": "index:la,3", "polygon_mode": "point", "point_size": 3.5,
@@ -61,7 +61,7 @@ TEST(EffectJson, ReadsAllOfAPass) {
   EXPECT_EQ(keyed.wrap_t, Wrap::clamp_to_border);
   EXPECT_EQ(keyed.border_color, (std::array<float, 4>{1.0F, 0.0F, 0.5F, 1.0F}));
   EXPECT_TRUE(keyed.border_texels);
-  EXPECT_EQ(keyed.cylinder_wrap, (std::array<bool, 2>{false, true}));
+  EXPECT_EQ(e.textures[3].sampler.cylinder_wrap, (std::array<bool, 2>{false, true}));
   EXPECT_EQ(keyed.color_key.operation, ColorKeyOperation::kill);
   EXPECT_EQ(keyed.color_key.key, 0x00FF00FFU);
   EXPECT_EQ(e.textures[2].sampler.min_filter, MinFilter::nearest) << "the default of targets";
@@ -157,6 +157,9 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
        "mirrored-repeat or clamp-to-border"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"cylinder_wrap\": \"u\"}}, \"passes\": [{}]", 2,
        "expected s, t or st"},
+      {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"wrap\": \"clamp\", \"cylinder_wrap\": \"s\"}}, "
+       "\"passes\": [{}]",
+       2, "a cylinder wrap needs the wrap mode repeat"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"border_color\": [2, 0, 0, 0]}}, \"passes\": [{}]", 2,
        "from 0"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"color_key\": \"kill:FF00FF\"}}, \"passes\": [{}]", 2,

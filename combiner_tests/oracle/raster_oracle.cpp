@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace ninebit::oracle {
@@ -98,7 +99,9 @@ Within nearest_within(const WindowTriangle& t, int px, int py) {
     depth += part[i] * t[i].z24;
   }
   Within within;
-  for (std::size_t i = 0; i < 3; ++i) within.share[i] = static_cast<double>(part[i]) / static_cast<double>(whole);
+  for (std::size_t i = 0; i < 3; ++i) {
+    within.share[i] = static_cast<long double>(part[i]) / static_cast<long double>(whole);
+  }
   within.depth_sum = static_cast<std::int64_t>(depth);
   within.parts = static_cast<std::int64_t>(whole);
   return within;
@@ -230,29 +233,52 @@ std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& 
   return static_cast<std::int64_t>(std::floor(clamped * static_cast<double>(parts) + 0.5)) * (65536 / parts);
 }
 
-double number_at(const NumberPlane& plane, int px, int py) {
-  const WindowTriangle& t = plane.triangle;
-  const auto area = static_cast<long double>(area_of(t));
-  long double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto share = static_cast<long double>(area_with(t[(i + 1) % 3], t[(i + 2) % 3], centre_of(px, py))) / area;
-    sum += plane.is_w ? share / plane.corner[i] : share * plane.corner[i];
+NumberFormat number_format(DepthStencilFormat format) {
+  switch (format) {
+    case DepthStencilFormat::f24s8:
+      return {false, 8};
+    case DepthStencilFormat::f16:
+      return {false, 4};
+    case DepthStencilFormat::w24s8:
+    case DepthStencilFormat::w16:
+      return {true, 0};
+    case DepthStencilFormat::wf24s8:
+      return {true, 8};
+    case DepthStencilFormat::wf16:
+      return {true, 4};
+    default:
+      return {};
   }
-  return static_cast<double>(plane.is_w ? 1 / sum : sum);
 }
 
-double number_offset(const PolygonOffset& offset, OffsetSlope slope, const NumberPlane& plane) {
-  const auto& [a, b, c] = plane.triangle;
+double largest_number(int bits, int exponent_bits) {
+  if (exponent_bits == 0) return std::ldexp(1, bits) - 1;
+  return std::ldexp(2 - std::ldexp(1, exponent_bits - bits), exponent_bits == 4 ? 8 : 128);
+}
+
+std::array<long double, 3> shares_at(const WindowTriangle& t, int px, int py) {
+  const auto area = static_cast<long double>(area_of(t));
+  std::array<long double, 3> share{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    share[i] = static_cast<long double>(area_with(t[(i + 1) % 3], t[(i + 2) % 3], centre_of(px, py))) / area;
+  }
+  return share;
+}
+
+double number_offset(const PolygonOffset& offset, OffsetSlope slope, const WindowTriangle& t, bool is_w) {
+  const auto& [a, b, c] = t;
   // Changes per pixel of the plane through the corners, or of 1/w, whose change times w² is that of w.
-  const auto value = [&](std::size_t i) { return plane.is_w ? 1 / plane.corner[i] : plane.corner[i]; };
-  const double scale = plane.is_w ? plane.corner[0] * plane.corner[0] : 1;
+  const auto value = [&](const WindowVertex& v) { return is_w ? 1 / v.number : v.number; };
+  const double scale = is_w ? a.number * a.number : 1;
   const auto at = [](std::int64_t q4) { return static_cast<double>(q4) / 16; };
   const double area = at(b.x_q4 - a.x_q4) * at(c.y_q4 - a.y_q4) - at(b.y_q4 - a.y_q4) * at(c.x_q4 - a.x_q4);
-  const double vb = value(1) - value(0), vc = value(2) - value(0);
+  const double vb = value(b) - value(a), vc = value(c) - value(a);
   const double dx = std::fabs((vb * at(c.y_q4 - a.y_q4) - vc * at(b.y_q4 - a.y_q4)) / area) * scale;
   const double dy = std::fabs((vc * at(b.x_q4 - a.x_q4) - vb * at(c.x_q4 - a.x_q4)) / area) * scale;
   const double m = slope == OffsetSlope::root ? std::hypot(dx, dy) : std::max(dx, dy);
-  return static_cast<double>(offset.factor) * m + static_cast<double>(offset.units);
+  constexpr double kMost = std::numeric_limits<float>::max();
+  const double sum = static_cast<double>(offset.factor) * m + static_cast<double>(offset.units);
+  return static_cast<double>(static_cast<float>(std::clamp(sum, -kMost, kMost)));
 }
 
 std::uint32_t number_code(int bits, int exponent_bits, double number, bool is_cut) {

@@ -15,11 +15,13 @@
 
 namespace ninebit::oracle {
 
-// A vertex as the rasterizer holds it after snapping: depth in 24 bits, the format's codes and fraction bits.
+// A vertex as the rasterizer holds it after snapping: depth in 24 bits, the format's codes and fraction bits; or the
+// number z or w, in formats that hold numbers.
 struct WindowVertex {
   std::int64_t x_q4 = 0;
   std::int64_t y_q4 = 0;
   std::int64_t z24 = 0;
+  double number = 0;
 };
 using WindowTriangle = std::array<WindowVertex, 3>;
 using WindowLine = std::array<WindowVertex, 2>;
@@ -44,7 +46,7 @@ struct Place {
 
 // The shares of the corners at the pixel's centre, without those below 0, and their depth.
 struct Within {
-  std::array<double, 3> share{};
+  std::array<long double, 3> share{};
   std::int64_t depth_sum = 0, parts = 1;  // the depth is their quotient
 };
 [[nodiscard]] Within nearest_within(const WindowTriangle& triangle, int px, int py);
@@ -77,18 +79,29 @@ struct Along {
 [[nodiscard]] std::int64_t polygon_offset(const PolygonOffset& offset, const HardwareProfile& profile,
                                           DepthStencilFormat format, const WindowTriangle& triangle);
 
-// Depths of the NV2A's other formats, as numbers.
-
-// What a triangle's corners hold: z, or w of a W buffer.
-struct NumberPlane {
-  WindowTriangle triangle{};  // positions alone
-  std::array<double, 3> corner{};
+// The NV2A's other depth formats hold numbers: z, or w, whole or with 4 or 8 bits of exponent. `is_w` and
+// `exponent_bits` are false and 0 where codes are steps of window depth.
+struct NumberFormat {
   bool is_w = false;
+  int exponent_bits = 0;
+  [[nodiscard]] bool has_numbers() const { return is_w || exponent_bits > 0; }
 };
-// z at the pixel's centre, on the plane through the corners; or w, of which 1/w is linear in the window.
-[[nodiscard]] double number_at(const NumberPlane& plane, int px, int py);
-// The offset in numbers: bias + scale × slope, the slope of w being that at the first corner.
-[[nodiscard]] double number_offset(const PolygonOffset& offset, OffsetSlope slope, const NumberPlane& plane);
+[[nodiscard]] NumberFormat number_format(DepthStencilFormat format);
+// The number that is all ones in a format of so many bits.
+[[nodiscard]] double largest_number(int bits, int exponent_bits);
+// The mean of z with these shares, which add up to 1; or w, of which 1/w is linear in the window.
+template <std::size_t Count>
+[[nodiscard]] double number_of(const std::array<WindowVertex, Count>& v, const std::array<long double, Count>& share,
+                               bool is_w) {
+  long double sum = 0;
+  for (std::size_t i = 0; i < Count; ++i) sum += is_w ? share[i] / v[i].number : share[i] * v[i].number;
+  return static_cast<double>(is_w ? 1 / sum : sum);
+}
+// The shares of the corners at the pixel's centre.
+[[nodiscard]] std::array<long double, 3> shares_at(const WindowTriangle& triangle, int px, int py);
+// The offset in numbers: bias + scale × slope, the slope of w being that at the first corner; the nearest float.
+[[nodiscard]] double number_offset(const PolygonOffset& offset, OffsetSlope slope, const WindowTriangle& triangle,
+                                   bool is_w);
 // The code of a number: whole, or 4 or 8 bits of exponent (bias 7 or 127) above the mantissa; cut, or to nearest. Too
 // large a number is all ones.
 [[nodiscard]] std::uint32_t number_code(int bits, int exponent_bits, double number, bool is_cut = true);
@@ -115,8 +128,8 @@ struct DrawnVertex {
 // One draw call: the vertices in the order of the list.
 struct DrawCall {
   Primitive type = Primitive::triangles;
-  std::vector<DrawnVertex> vertices;
-  std::vector<Bytes> primitive_colors;  // or none
+  std::vector<DrawnVertex> vertices{};
+  std::vector<Bytes> primitive_colors{};  // or none
 };
 
 // Draws in order, within viewport and scissor. The state's program is not looked at: a fragment has its primitive's

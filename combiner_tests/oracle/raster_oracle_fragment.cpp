@@ -29,9 +29,17 @@ bool passes(CompareFunction function, std::int64_t left, std::int64_t right) {
 
 // s of the specification.
 int bits_of(DepthStencilFormat format) {
-  if (format == DepthStencilFormat::d24s8) return 8;
-  if (format == DepthStencilFormat::d15s1) return 1;
-  return 0;
+  switch (format) {
+    case DepthStencilFormat::d24s8:
+    case DepthStencilFormat::f24s8:
+    case DepthStencilFormat::w24s8:
+    case DepthStencilFormat::wf24s8:
+      return 8;
+    case DepthStencilFormat::d15s1:
+      return 1;
+    default:
+      return 0;
+  }
 }
 
 int reference_of(const StencilFace& face, int largest) {

@@ -25,12 +25,12 @@ struct Picture {
   DepthStencilFormat format = DepthStencilFormat::d24s8;
   ColorFormat color_format = ColorFormat::a8r8g8b8;
   bool has_alpha = true;  // a plane of alpha
-  std::vector<Bytes> color;
-  std::vector<std::uint32_t> depth;      // codes of the format
-  std::vector<std::uint8_t> stencil;     // looked at only if the format has stencil bits
-  std::vector<std::uint32_t> primitive;  // an output plane: the number of the last fragment that was drawn
+  std::vector<Bytes> color{};
+  std::vector<std::uint32_t> depth{};      // codes of the format
+  std::vector<std::uint8_t> stencil{};     // looked at only if the format has stencil bits
+  std::vector<std::uint32_t> primitive{};  // an output plane: the number of the last fragment that was drawn
   std::vector<int>
-      captured;  // another: the red of the last fragment that would pass the depth test; as it was, if none
+      captured{};  // another: the red of the last fragment that would pass the depth test; as it was, if none
 };
 
 // The fragments' fates.

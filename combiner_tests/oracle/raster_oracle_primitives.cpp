@@ -25,7 +25,11 @@ Box viewport_of(const PipelineState& state, const Picture& picture) {
 class Drawing {
  public:
   Drawing(const PipelineState& state, Picture& picture, Tally& tally)
-      : state_(state), picture_(picture), tally_(tally), viewport_(viewport_of(state, picture)) {}
+      : state_(state),
+        picture_(picture),
+        tally_(tally),
+        viewport_(viewport_of(state, picture)),
+        numbers_(number_format(picture.format)) {}
 
   // The source of what is drawn next.
   struct Source {
@@ -33,21 +37,24 @@ class Drawing {
     Bytes flat_color{};
     bool front_facing = true;
     std::int64_t offset = 0;  // in 1/65536 of a step of 24 bits
+    double number_offset = 0;
   };
-  // A depth in steps of 24 bits, as a fraction.
+  // A depth in steps of 24 bits, as a fraction; or, in formats that hold numbers, a number.
   struct Depth {
     Wide n, d;
+    double number;
   };
 
   void point(const Source& source, const DrawnVertex& v) {
     const WindowVertex& p = v.position;
     if (beyond_sides({p}) || !within_sides(p)) return;
-    const std::array one{1.0};
+    const std::array<long double, 1> one{1};
+    const Depth depth{p.z24, 1, p.number};
     if (state_.profile.point_shape.value == PointShape::squares) {
       const int size = eighths(state_.point_size);
       for (int py = viewport_.bottom; py < viewport_.top; ++py) {
         for (int px = viewport_.left; px < viewport_.right; ++px) {
-          if (square_covers(p, size, px, py)) fragment(source, px, py, {p.z24, 1}, color_of(source, &v.color, one));
+          if (square_covers(p, size, px, py)) fragment(source, px, py, depth, color_of(source, &v.color, one));
         }
       }
       return;
@@ -61,7 +68,7 @@ class Drawing {
     for (int py = viewport_.bottom; py < viewport_.top; ++py) {
       for (int px = viewport_.left; px < viewport_.right; ++px) {
         if (std::fabs(px + 0.5 - cx) < half && std::fabs(py + 0.5 - cy) < half) {
-          fragment(source, px, py, {p.z24, 1}, color_of(source, &v.color, one));
+          fragment(source, px, py, depth, color_of(source, &v.color, one));
         }
       }
     }
@@ -119,6 +126,7 @@ class Drawing {
     const PolygonOffset& o = state_.polygon_offset;
     if (mode == PolygonMode::fill ? o.fill : mode == PolygonMode::line ? o.line : o.point) {
       source.offset = polygon_offset(o, state_.profile, picture_.format, largest);
+      source.number_offset = number_offset(o, state_.profile.polygon_offset_slope.value, largest, numbers_.is_w);
     }
     if (mode == PolygonMode::fill) {
       for (std::size_t i = 0; i < cut.size(); ++i) {
@@ -164,16 +172,17 @@ class Drawing {
 
   // Of `Count` colours.
   template <std::size_t Count>
-  Bytes color_of(const Source& source, const Bytes* colors, const std::array<double, Count>& shares) const {
+  Bytes color_of(const Source& source, const Bytes* colors, const std::array<long double, Count>& shares) const {
     if (state_.shade_model == ShadeModel::flat || has_primitive_colors) return source.flat_color;
     Bytes color{};
     // The NV2A's weights are whole 256ths: the first and the last of three are cut, of a line the last.
-    std::array<double, Count> weights = shares;
+    std::array<double, Count> weights{};
+    for (std::size_t k = 0; k < Count; ++k) weights[k] = static_cast<double>(shares[k]);
     if (state_.profile.color_weights.value == ColorWeights::eight_bits && Count > 1) {
       const std::size_t rest = Count == 3 ? 1 : 0;
       double left = 1;
       for (std::size_t k = 0; k < Count; ++k) {
-        weights[k] = std::floor(256 * shares[k]) / 256;
+        weights[k] = std::floor(256 * weights[k]) / 256;
         if (k != rest) left -= weights[k];
       }
       weights[rest] = left;
@@ -198,11 +207,13 @@ class Drawing {
     Bytes color;
   };
   OnLine on_line(const Source& source, const DrawnVertex& a, const DrawnVertex& b, const Along& t) const {
-    const double share = static_cast<double>(t.along) / static_cast<double>(t.squared_length);
+    const long double share = static_cast<long double>(t.along) / static_cast<long double>(t.squared_length);
+    const std::array shares{1 - share, share};
     const std::int64_t l = t.squared_length;
     const Wide sum = Wide{l - t.along} * a.position.z24 + Wide{t.along} * b.position.z24;
     const std::array colors{a.color, b.color};
-    return {{sum, l}, color_of(source, colors.data(), std::array{1 - share, share})};
+    const double number = number_of(std::array{a.position, b.position}, shares, numbers_.is_w);
+    return {{sum, l, number}, color_of(source, colors.data(), shares)};
   }
 
   void rectangle(const Source& source, const DrawnVertex& a, const DrawnVertex& b) {
@@ -233,11 +244,6 @@ class Drawing {
     const std::int64_t area = area_of(t);
     source.front_facing = is_front(area);
     if (area == 0 || is_culled(source.front_facing) || beyond_sides({t[0], t[1], t[2]})) return;
-    const auto share = [&](std::size_t i, int px, int py) {
-      WindowTriangle part = t;
-      part[i] = {16 * px + 8, 16 * py + 8, 0};
-      return static_cast<double>(area_of(part)) / static_cast<double>(area);
-    };
     const auto [x_low, x_high] = std::minmax({t[0].x_q4, t[1].x_q4, t[2].x_q4});
     const auto [y_low, y_high] = std::minmax({t[0].y_q4, t[1].y_q4, t[2].y_q4});
     const auto from = [](std::int64_t low, int start) { return low < 16 * start ? start : static_cast<int>(low / 16); };
@@ -246,9 +252,8 @@ class Drawing {
     for (int py = from(y_low, viewport_.bottom); py < to(y_high, viewport_.top); ++py) {
       for (int px = from(x_low, viewport_.left); px < to(x_high, viewport_.right); ++px) {
         if (!covers(t, px, py) || !is_stippled(px, py)) continue;
-        const Bytes color =
-            color_of(source, colors.data(), std::array{share(0, px, py), share(1, px, py), share(2, px, py)});
-        fragment(source, px, py, plane_at(t, px, py), color);
+        const std::array<long double, 3> share = shares_at(t, px, py);
+        fragment(source, px, py, plane_at(t, share, px, py), color_of(source, colors.data(), share));
       }
     }
   }
@@ -275,8 +280,9 @@ class Drawing {
         }
         if (coverage == 0) continue;
         const Within within = nearest_within(t, px, py);
-        fragment(source, px, py, {within.depth_sum, within.parts}, color_of(source, colors.data(), within.share),
-                 coverage);
+        const double number = number_of(t, within.share, numbers_.is_w);
+        fragment(source, px, py, {within.depth_sum, within.parts, number},
+                 color_of(source, colors.data(), within.share), coverage);
       }
     }
   }
@@ -284,7 +290,7 @@ class Drawing {
   // The NV2A cuts depths to codes.
   bool cuts_depth() const { return state_.profile.depth_narrowing.value == Narrowing::toward_zero; }
 
-  static Depth plane_at(const WindowTriangle& t, int px, int py) {
+  Depth plane_at(const WindowTriangle& t, const std::array<long double, 3>& share, int px, int py) const {
     const Wide area = area_of(t);
     Wide sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -292,12 +298,16 @@ class Drawing {
       part[i] = {16 * px + 8, 16 * py + 8, 0};
       sum += Wide{area_of(part)} * t[i].z24;
     }
-    return area < 0 ? Depth{-sum, -area} : Depth{sum, area};
+    const double number = number_of(t, share, numbers_.is_w);
+    return area < 0 ? Depth{-sum, -area, number} : Depth{sum, area, number};
   }
 
   // The depth and the offset are added, then cut, or rounded to nearest.
-  void fragment(const Source& source, int x, int y, const Depth& depth, const Bytes& color, int coverage = 8) {
-    if (!viewport_.holds(x, y)) return;
+  std::int64_t code_of(const Source& source, const Depth& depth) const {
+    if (numbers_.has_numbers()) {
+      const double sum = depth.number + source.number_offset;
+      return number_code(depth_bits(picture_.format), numbers_.exponent_bits, sum, cuts_depth());
+    }
     constexpr Wide kParts = 65536;
     const Wide sum = depth.n * kParts + (source.offset + (cuts_depth() ? Wide{0} : kParts / 2)) * depth.d;
     const Wide parts = depth.d * kParts;
@@ -305,11 +315,15 @@ class Drawing {
     const std::int64_t step = std::int64_t{1} << (24 - depth_bits(picture_.format));
     const std::int64_t deepest = step * max_depth(picture_.format);
     const std::int64_t z = std::min(std::max(z24, std::int64_t{0}), deepest);
-    const std::int64_t code = !cuts_depth() && z % step * 2 >= step && step > 1 ? z / step + 1 : z / step;
+    return !cuts_depth() && z % step * 2 >= step && step > 1 ? z / step + 1 : z / step;
+  }
+
+  void fragment(const Source& source, int x, int y, const Depth& depth, const Bytes& color, int coverage = 8) {
+    if (!viewport_.holds(x, y)) return;
     process(state_,
             {.x = x,
              .y = y,
-             .depth = code,
+             .depth = code_of(source, depth),
              .number = source.number,
              .front_facing = source.front_facing,
              .color = color,
@@ -321,6 +335,7 @@ class Drawing {
   Picture& picture_;
   Tally& tally_;
   Box viewport_;
+  NumberFormat numbers_;
 
  public:
   bool has_primitive_colors = false;

@@ -215,9 +215,26 @@ class Model {
   }
 
   std::vector<Neighbour> along(float place, Wrap wrap, int size, bool linear) const {
+    if (q_.sampler.border_texels) return along_stored(place, wrap, size, linear);
     const bool rectangle = texture_.target == TextureTarget::rectangle;
     const Exact u = rectangle ? rectangle_position(place, wrap, size) : wrap_coordinate(place, wrap, size) * size;
     return neighbours(u, wrap, size, linear, q_.weight_bits, q_.cuts_weights);
+  }
+
+  // A texture of half the image's size, whose texel i is stored at i + 4. The border mode reads what is stored outside,
+  // as far as that goes; the colour of other modes is outside of the image.
+  std::vector<Neighbour> along_stored(float place, Wrap wrap, int stored, bool linear) const {
+    const int size = stored / 2;
+    const float near = place > 4 ? 4 : place < -4 ? -4 : std::isnan(place) ? 0 : place;
+    const Exact u = (wrap == Wrap::clamp_to_border ? exact_of(near) : wrap_coordinate(place, wrap, size)) * size;
+    std::vector<Neighbour> found = neighbours(u, wrap, size, linear, q_.weight_bits, q_.cuts_weights);
+    for (Neighbour& n : found) {
+      const bool outside = n.index < 0 || n.index >= size;
+      n.index += 4;
+      if (wrap == Wrap::clamp_to_border) n.index = n.index < 0 ? 0 : n.index >= stored ? stored - 1 : n.index;
+      if (wrap != Wrap::clamp_to_border && outside) n.index = -1;
+    }
+    return found;
   }
 
   void read(int level, bool linear, Exact weight, int weight_shift) {
@@ -385,7 +402,20 @@ class Model {
         answer_.value[k == 3 ? 0 : 2] = static_cast<std::uint8_t>(answer_.code[k] & 0xFF);
       }
     }
+    if (texture_.format == InternalFormat::rgb8) answer_.value[3] = 255;
+    if (equals_key()) {
+      answer_.killed = q_.sampler.color_key.operation == ColorKeyOperation::kill;
+      if (q_.sampler.color_key.operation == ColorKeyOperation::rgba) answer_.value = {};
+      if (q_.sampler.color_key.operation == ColorKeyOperation::alpha) answer_.value[3] = 0;
+    }
     return answer_;
+  }
+
+  // All bits of the texel's word, 0xAARRGGBB, or those of its colour where the format has no alpha.
+  bool equals_key() const {
+    std::uint32_t word = texture_.format == InternalFormat::rgb8 ? 0 : answer_.value[3];
+    for (std::size_t k = 0; k < 3; ++k) word = 256 * word + answer_.value[k];
+    return word == q_.sampler.color_key.key % (texture_.format == InternalFormat::rgb8 ? 1ULL << 24 : 1ULL << 32);
   }
 
   const TextureQuestion& q_;

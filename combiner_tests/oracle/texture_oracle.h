@@ -1,9 +1,9 @@
 // A slow and naive model of texture sampling. Its only job is to judge the library's.
 //
 // It is written from chapter 3.8 of the OpenGL 1.3 and 1.4 specifications, from ARB_texture_cube_map and ARB_shadow,
-// and from the choices that sampler.h documents, and shares no code with what it judges: of the library's headers it
-// includes those of plain data, for the texture and the sampler as the question. Coordinates and weights are exact
-// fractions.
+// from what pictures of an NV2A show of border texels and colour keys, and from the choices that sampler.h documents,
+// and shares no code with what it judges: of the library's headers it includes those of plain data, for the texture and
+// the sampler as the question. Coordinates and weights are exact fractions.
 #pragma once
 
 #include <array>
@@ -27,12 +27,13 @@ struct TextureQuestion {
 };
 
 struct TextureAnswer {
-  // Bytes of a texel, as Texel::value has them; of float formats see `real`.
+  // Bytes of a texel, as Texel::value has them, and the alpha that RGB does not store; of float formats see `real`.
   std::array<std::uint8_t, 4> value{};
   std::array<std::uint32_t, 4> code{};     // before depth became a byte
   std::array<long double, 4> real{};       // of float formats: the weighted sum
   std::array<long double, 4> magnitude{};  // and the same sum of absolute values, to judge its rounding
   bool border = false;                     // whether the border took part
+  bool killed = false;                     // by the colour key
   int level = 0;                           // the finer level that was read
 };
 

@@ -192,6 +192,20 @@ class Draw(Folder):
         with self.assertRaisesRegex(ninebit.Error, "a line width has no effect here"):
             ninebit.draw(program, tex0=black, line_width=2, line_smooth=False)
 
+    def test_formats_of_surfaces(self):
+        program = effects / "programs" / "texture0.rc1"
+        picture = np.random.default_rng(5).integers(0, 256, (64, 64, 4), dtype=np.uint8)
+        drawn = ninebit.draw(program, tex0=picture, filter0="nearest", size=(64, 64), color_format="r5g6b5").color
+        for component, bits in enumerate((5, 6, 5)):
+            kept = picture[..., component] >> (8 - bits)
+            np.testing.assert_array_equal(drawn[..., component], kept << (8 - bits) | kept >> (2 * bits - 8))
+        # A W buffer of whole numbers holds 2 or 3 for nearly all of a small mesh.
+        by_z, by_w = (ninebit.draw(program, tex0=picture, mesh="torus:24", size=(64, 64), depth_stencil=name).color
+                      for name in ("d24s8", "w16"))
+        self.assertGreater((by_z != by_w).any(axis=2).sum(), 100)
+        with self.assertRaisesRegex(ninebit.Error, "d32.*expected.*d24s8"):
+            ninebit.draw(program, tex0=picture, depth_stencil="d32")
+
     def test_an_effect(self):
         drawn = ninebit.draw(effects / "toon.json", size=(64, 48), output=self.folder / "toon.png")
         np.testing.assert_array_equal(drawn.color, pixels_of_png(self.folder / "toon.png"))

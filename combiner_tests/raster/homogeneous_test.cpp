@@ -52,7 +52,7 @@ TEST(Homogeneous, RandomScenesAreDrawnAsTheOracleDoes) {
     constexpr std::uint64_t kScenes = kSlowBuild ? 100 : 2500;
     for (std::uint64_t index = 0; index < kScenes; ++index) {
       Random random(0x40406E, index);
-      RandomScene scene = random_scene(random);
+      RandomScene scene = random_scene(random, false);
       PicturePlanes planes(scene.start, false), again(scene.start, false);
       oracle::Picture expected = scene.start;
       for (RandomDraw& draw : scene.draws) {

@@ -2,12 +2,11 @@
 // path, and what is refused.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/support.h"
+#include "ninebit/raster/prepared_draw.h"
 #include "src/raster/setup/window_transform.h"
 
 namespace ninebit::test {
@@ -22,7 +21,7 @@ struct NumberCase {
   PipelineState state;
   std::vector<glm::vec4> clip;
   std::vector<ColorBytes> colors;
-  std::vector<oracle::NumberPlane> planes;
+  std::vector<oracle::DrawnVertex> vertices;  // as the oracle has them
 };
 
 // Clip coordinates of the middle of the snapping cell, toward zero.
@@ -45,25 +44,24 @@ NumberCase random_numbers(Random& random) {
   if (random.one_in(3)) {
     c.state.polygon_offset = {.fill = true, .factor = random.real_f(-3, 3), .units = random.real_f(-9, 9)};
   }
-  const double one = WindowDepth(c.format, Narrowing::toward_zero, c.state.float_depth_one).one();
+  const double largest = oracle::largest_number(layout.depth_bits, layout.exponent_bits);
+  const double one = c.state.float_depth_one ? static_cast<double>(*c.state.float_depth_one) : largest;
   const int triangles = random.between(1, 6);
   for (int i = 0; i < triangles; ++i) {
-    oracle::NumberPlane plane{.is_w = layout.is_w};
     const float size = random.pick({1.0F, 30.0F, 600.0F, 70000.0F});
     const bool is_small = random.one_in(3);
-    for (std::size_t k = 0; k < 3; ++k) {
-      oracle::WindowVertex& v = plane.triangle[k];
+    for (int k = 0; k < 3; ++k) {
       const int reach = is_small ? 40 : 16 * kNumberWindow;
-      v = {random.below(reach) + (is_small ? 16 * (i + 3) : 0), random.below(reach), 0};
+      oracle::WindowVertex v{random.below(reach) + (is_small ? 16 * (i + 3) : 0), random.below(reach)};
       const float w = layout.is_w ? random.real_f(0.5, 1) * size : 1.0F;
       const float z = random.one_in(5) ? -1.0F : random.real_f(-1, 1);
       c.clip.push_back(clip_of_corner(v, layout.is_w ? 0.0F : z, w));
       const double window = static_cast<double>(c.clip.back().z) / static_cast<double>(c.clip.back().w) * 0.5 + 0.5;
-      plane.corner[k] =
+      v.number =
           layout.is_w ? 1 / static_cast<double>(1.0F / w) : static_cast<double>(static_cast<float>(window)) * one;
+      c.vertices.push_back({v});
       c.colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
     }
-    c.planes.push_back(plane);
   }
   return c;
 }
@@ -81,35 +79,19 @@ PlaneSamples<std::uint32_t> depths_of(const NumberCase& c, int how) {
   return surface.depth();
 }
 
-bool has_area(const oracle::WindowTriangle& t) {
-  return (t[1].x_q4 - t[0].x_q4) * (t[2].y_q4 - t[0].y_q4) != (t[1].y_q4 - t[0].y_q4) * (t[2].x_q4 - t[0].x_q4);
-}
-
-void expect_oracle(const NumberCase& c, const PlaneSamples<std::uint32_t>& depth, std::uint64_t& compared) {
-  const DepthStencilLayout& layout = layout_of(c.format);
-  const bool is_cut = c.state.profile.depth_narrowing.value == Narrowing::toward_zero;
-  std::vector<double> offset(c.planes.size(), 0.0);
-  for (std::size_t i = 0; i < offset.size(); ++i) {
-    if (!c.state.polygon_offset.fill || !has_area(c.planes[i].triangle)) continue;
-    const OffsetSlope slope = c.state.profile.polygon_offset_slope.value;
-    // Offsets are floats, the largest at most.
-    constexpr double kMost = std::numeric_limits<float>::max();
-    const double sum = oracle::number_offset(c.state.polygon_offset, slope, c.planes[i]);
-    offset[i] = static_cast<double>(static_cast<float>(std::clamp(sum, -kMost, kMost)));
-  }
-  for (int y = 0; y < kNumberWindow; ++y) {
-    for (int x = 0; x < kNumberWindow; ++x) {
-      std::uint32_t expected = max_depth(c.format);
-      for (std::size_t i = 0; i < c.planes.size(); ++i) {
-        if (!oracle::covers(c.planes[i].triangle, x, y)) continue;
-        const double number = oracle::number_at(c.planes[i], x, y) + offset[i];
-        const std::uint32_t code = oracle::number_code(layout.depth_bits, layout.exponent_bits, number, is_cut);
-        if (c.state.depth_test.function == CompareFunction::always || code < expected) expected = code;
-        ++compared;
-      }
-      ASSERT_EQ(depth[static_cast<std::size_t>(y * kNumberWindow + x)], expected) << x << ' ' << y;
-    }
-  }
+// The same by the oracle.
+PlaneSamples<std::uint32_t> expected_depths(const NumberCase& c, std::uint64_t& compared) {
+  constexpr std::size_t kPixels = std::size_t{kNumberWindow} * kNumberWindow;
+  oracle::Picture picture{.width = kNumberWindow, .height = kNumberWindow, .format = c.format};
+  picture.color.resize(kPixels);
+  picture.depth.assign(kPixels, max_depth(c.format));
+  picture.stencil.resize(kPixels);
+  picture.primitive.resize(kPixels);
+  picture.captured.resize(kPixels);
+  oracle::Tally tally;
+  oracle::draw(c.state, {.vertices = c.vertices}, picture, tally);
+  compared += tally.fragments;
+  return {picture.depth.begin(), picture.depth.end()};
 }
 
 TEST(NumberDepth, CodesAreThoseOfTheOracle) {
@@ -146,8 +128,8 @@ TEST(NumberDepth, TrianglesHaveTheOraclesCodesInVectorsAndWithout) {
       Random random(0xDE97, index);
       const NumberCase c = random_numbers(random);
       const auto flat = depths_of(c, 0);
-      expect_oracle(c, flat, compared);
-      ASSERT_FALSE(HasFailure()) << simd_target_name(simd) << ", case " << index << ", " << layout_of(c.format).name;
+      ASSERT_EQ(flat, expected_depths(c, compared))
+          << simd_target_name(simd) << ", case " << index << ", " << layout_of(c.format).name;
       ASSERT_EQ(depths_of(c, 1), flat) << simd_target_name(simd) << ", case " << index;
       ASSERT_EQ(depths_of(c, 2), flat) << simd_target_name(simd) << ", case " << index;
     }

@@ -37,8 +37,7 @@ TEST(PreparedDraw, RandomScenesAreDrawnAsWithoutIt) {
         ASSERT_TRUE(rasterize(state, kIdentity, library.arrays, {}, without.target).ok());
         ASSERT_TRUE(same_samples(with.picture(), without.picture())) << index << '\n' << describe(scene);
         ASSERT_EQ(watched.fragments, other.fragments) << index;
-        randomize_fragment_operations(random, state);
-        if (!facts_of(scene.start.color_format).blends()) state.blend = {};
+        randomize_operations(random, scene, state);
       }
     }
     changed += same_samples(with.picture(), scene.start) ? 0U : 1U;

@@ -9,10 +9,14 @@
 namespace ninebit::test {
 namespace {
 
+oracle::NumberFormat numbers_of(const RandomScene& scene) {
+  return oracle::number_format(scene.start.format);
+}
+
 // Primitives, modes and rectangles; the fragment operations come from fragment_support.h.
 PipelineState random_state(Random& random, const RandomScene& scene) {
   PipelineState state;
-  randomize_fragment_operations(random, state);
+  randomize_operations(random, scene, state);
   state.profile.subpixel_bits.value = random.one_in(4) ? random.below(5) : 4;
   if (random.one_in(8)) state.profile.polygon_offset_slope.value = OffsetSlope::root;
   if (random.one_in(4)) state.profile.polygon_offset_fraction.value = OffsetFraction::rounded;
@@ -54,6 +58,12 @@ PipelineState random_state(Random& random, const RandomScene& scene) {
   if (random.one_in(5)) state.polygon_stipple = random_stipple(random);
   if (random.one_in(3)) state.viewport = rect(true);
   if (random.one_in(3)) state.scissor = rect(false);
+  const oracle::NumberFormat numbers = numbers_of(scene);
+  // The oracle's smooth colours are those without perspective.
+  if (numbers.is_w) state.profile.color_interpolation.value = ColorInterpolation::affine;
+  if (numbers.exponent_bits > 0 && random.one_in(2)) {
+    state.float_depth_one = random.pick({1.0F, 512.0F, 0x1p25F, 1e30F, 0.01F});
+  }
   if (random.one_in(2)) state.program = pass_through(Register::primary, Register::primary);
   return state;
 }
@@ -109,6 +119,34 @@ void add_depth(Random& random, DepthStencilFormat format, RandomDraw& draw) {
   }
 }
 
+// The number of window depth 1, or the largest w.
+double number_of_one(const PipelineState& state, DepthStencilFormat format) {
+  const oracle::NumberFormat numbers = oracle::number_format(format);
+  if (state.float_depth_one && !numbers.is_w) return static_cast<double>(*state.float_depth_one);
+  return oracle::largest_number(depth_bits(format), numbers.exponent_bits);
+}
+
+// Numbers whose codes do not depend on how sums of doubles are rounded: those of the few that are not 0 or 1 have bits
+// beyond those of any code.
+void add_numbers(Random& random, DepthStencilFormat format, RandomDraw& draw) {
+  const bool few = random.one_in(2);
+  const float size = random.pick({1.0F, 30.0F, 600.0F, 70000.0F});
+  const double near = static_cast<double>(std::clamp(draw.state.depth_near, 0.0F, 1.0F));
+  const double far = static_cast<double>(std::clamp(draw.state.depth_far, 0.0F, 1.0F));
+  for (oracle::WindowVertex& v : draw.vertices) {
+    const float z = few ? random.pick({-1.0F, -0.3712345F, 0.2193721F, 1.0F}) : random.real_f(-1, 1);
+    draw.clip_z.push_back(z);
+    if (oracle::number_format(format).is_w) {
+      const float w = (few ? random.pick({0.5123457F, 0.7712345F, 0.9876543F}) : random.real_f(0.5, 1)) * size;
+      draw.clip_w.push_back(w);
+      v.number = 1 / static_cast<double>(1.0F / w);
+    } else {
+      const double window = static_cast<double>(z) * (far - near) / 2 + (far + near) / 2;
+      v.number = static_cast<double>(static_cast<float>(window)) * number_of_one(draw.state, format);
+    }
+  }
+}
+
 void add_geometry(Random& random, const RandomScene& scene, RandomDraw& draw) {
   const int bits = draw.state.profile.subpixel_bits;
   draw.type = random.one_in(3) ? PrimitiveType::triangles : static_cast<PrimitiveType>(random.below(10));
@@ -125,7 +163,7 @@ void add_geometry(Random& random, const RandomScene& scene, RandomDraw& draw) {
     draw.state.depth_near = static_cast<float>(random.between(-1, 9)) / 8;
     draw.state.depth_far = static_cast<float>(random.between(-1, 9)) / 8;
   }
-  add_depth(random, scene.start.format, draw);
+  (numbers_of(scene).has_numbers() ? add_numbers : add_depth)(random, scene.start.format, draw);
   if (random.one_in(5)) return;
   const auto index = [&] { return static_cast<std::uint32_t>(random.below(vertices)); };
   const int count = random.one_in(5) ? random.between(30, 90) : random.between(1, 24);
@@ -187,18 +225,31 @@ void add_colors(Random& random, RandomDraw& draw) {
   }
 }
 
-oracle::Clear random_clear(Random& random, DepthStencilFormat format) {
-  return {.clears_color = random.one_in(2),
-          .clears_depth = random.one_in(2),
-          .clears_stencil = random.one_in(2),
-          .color = {random.byte(), edge_byte(random), random.byte(), edge_byte(random)},
-          .depth = some_depth(random, format),
-          .stencil = edge_byte(random)};
+void add_clear(Random& random, DepthStencilFormat format, RandomDraw& draw) {
+  draw.clear = {.clears_color = random.one_in(2),
+                .clears_depth = random.one_in(2),
+                .clears_stencil = random.one_in(2),
+                .color = {random.byte(), edge_byte(random), random.byte(), edge_byte(random)},
+                .depth = some_depth(random, format),
+                .stencil = edge_byte(random)};
+  const auto largest = static_cast<double>(max_depth(format));
+  draw.clear_depth = draw.clear->depth / largest;
+  const oracle::NumberFormat numbers = oracle::number_format(format);
+  if (!numbers.has_numbers()) return;
+  draw.clear_depth = random.one_in(3) ? random.pick({0.0, 1.0}) : random.real(0, 1);
+  const double number = draw.clear_depth * number_of_one(draw.state, format);
+  draw.clear->depth = oracle::number_code(depth_bits(format), numbers.exponent_bits, number, false);
 }
 
 }  // namespace
 
-RandomScene random_scene(Random& random) {
+void randomize_operations(Random& random, const RandomScene& scene, PipelineState& state) {
+  randomize_fragment_operations(random, state);
+  if (!facts_of(scene.start.color_format).blends()) state.blend = {};
+  if (numbers_of(scene).has_numbers() && stencil_bits(scene.start.format) == 0) state.stencil_test.enabled = false;
+}
+
+RandomScene random_scene(Random& random, bool with_numbers) {
   RandomScene scene;
   const auto size = [&] {
     return random.one_in(4) ? random.pick({1, 2, 15, 16, 63, 64, 65, 70})
@@ -207,7 +258,8 @@ RandomScene random_scene(Random& random) {
   scene.width = size();
   scene.height = size();
   scene.captures = random.one_in(3);
-  scene.start = random_picture(random, scene.width, scene.height, kFormats[random.below(3)]);
+  const auto format = static_cast<DepthStencilFormat>(random.below(with_numbers ? 9 : 3));
+  scene.start = random_picture(random, scene.width, scene.height, format);
   scene.start.has_alpha = !random.one_in(4);
   const int draws = random.between(1, 3);
   for (int i = 0; i < draws; ++i) {
@@ -215,13 +267,13 @@ RandomScene random_scene(Random& random) {
     draw.state = random_state(random, scene);
     add_geometry(random, scene, draw);
     add_colors(random, draw);
-    if (random.one_in(4)) draw.clear = random_clear(random, scene.start.format);
+    if (random.one_in(4)) add_clear(random, scene.start.format, draw);
     scene.draws.push_back(draw);
   }
   // Equal geometry again, for the EQUAL and LEQUAL tests of depth: only the fragment operations are others.
   if (random.one_in(3)) {
     RandomDraw again = scene.draws[0];
-    randomize_fragment_operations(random, again.state);
+    randomize_operations(random, scene, again.state);
     again.clear.reset();
     scene.draws.push_back(again);
   }
@@ -260,9 +312,11 @@ LibraryDraw for_library(const RandomDraw& draw, int width, int height) {
   for (std::size_t i = 0; i < draw.vertices.size(); ++i) {
     out.positions.push_back(clip_position(draw.vertices[i], viewport, draw.state.profile.subpixel_bits));
     out.positions.back().z = draw.clip_z[i];
+    if (!draw.clip_w.empty()) out.homogeneous_positions.push_back(glm::vec4(out.positions.back(), 1) * draw.clip_w[i]);
   }
   out.arrays.type = draw.type;
-  out.arrays.positions = out.positions;
+  if (draw.clip_w.empty()) out.arrays.positions = out.positions;
+  out.arrays.homogeneous_positions = out.homogeneous_positions;
   out.arrays.indices = draw.indices;
   out.arrays.vertex_colors = draw.vertex_colors;
   out.arrays.primitive_colors = draw.primitive_colors;
@@ -297,7 +351,8 @@ std::string describe(const RandomScene& scene) {
     rect("viewport", s.viewport);
     rect("scissor", s.scissor);
     out << "\n  " << describe_operations(s) << '\n';
-    for (const auto& v : d.vertices) out << "  vertex " << v.x_q4 << ' ' << v.y_q4 << ' ' << v.z24 << '\n';
+    for (const auto& v : d.vertices)
+      out << "  vertex " << v.x_q4 << ' ' << v.y_q4 << ' ' << v.z24 << ' ' << v.number << '\n';
     if (!d.indices.empty()) out << "  indices";
     for (const std::uint32_t i : d.indices) out << ' ' << i;
     out << '\n';

@@ -69,6 +69,7 @@ class StateTable {
       add("offset", number(o.fill) + 2 * number(o.line) + 4 * number(o.point), t.fragments);
       if (o.fill || o.line || o.point) {
         add("slope", number(s.profile.polygon_offset_slope.value), t.fragments);
+        add("format of offsets", number(format), t.fragments);
         add("fraction", number(s.profile.polygon_offset_fraction.value), t.fragments);
       }
     }
@@ -80,7 +81,8 @@ class StateTable {
       add("blend source", number(s.blend.source), t.drawn);
       add("blend destination", number(s.blend.destination), t.drawn);
     }
-    if (!s.stencil_test.enabled || format == DepthStencilFormat::d16) return;
+    if (!s.stencil_test.enabled || stencil_bits(format) == 0) return;
+    add("format of stencils", number(format), after_alpha);
     add("stencil sides", number(s.stencil_test.back.has_value()), after_alpha);
     add("stencil function", number(s.stencil_test.front.function), after_alpha);
     add("stencil fail", number(s.stencil_test.front.fail), t.stencil_fail);
@@ -105,7 +107,8 @@ class StateTable {
 
   void expect_full(std::uint64_t least) const {
     const std::map<std::string, int> buckets{{"type", 10},
-                                             {"format", 3},
+                                             {"format", 9},
+                                             {"format of offsets", 9},
                                              {"colour format", 10},
                                              {"colour format of blends", 8},
                                              {"stipple", 2},
@@ -182,8 +185,7 @@ bool colors_agree(const oracle::Picture& actual, const oracle::Picture& expected
 void run_clear(const RandomDraw& draw, PicturePlanes& planes, oracle::Picture& expected) {
   const oracle::Clear& c = *draw.clear;
   oracle::clear(draw.state, c, expected);
-  const ClearValues values{
-      .color = c.color, .depth = static_cast<double>(c.depth) / max_depth(expected.format), .stencil = c.stencil};
+  const ClearValues values{.color = c.color, .depth = draw.clear_depth, .stencil = c.stencil};
   const Status status = clear(draw.state, {c.clears_color, c.clears_depth, c.clears_stencil}, values, planes.target);
   ASSERT_TRUE(status.ok()) << status.error().message;
 }

@@ -1,5 +1,5 @@
 // Surfaces with several samples for each pixel (rule 48): coverage and depth at the samples' places, judged by the
-// oracle; point sprites (rule 46) and stipple (rule 45) by hand.
+// oracle; levels of detail of point sprites (rule 46), and stipple (rule 45), by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,64 +113,6 @@ TEST(Samples, ChipsWithoutThemAndProbesAreRefused) {
   EXPECT_EQ(message(), "a probe watches targets with one sample for each pixel, not several");
   EXPECT_FALSE(Surface::make(kMaxSurfaceSize, 1, {.samples = SampleMode::center_corner_2}).ok());
   EXPECT_TRUE(Surface::make(1, 1, {.samples = SampleMode::center_corner_2}).ok());
-}
-
-// A texture whose texel at column i, row j is (i, j, 0, 255).
-Texture numbered_texture(int side) {
-  const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-  std::vector<std::uint8_t> samples(4 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    samples[i] = static_cast<std::uint8_t>(i % static_cast<std::size_t>(side));
-    samples[count + i] = static_cast<std::uint8_t>(i / static_cast<std::size_t>(side));
-    samples[3 * count + i] = 255;
-  }
-  return make_texture(TextureTarget::texture_2d, InternalFormat::rgba8, {{{side, side, std::move(samples)}}}).value();
-}
-
-// texel = floor(side (x + 1/2 - left) / size), the rows from the upper side down. With texture-shader stages as
-// without.
-TEST(PointSprites, RunAcrossThePoint) {
-  constexpr int kSide = 16, kSize = 48;
-  const Texture texture = numbered_texture(kSide);
-  const TextureUnit unit{&texture, kNearestSampler};
-  std::uint64_t drawn = 0;
-  for (std::uint64_t index = 0; index < 300; ++index) {
-    Random random(0x59817E, index);
-    const int eighths = random.between(1, 8 * 40);
-    const oracle::WindowVertex centre{random.between(0, 16 * kSize - 1), random.between(0, 16 * kSize - 1), 0};
-    const std::array<glm::vec3, 1> clip{clip_position(centre, kSize, kSize)};
-    const std::array<glm::vec3, 1> given{glm::vec3(0.3F, 0.9F, 0.0F)};
-    VertexArrays arrays{.type = PrimitiveType::points, .positions = clip};
-    arrays.texture_coordinates[0] = given;
-    PipelineState state;
-    state.profile = profiles::nv2a;
-    state.point_size = static_cast<float>(eighths) / 8.0F;
-    state.program = pass_through(Register::texture0, Register::texture0, state.profile);
-    state.point_sprite = {.enabled = !random.one_in(6), .coord_replace = {!random.one_in(6)}};
-    if (random.one_in(2)) {
-      state.texture_shader.enabled = true;
-      state.texture_shader.stage[0].operation = TextureOperation::texture_2d;
-    }
-    const bool runs = state.point_sprite.enabled && state.point_sprite.coord_replace[0];
-    Surface surface = Surface::make(kSize, kSize).value();
-    RenderTarget target = surface.target();
-    const Status status = rasterize(state, kIdentity, arrays, {&unit, 1}, target);
-    ASSERT_TRUE(status.ok()) << status.error().message;
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
-        if (target.color[3].at(x, y) == 0) continue;
-        // In sixteenths, of which the size has twice its eighths.
-        const std::int64_t from_left = 16 * x + 8 - (centre.x_q4 - eighths);
-        const std::int64_t from_top = centre.y_q4 + eighths - (16 * y + 8);
-        const auto column = runs ? std::min<std::int64_t>(kSide * from_left / (2 * eighths), kSide - 1) : 4;
-        const auto row = runs ? std::min<std::int64_t>(kSide * from_top / (2 * eighths), kSide - 1) : 14;
-        ASSERT_EQ(target.color[0].at(x, y), column) << index << ' ' << x << ' ' << y;
-        ASSERT_EQ(target.color[1].at(x, y), row) << index << ' ' << x << ' ' << y;
-        ++drawn;
-      }
-    }
-  }
-  EXPECT_GE(drawn, 50'000U);
 }
 
 // A sprite as large as the texture reads its level 0, one of half the size the next.

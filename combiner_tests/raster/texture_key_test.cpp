@@ -1,7 +1,5 @@
-// Colour keys, border texels and cylinder wrap of the NV2A's textures.
+// Colour keys and cylinder wrap of the NV2A's textures.
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "combiner_tests/raster/support.h"
 #include "ninebit/raster/sampler.h"
@@ -150,33 +148,6 @@ TEST(ColorKeys, AndCylindersAreThoseOfStages) {
   sampler.cylinder_wrap = {};
   plain.color_mask = staged.color_mask = {};
   EXPECT_EQ(draw_row(texture, sampler, 40, staged).depth, draw_row(texture, sampler, 40, plain).depth);
-}
-
-// A texel i of 8 is stored at i + 4 of 16; outside, the border mode reads what is stored there.
-TEST(BorderTexels, AreStoredFourTexelsFurther) {
-  std::vector<std::uint8_t> stored;
-  for (int y = 0; y < 16; ++y) {
-    for (int x = 0; x < 16; ++x) stored.push_back(static_cast<std::uint8_t>(16 * y + x));
-  }
-  const Texture texture = bytes_texture(InternalFormat::luminance8, 16, 16, stored);
-  const auto read = [&](Wrap wrap, float s, float t) {
-    Sampler sampler{.min_filter = MinFilter::nearest, .mag_filter = MagFilter::nearest, .wrap_s = wrap, .wrap_t = wrap};
-    sampler.border_texels = true;
-    const auto made = TextureSampler::make(profiles::nv2a, texture, sampler);
-    TextureCoordinates at;
-    at.value = {&s, &t, nullptr};
-    return int{made->texel(at, 0).value[0]};
-  };
-  const auto at_texel = [](int i) { return (static_cast<float>(i) + 0.5F) / 8.0F; };
-  for (int y = -4; y < 12; ++y) {
-    for (int x = -4; x < 12; ++x) {
-      EXPECT_EQ(read(Wrap::clamp_to_border, at_texel(x), at_texel(y)), 16 * (y + 4) + x + 4);
-      EXPECT_EQ(read(Wrap::repeat, at_texel(x), at_texel(y)), 16 * ((y & 7) + 4) + (x & 7) + 4);
-    }
-  }
-  // Beyond what is stored, its last texel: assumed.
-  EXPECT_EQ(read(Wrap::clamp_to_border, 1e9F, -1e9F), 15);
-  EXPECT_EQ(read(Wrap::clamp_to_border, std::nanf(""), 0.0F), 16 * 4 + 4);
 }
 
 // What a row of eight texels shows where a triangle's coordinates run from s to s + d.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "combiner_tests/raster/texture_support.h"
+#include "ninebit/numerics/fixed9.h"
 #include "ninebit/raster/texture_stages.h"
 
 namespace ninebit::test {
@@ -34,6 +35,16 @@ constexpr std::array kAllTargets{TextureTarget::texture_2d, TextureTarget::cube_
                                  TextureTarget::rectangle, TextureTarget::texture_1d};
 constexpr std::uint64_t kTextureCases =
     kAllFormats.size() * kAllTargets.size() * kMinFilters.size() * 2 * kWraps.size() * kWraps.size();
+
+// One texel of bytes as a word: 0xAARRGGBB.
+std::uint32_t some_word(Random& random, const Texture& texture) {
+  const TextureImage& image = texture.faces[0][0];
+  const auto& planes = *std::get_if<std::array<Plane<const std::uint8_t>, 4>>(&image.planes);
+  const int x = random.below(image.width), y = random.below(image.height);
+  const auto byte = [&](std::size_t k) -> std::uint32_t { return planes[k] ? planes[k].at(x, y) : random.byte(); };
+  return byte(3) << 24 | byte(0) << 16 | byte(1) << 8 | byte(2);
+}
+
 TextureCase make_case(std::uint64_t index) {
   Random random(kTextureSeed, index);
   std::uint64_t rest = index;
@@ -69,6 +80,12 @@ TextureCase make_case(std::uint64_t index) {
   c.sampler.wrap_r = kWraps[static_cast<std::size_t>(random.below(static_cast<int>(kWraps.size())))];
   if (random.one_in(3)) {
     for (bool& is_signed : c.sampler.is_signed) is_signed = random.one_in(2);
+  }
+  c.sampler.border_texels =
+      target == TextureTarget::texture_2d && !mipmaps && width >= 16 && height >= 16 && random.one_in(3);
+  const bool is_nearest = c.sampler.min_filter == MinFilter::nearest && c.sampler.mag_filter == MagFilter::nearest;
+  if (is_nearest && (format == InternalFormat::rgba8 || format == InternalFormat::rgb8)) {
+    c.sampler.color_key = {static_cast<ColorKeyOperation>(random.below(4)), some_word(random, c.texture)};
   }
   for (int i = 0; i < kTextureFragments; ++i) {
     std::array<float, 3> at{}, dx{}, dy{};
@@ -113,7 +130,7 @@ bool near(float actual, long double expected, long double magnitude) {
 }
 
 struct TexturesSeen {
-  int fragments = 0, border = 0, coarse = 0, ambiguous = 0, incomplete = 0;
+  int fragments = 0, border = 0, stored_border = 0, killed = 0, coarse = 0, ambiguous = 0, incomplete = 0;
 };
 
 bool agrees(const TextureCase& c, const TextureSampler& sampler, const oracle::TextureAnswer& answer, std::size_t i) {
@@ -151,12 +168,7 @@ void run(std::uint64_t index, TexturesSeen& seen) {
   CodeArrays codes(c.fragments.size());
   if (sampler) sampler->sample(c.fragments.view(), c.fragments.size(), codes.at());
   for (std::size_t i = 0; i < c.fragments.size(); ++i) {
-    oracle::TextureQuestion question{c.profile.texture_weight_bits,
-                                     c.profile.texture_weight_narrowing.value == Narrowing::toward_zero,
-                                     c.profile.texture_filter_rounding.value == FilterRounding::each_blend,
-                                     c.profile.texture_bias_narrowing.value == Narrowing::toward_zero,
-                                     &c.texture,
-                                     c.sampler};
+    oracle::TextureQuestion question = texture_question(c.profile, c.texture, c.sampler);
     for (std::size_t k = 0; k < 3; ++k) {
       question.coordinate[k] = c.fragments.value[k][i];
       question.dx[k] = c.fragments.dx[k][i];
@@ -175,7 +187,12 @@ void run(std::uint64_t index, TexturesSeen& seen) {
                         << int{answers[0].value[3]} << " real " << static_cast<double>(answers[0].real[0])
                         << "\nactual " << int{texel.value[0]} << ' ' << int{texel.value[1]} << ' '
                         << int{texel.value[2]} << ' ' << int{texel.value[3]};
-    ASSERT_EQ(codes.of(i), register_codes(c, texel)) << describe(c, index, i);
+    ASSERT_EQ(sampler->kills(c.fragments.view(), i), answers[0].killed) << describe(c, index, i);
+    Rgba9 expected = register_codes(c, texel);
+    if (c.texture.format == InternalFormat::rgb8) expected[kAlpha] = from_byte(c.profile, answers[0].value[3]);
+    ASSERT_EQ(codes.of(i), expected) << describe(c, index, i);
+    seen.killed += answers[0].killed ? 1 : 0;
+    seen.stored_border += c.sampler.border_texels ? 1 : 0;
     ++seen.fragments;
     seen.border += answers[0].border ? 1 : 0;
     seen.coarse += answers[0].level > 0 ? 1 : 0;
@@ -198,6 +215,8 @@ TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
   EXPECT_GE(seen.fragments, (static_cast<int>(kTextureCases) - 1) * kTextureFragments - seen.incomplete);
   EXPECT_GE(seen.border, seen.fragments / 50);
   EXPECT_GE(seen.coarse, seen.fragments / 5);
+  EXPECT_GE(seen.stored_border, seen.fragments / 200);
+  EXPECT_GE(seen.killed, seen.fragments / 2000);
   EXPECT_LE(seen.ambiguous, seen.fragments / 1000);
   RecordProperty("fragments", seen.fragments);
 }

@@ -97,6 +97,16 @@ float random_change(Random& random) {
   return std::ldexp(random.real_f(-1, 1), random.between(-10, 3));
 }
 
+oracle::TextureQuestion texture_question(const HardwareProfile& profile, const Texture& texture,
+                                         const Sampler& sampler) {
+  return {.weight_bits = profile.texture_weight_bits,
+          .cuts_weights = profile.texture_weight_narrowing.value == Narrowing::toward_zero,
+          .rounds_each = profile.texture_filter_rounding.value == FilterRounding::each_blend,
+          .cuts_bias = profile.texture_bias_narrowing.value == Narrowing::toward_zero,
+          .texture = &texture,
+          .sampler = sampler};
+}
+
 void CoordinateArrays::push(const std::array<float, 3>& v, const std::array<float, 3>& x,
                             const std::array<float, 3>& y) {
   for (std::size_t k = 0; k < 3; ++k) {

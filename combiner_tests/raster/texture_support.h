@@ -47,6 +47,10 @@ inline constexpr std::array kWraps{Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edg
 // One change of a coordinate: from far less than a texel to more than the texture, 0, infinite, no number.
 [[nodiscard]] float random_change(Random& random);
 
+// The question for the oracle, without coordinates.
+[[nodiscard]] oracle::TextureQuestion texture_question(const HardwareProfile& profile, const Texture& texture,
+                                                       const Sampler& sampler);
+
 // Coordinates of some fragments, and the arrays that view them.
 struct CoordinateArrays {
   std::array<std::vector<float>, 3> value, dx, dy;

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <map>
 #include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -96,6 +98,49 @@ TEST(RulesPage, TheArithmeticNamesItsRules) {
   for (const int number : {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 22}) {
     EXPECT_TRUE(names_rule(arithmetic, number)) << "rule " << number;
   }
+}
+
+// The first and the last cell of a table's row.
+struct TableRow {
+  std::string first, last;
+};
+
+// The rows of all tables between two lines of a page, without their heads.
+std::vector<TableRow> rows_of(const std::string& page, const std::string& heading, const std::string& end) {
+  const std::size_t begin = page.find("\n" + heading + "\n"), stop = page.find("\n" + end, begin + 1);
+  if (begin == std::string::npos || stop == std::string::npos) return {};
+  std::vector<TableRow> rows;
+  std::istringstream lines(page.substr(begin, stop - begin));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("| ", 0) != 0 || line.rfind("| question |", 0) == 0) continue;
+    const std::size_t last = line.rfind(" | ");
+    rows.push_back({line.substr(2, line.find(" | ") - 2), line.substr(last + 3, line.size() - last - 5)});
+  }
+  return rows;
+}
+
+// What is open has a picture that would decide it, or a sentence why not; and no picture is without a question.
+TEST(RulesPage, WhatIsOpenHasItsPictures) {
+  const fs::path docs = fs::path(NINEBIT_SOURCE_DIR) / "docs";
+  const std::string wanted = text_of(docs / "wanted.md");
+  std::set<std::string> pictures, used, answered, open;
+  for (const TableRow& row : rows_of(wanted, "## Combiners", "## Which picture decides what")) {
+    EXPECT_TRUE(pictures.insert(row.first).second) << "two pictures have the name " << row.first;
+  }
+  for (const TableRow& row : rows_of(wanted, "## Which picture decides what", "## How to send them")) {
+    EXPECT_TRUE(answered.insert(row.first).second) << row.first << " occurs twice";
+    if (row.last.rfind("none: ", 0) == 0) continue;
+    for (const std::string& name : all_matches(row.last + ";", "([^;]+);\\s*")) {
+      EXPECT_TRUE(pictures.count(name) == 1) << "wanted.md has no picture " << name;
+      used.insert(name);
+    }
+  }
+  for (const TableRow& row : rows_of(text_of(docs / "numerics.md"), "## What is open", "A card can")) {
+    open.insert(row.first);
+  }
+  EXPECT_GE(open.size(), 40U);
+  EXPECT_EQ(answered, open) << "the last table of wanted.md and numerics.md's list of what is open";
+  EXPECT_EQ(used, pictures) << "pictures that decide something, and all pictures";
 }
 
 TEST(RulesPage, NoticesAWrongPlace) {

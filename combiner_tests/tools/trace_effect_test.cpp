@@ -30,6 +30,14 @@ TEST(TraceEffect, APixel) {
       json_of(ninebit({"trace", "--effect", kFolder + "blur.json", "--pixel", "9,9", "--json", "--quiet"}));
   EXPECT_EQ(blur["effect"]["passes"].size(), 1U) << "only the last pass draws the picture";
   EXPECT_EQ(blur["effect"]["passes"][0]["fragments"][0]["object_name"], "rectangle");
+  const std::string light = kFolder + "point_light.json";
+  for (const std::string pass : {"diffuse", "specular"}) {
+    const Json chosen =
+        json_of(ninebit({"trace", "--effect", light, "--pixel", "128,128", "--json", "--quiet", "--pass", pass}));
+    EXPECT_EQ(chosen["effect"]["pass"], pass);
+  }
+  expect_error(ninebit({"trace", "--effect", light, "--pixel", "128,128", "--pass", "ambient"}), 2,
+               {"--pass ambient: there is no such pass; expected one of diffuse, specular"});
   const Outcome empty = ninebit({"trace", "--effect", kTones, "--pixel", "0,0", "--quiet"});
   EXPECT_EQ(empty.code, 0) << empty.err;
   EXPECT_NE(empty.out.find("not drawn: no fragment to trace"), std::string::npos) << empty.out;

@@ -208,6 +208,7 @@ TEST_F(TraceVerb, WrongUsage) {
       {{article_, "--set", "fog.r=1", "--scene", kRoom, "--pixel", "1,1"}, {"--set excludes --scene"}},
       {{article_, "--pixel", "1,1"}, {"--pixel requires --scene"}},
       {{article_, "--size", "64x64"}, {"--size requires --scene"}},
+      {{article_, "--pass", "lit"}, {"--pass requires --scene or --effect"}},
       {{"--scene", kRoom}, {"--scene requires --pixel X,Y"}},
       {{"--effect", kToonEffect}, {"--effect requires --pixel X,Y"}},
       {{"--effect", kToonEffect, "--scene", kRoom, "--pixel", "1,1"}, {"--scene excludes --effect"}},

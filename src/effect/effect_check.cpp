@@ -110,6 +110,10 @@ class Checker {
     };
     if (texture.name.empty()) complain("the name is empty");
     if (texture_of(texture.name) != &texture) complain("is defined twice");
+    constexpr std::array<bool, 2> kStraight{};
+    if (texture.sampler.cylinder_wrap != kStraight && cylinder_of(texture.sampler) == kStraight) {
+      complain("a cylinder wrap needs the wrap mode repeat; with others it changes nothing");
+    }
     if (!reads_target(texture)) return;
     if (!is_target(texture.target))
       return complain("reads an unknown target " + in_quotes(texture.target) + known_targets());

@@ -146,7 +146,12 @@ int trace_effect(const TraceFlags& flags) {
   if (!traced) return report(traced.error());
   for (const std::string& warning : unused_moment(flags.moment_options, traced->moves, flags.effect))
     say_warning(warning);
-  const TracedPixel& pixel = traced->pixel;
+  TracedPixel pixel = traced->pixel;
+  if (!flags.pass.empty()) {
+    if (Status chosen = choose_pass_named(flags.pass, false, pixel); !chosen) {
+      return wrong_usage("trace", chosen.error().message);
+    }
+  }
   const Drawn drawn{&pixel, traced->profile};
   if (!pixel.fragment) return print(flags, drawn, nullptr, {});
   const ProbedPass& pass = pixel.passes[*pixel.pass];
@@ -160,6 +165,8 @@ int run(const TraceFlags& flags) {
       return wrong_usage("trace", "--effect traces the effect's own programs, not PROGRAM");
     return flags.pixel.empty() ? wrong_usage("trace", "--effect requires --pixel X,Y") : trace_effect(flags);
   }
+  if (flags.scene.file.empty() && !flags.pass.empty())
+    return wrong_usage("trace", "--pass requires --scene or --effect");
   if (flags.program.file.empty() && flags.scene.file.empty()) {
     return wrong_usage("trace", "PROGRAM, --scene or --effect is required");
   }
@@ -218,9 +225,9 @@ void add_trace(CLI::App& app, int& exit_code) {
   flags->moment_options = add_moment_flags(*verb, flags->moment);
   for (CLI::Option* const option : flags->moment_options) option->needs("--effect");
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
-  verb->add_option("--pass", flags->pass, "Pass to trace, by its name (default: the one that decided the shadow)")
-      ->type_name("NAME")
-      ->needs(scene);
+  verb->add_option("--pass", flags->pass,
+                   "Pass to trace, by its name (default: the one that decided the shadow; of an effect the last one)")
+      ->type_name("NAME");
   verb->add_flag("--ground-truth", flags->ground_truth,
                  "Also say by ray casting whether the pixel is right, and why not (default: off)")
       ->needs(scene);

@@ -157,7 +157,7 @@ class TextureSampler {
   // Whether s, t and r are divided by q: true except for cube maps.
   [[nodiscard]] bool divides_by_q() const { return !cube_; }
 
-  // The base internal format of the texels that texel_codes returns: depth_comparison with a comparison.
+  // The base internal format that texel_codes reads: depth_comparison with a comparison, rgba if a key clears alpha.
   [[nodiscard]] TextureFormat format() const { return format_; }
 
   // The codes that texel_codes gives for `count` fragments, to codes[component][fragment], or bytes for stages. Depth

@@ -97,6 +97,11 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
     made.comparison_ = sampler.comparison;
     made.format_ = TextureFormat::depth_comparison;
   }
+  // Rule 54: a key makes an alpha 0 that such texels do not store.
+  const ColorKeyOperation key = sampler.color_key.operation;
+  const bool clears_alpha = key == ColorKeyOperation::alpha || key == ColorKeyOperation::rgba;
+  const bool adds_alpha = clears_alpha && made.format_ == TextureFormat::rgb;
+  if (adds_alpha) made.format_ = TextureFormat::rgba;
   made.cube_ = texture.target == TextureTarget::cube_map;
   made.volume_ = texture.target == TextureTarget::texture_3d;
   made.rectangle_ = texture.target == TextureTarget::rectangle;
@@ -124,13 +129,14 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
     made.border_code_[i] = code_of(border, largest);
   }
   made.find_sources(profile, use);
-  made.byte_sampler_ = ByteSampler::make(made);
+  if (!adds_alpha) made.byte_sampler_ = ByteSampler::make(made);
   return made;
 }
 
 void TextureSampler::find_sources(const HardwareProfile& profile, TexelUse use) {
   const InternalFormat format = texture_->format;
   is_signed_ = signed_components(*texture_, sampler_);
+  if (format == InternalFormat::rgb8) is_signed_[kAlpha] = false;
   // The combiners do not see these formats' numbers.
   if (use == TexelUse::stages && format_ >= TextureFormat::hilo) {
     const std::array<bool, 4> stored = stored_components(format);
@@ -397,6 +403,7 @@ Texel TextureSampler::texel(const TextureCoordinates& at, std::size_t i) const {
       result.value[k] = static_cast<std::uint8_t>(filtered.code[k]);
     }
   }
+  if (format_ == TextureFormat::rgba && texture_->format == InternalFormat::rgb8) result.value[kAlpha] = 255;
   const ColorKeyOperation operation = sampler_.color_key.operation;
   const bool clears = operation == ColorKeyOperation::alpha || operation == ColorKeyOperation::rgba;
   if (clears && is_keyed(result)) {
