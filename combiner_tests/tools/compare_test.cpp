@@ -166,13 +166,11 @@ TEST(Compare, OffsetsHaveSemicolons) {
 // `trace` draws such a picture, so its pixels have no commands.
 TEST(Compare, ExactCombiners) {
   const TempFolder folder;
-  const Json object =
-      json_of(ninebit({"compare", kRoom, "-o", folder / "out", "--size", "160x120", "--map-size", "64", "--quiet",
-                       "--json", "--index-step", "1", "--vary", "profile=geforce2,ideal", "--vary",
-                       "arithmetic=chip,exact"}));
-  EXPECT_EQ(names_of_rows(object),
-            (ManyWords{"profile geforce2, arithmetic chip", "profile geforce2, arithmetic exact",
-                       "profile ideal, arithmetic chip", "profile ideal, arithmetic exact"}));
+  const Json object = json_of(
+      ninebit({"compare", kRoom, "-o", folder / "out", "--size", "160x120", "--map-size", "64", "--quiet", "--json",
+               "--index-step", "1", "--vary", "profile=geforce2,ideal", "--vary", "arithmetic=chip,exact"}));
+  EXPECT_EQ(names_of_rows(object), (ManyWords{"profile geforce2, arithmetic chip", "profile geforce2, arithmetic exact",
+                                              "profile ideal, arithmetic chip", "profile ideal, arithmetic exact"}));
   const Json &chip = object["rows"][0], &exact = object["rows"][1];
   EXPECT_EQ(exact["varied"]["arithmetic"], "exact");
   EXPECT_GT(chip["errors"]["by_cause"]["truncation"], 0);

@@ -108,7 +108,8 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
   EXPECT_NE(report.find("Wrong pixels of the worst point"), std::string::npos);
   // Its error pictures say what is wrong where: each with a plane of causes and a command.
   std::size_t planes = 0;
-  for (std::size_t at = 0; (at = report.find("{\"wrong\":\"data:image/png;base64,", at)) != std::string::npos; ++at) ++planes;
+  for (std::size_t at = 0; (at = report.find("{\"wrong\":\"data:image/png;base64,", at)) != std::string::npos; ++at)
+    ++planes;
   EXPECT_EQ(planes, 2U);
   EXPECT_NE(report.find("\"command\":\"ninebit trace --scene "), std::string::npos);
   EXPECT_NE(read_bytes(folder / "s/worst.csv").find("point,cause,x,y,radius,command\r\n"), std::string::npos);
@@ -118,8 +119,8 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
 TEST(GroundTruthOfRender, TheCommandsOfAStudyRun) {
   for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
            {"--map-size", "64"},
-           {"--map-size", "64", "--index-step", "1", "--index-scope", "object", "--index-format", "la", "--index-scales",
-            "first-x4", "--up", "y", "--cull", "back", "--floor", "none"},
+           {"--map-size", "64", "--index-step", "1", "--index-scope", "object", "--index-format", "la",
+            "--index-scales", "first-x4", "--up", "y", "--cull", "back", "--floor", "none"},
            {"--map-size", "64", "--steps", "1,2", "--index-order", "neighbour", "--patch-angle", "20"},
            {"--technique", "shadow-map", "--map-size", "64", "--polygon-offset", "0,0", "--spot-angle", "90"},
            {"--technique", "depth-cube", "--map-size", "64", "--depth-bits", "8", "--bias", "0", "--profile", "nv2a"},

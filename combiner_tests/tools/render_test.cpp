@@ -201,8 +201,9 @@ TEST(Render, PickTellsPolygonAndObject) {
   EXPECT_EQ(polygon["polygon"], 348);
   EXPECT_TRUE(polygon["section"].is_null());
   const std::string name = polygon["object_name"];
-  EXPECT_TRUE(pick("420,560", {}).out.ends_with("\npixel 420,560: index 348, polygon 348 of object " +
-                                                std::to_string(polygon["object"].get<int>()) + " '" + name + "'\n"));
+  EXPECT_TRUE(pick("420,560", {})
+                  .out.ends_with("\npixel 420,560: index 348, polygon 348 of object " +
+                                 std::to_string(polygon["object"].get<int>()) + " '" + name + "'\n"));
   const Json object = json("420,560", {"--index-scope", "object", "--index-format", "l"});
   EXPECT_EQ(object["index"], polygon["object"]);
   EXPECT_EQ(object["object_name"], name);

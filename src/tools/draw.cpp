@@ -120,7 +120,6 @@ Status draw_all(const DrawFlags& flags, bool is_effect, const HardwareProfile& p
   return {};
 }
 
-
 Status write_files(const DrawFlags& flags, Drawn& done) {
   const std::filesystem::path output(flags.output);
   auto files = StagedFiles::open(output.parent_path());
@@ -182,13 +181,13 @@ int print_answer(const DrawFlags& flags, const Effect& effect, const HardwarePro
     for (const auto& file : done.files) say_written(file);
   }
   if (flags.common.json) return answer(draw_json(flags, effect, profile, is_effect, done));
-  std::string text = fmt::format("{} pass{}, {:.0f} ms\n", effect.passes.size(),
-                                 effect.passes.size() == 1 ? "" : "es", done.total_ms);
+  std::string text =
+      fmt::format("{} pass{}, {:.0f} ms\n", effect.passes.size(), effect.passes.size() == 1 ? "" : "es", done.total_ms);
   if (done.difference) {
-    text += fmt::format(
-        "{} pixels differ {}, by {} at most\n", done.difference->pixels,
-        is_arithmetic(flags.difference) ? "with exact combiners" : "under profile " + flags.difference.name,
-        done.difference->max);
+    text +=
+        fmt::format("{} pixels differ {}, by {} at most\n", done.difference->pixels,
+                    is_arithmetic(flags.difference) ? "with exact combiners" : "under profile " + flags.difference.name,
+                    done.difference->max);
   }
   return answer(text);
 }

@@ -78,9 +78,8 @@ Result<Json> json_of(const ReportPicture& picture) {
   if (!png) return png.error();
   Json causes = Json::array();
   for (std::size_t cause = 0; cause < kErrorCauses; ++cause) causes.push_back(name_of(static_cast<ErrorCause>(cause)));
-  return Json{{"wrong", "data:image/png;base64," + base64(*png)},
-              {"causes", std::move(causes)},
-              {"command", picture.command}};
+  return Json{
+      {"wrong", "data:image/png;base64," + base64(*png)}, {"causes", std::move(causes)}, {"command", picture.command}};
 }
 
 std::string base64_of(const ColorRamp& ramp) {

@@ -93,7 +93,8 @@ std::string check_size(const std::string& text) {
   const auto n = numbers<int>(text, 'x');
   if (n && n->size() == 2 && n->at(0) >= 1 && n->at(1) >= 1 && std::max(n->at(0), n->at(1)) <= kMaxSurfaceSize)
     return {};
-  return fmt::format("invalid picture size '{}'; expected WIDTHxHEIGHT, each a whole number from 1 to {}", text, kMaxSurfaceSize);
+  return fmt::format("invalid picture size '{}'; expected WIDTHxHEIGHT, each a whole number from 1 to {}", text,
+                     kMaxSurfaceSize);
 }
 
 std::string check_point(const std::string& text) {

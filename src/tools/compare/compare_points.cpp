@@ -317,7 +317,8 @@ Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Sc
     errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
   }
   // No flag of `trace` gives a chip exact combiners, so such a picture has no command.
-  if (!point.exact) errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0]), *truth);
+  if (!point.exact)
+    errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0]), *truth);
   Image8 causes = cause_plane(*truth, settings.width, settings.height);
   auto plane = encode_png(causes);
   if (!plane) return plane.error();
