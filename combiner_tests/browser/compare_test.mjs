@@ -1,5 +1,6 @@
 /**
- * The page of `ninebit compare`: what stands at a pixel, and the command that explains a wrong one.
+ * The page of `ninebit compare`, and the report of `ninebit study shadows`: what stands at a pixel, and the command that
+ * explains a wrong one.
  */
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -26,12 +27,12 @@ after(async () => {
 });
 
 /** Moves to the middle of a pixel of an element that shows the whole picture. */
-async function pointAt(selector, x, y) {
-  const element = await page.$(selector);
+async function pointAt(selector, x, y, on = page) {
+  const element = await on.$(selector);
   await element.scrollIntoView();
   const box = await element.boundingBox();
   const at = [box.x + ((x + 0.5) / 160) * box.width, box.y + ((y + 0.5) / 120) * box.height];
-  await page.mouse.move(...at);
+  await on.mouse.move(...at);
   return at;
 }
 
@@ -50,6 +51,23 @@ test('a wrong pixel says its values and cause, and a click gives its command', a
   assert.match(await said(), /pixel 1,1: \d+, \d+, \d+, right$/);
   await page.mouse.click(...corner);
   assert.equal(await page.$$eval('.command', (all) => all[1].hidden), true);
+});
+
+test('the error pictures of a report say the same', async () => {
+  const out = join(folder, 'shadows');
+  const { worst } = native(root, 'study', 'shadows', 'scenes/index_room.gltf', '--size', '160x120', '--map-sizes', '32,64', '-o', out);
+  const report = await browser.newPage();
+  await report.setViewport({ width: 1280, height: 900 });
+  await report.goto(`file://${join(out, 'report.html')}`);
+  await report.waitForSelector('#picture-1 [role=status]');
+  // The best point's picture comes first, and then the worst one's: the smaller map.
+  const one = worst.find(({ point }) => point === 0);
+  const at = await pointAt('#picture-1 img', one.x, one.y, report);
+  const said = await report.$eval('#picture-1 [role=status]', (line) => line.textContent);
+  assert.match(said, new RegExp(`^The worst point: .*, pixel ${one.x},${one.y}: \\d+, \\d+, \\d+, falsely (lit|shadowed): ${one.cause}$`));
+  await report.mouse.click(...at);
+  assert.equal(await report.$eval('#picture-1 .command', (command) => command.textContent), one.command);
+  await report.close();
 });
 
 test('on A4, nothing is wider than the paper, and tables are whole', async () => {
