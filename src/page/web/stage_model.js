@@ -1,8 +1,10 @@
 // The texture-shader stages of a traced fragment as boxes before the first general combiner: a box a stage, side by side.
 // trace_model.js explains boxes, parts and cells.
 
-// The stages of the fragment that a trace is about; none where texture shaders are off.
+// The stages of the fragment that a trace is about, from an effect or from values that were given; none where texture shaders
+// are off. The depth is one that they replace.
 export function textureStagesOf(trace) {
+  if (trace.texture_shader) return { stages: trace.texture_shader.stages, depth: trace.texture_shader.depth ?? undefined };
   const { passes = [], pass, fragment } = trace.effect ?? {};
   const drawn = passes.find(({ name }) => name === pass)?.fragments?.[fragment];
   return { stages: drawn?.stages ?? [], depth: drawn?.depth_replaced ? drawn.depth : undefined };

@@ -83,10 +83,10 @@ std::vector<std::string> stage_lines_of(SvgPart& fragment) {
   std::vector<SvgLine> others;
   bool is_inside = false;  // a stage's line, which may go on in the next one
   for (SvgLine& line : fragment.lines) {
-    const bool is_stage = line.text.starts_with("  stage ");
-    is_inside = is_stage || (is_inside && line.text.starts_with("  "));
+    const bool is_stage = line.text.starts_with("  texture stage ");
+    is_inside = is_stage || (is_inside && line.text.starts_with("    "));
     if (is_stage) {
-      stages.push_back("texture" + line.text.substr(1));
+      stages.push_back(line.text.substr(2));
     } else if (is_inside) {
       stages.back() += ' ' + line.text.substr(line.text.find_first_not_of(' '));
     } else {
