@@ -26,7 +26,7 @@ void append_plain_script(std::string& script, std::string_view module) {
 std::string diagram_script() {
   std::string script;
   for (const std::string_view module :
-       {kDiagramStyleModule, kDiagramLayoutModule, kDiagramWordsModule, kDiagramPartsModule, kTraceModelModule,
+       {kDiagramStyleModule, kDiagramLayoutModule, kDiagramWordsModule, kDiagramPartsModule, kStageModelModule, kTraceModelModule,
         kProgramModelModule, kTraceDiagramModule, kPassSwitchModule}) {
     append_plain_script(script, module);
   }
