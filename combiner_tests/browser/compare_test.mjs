@@ -26,12 +26,12 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** Moves to the middle of a pixel of an element that shows the whole picture. */
-async function pointAt(selector, x, y, on = page) {
+/** Moves to the middle of a pixel of an element that shows the whole picture inside its border. */
+async function pointAt(selector, x, y, on = page, [width, height] = [160, 120]) {
   const element = await on.$(selector);
   await element.scrollIntoView();
-  const box = await element.boundingBox();
-  const at = [box.x + ((x + 0.5) / 160) * box.width, box.y + ((y + 0.5) / 120) * box.height];
+  const box = (await element.boxModel()).content;
+  const at = [box[0].x + ((x + 0.5) / width) * (box[2].x - box[0].x), box[0].y + ((y + 0.5) / height) * (box[2].y - box[0].y)];
   await on.mouse.move(...at);
   return at;
 }
@@ -55,14 +55,16 @@ test('a wrong pixel says its values and cause, and a click gives its command', a
 
 test('the error pictures of a report say the same', async () => {
   const out = join(folder, 'shadows');
-  const { worst } = native(root, 'study', 'shadows', 'scenes/index_room.gltf', '--size', '160x120', '--map-sizes', '32,64', '-o', out);
+  const size = [400, 300];
+  const { worst } = native(root, 'study', 'shadows', 'scenes/index_room.gltf', '--size', size.join('x'), '--map-sizes', '32,64', '-o', out);
   const report = await browser.newPage();
-  await report.setViewport({ width: 1280, height: 900 });
+  await report.setViewport({ width: 380, height: 900 });  // the pictures are shown smaller than they are
   await report.goto(`file://${join(out, 'report.html')}`);
   await report.waitForSelector('#picture-1 [role=status]');
   // The best point's picture comes first, and then the worst one's: the smaller map.
   const one = worst.find(({ point }) => point === 0);
-  const at = await pointAt('#picture-1 img', one.x, one.y, report);
+  assert.ok(await report.$eval('#picture-1 img', (picture) => picture.clientWidth < picture.naturalWidth));
+  const at = await pointAt('#picture-1 img', one.x, one.y, report, size);
   const said = await report.$eval('#picture-1 [role=status]', (line) => line.textContent);
   assert.match(said, new RegExp(`^The worst point: .*, pixel ${one.x},${one.y}: \\d+, \\d+, \\d+, falsely (lit|shadowed): ${one.cause}$`));
   await report.mouse.click(...at);

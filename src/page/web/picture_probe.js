@@ -14,8 +14,9 @@ export function pictureProbe(part, width, height, causes) {
   part.append(line, command);
   return (element, rowAt) => {
     const found = (event) => {
-      const box = element.getBoundingClientRect();
-      const [across, down] = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
+      const box = element.getBoundingClientRect();  // with the border, which is no part of the picture
+      const across = (event.clientX - box.left - element.clientLeft) / element.clientWidth;
+      const down = (event.clientY - box.top - element.clientTop) / element.clientHeight;
       if (!(across >= 0 && across < 1 && down >= 0 && down < 1)) return undefined;
       const x = Math.floor(across * width), y = Math.floor(down * height), row = rowAt(across);
       const at = y * width + x, value = row.plane?.[at] ?? 0;
