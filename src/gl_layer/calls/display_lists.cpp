@@ -200,17 +200,15 @@ void finish_list(Context& context) {
   context.group->had_steps = true;
 }
 
-// Whether a call of lists, while a list is compiled, becomes a step. Between glBegin and glEnd lists hold vertices, and
-// the driver's list cannot be split: Mesa 22.3 draws other primitives wrongly after a list that ends there.
-bool goes_into_steps(const Context& context) {
-  return context.recording() && !context.list_in_begin();
-}
-
 bool is_list_type(GLenum type) {
   return (type >= GL_BYTE && type <= GL_FLOAT) || (type >= GL_2_BYTES && type <= GL_4_BYTES);
 }
 
 }  // namespace
+
+bool goes_into_steps(const Context& context) {
+  return context.recording() && !context.list_in_begin();
+}
 
 void close_driver_list(Context& context) {
   OpenList& open = *context.open_list;

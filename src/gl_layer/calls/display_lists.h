@@ -13,6 +13,11 @@ void close_driver_list(Context& context);
 // Opens the next list of the driver.
 void open_driver_list(Context& context);
 
+// Whether a command that the layer has to see when it is executed becomes a step of the list that is compiled. Between
+// glBegin and glEnd the driver's list cannot be split: Mesa 22.3 draws other primitives wrongly after a list that ends
+// there.
+[[nodiscard]] bool goes_into_steps(const Context& context);
+
 // Puts a command into the display list that is being compiled, and executes it if the list's mode says so.
 void record(Context& context, const std::function<void()>& command);
 

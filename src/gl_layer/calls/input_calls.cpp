@@ -12,7 +12,7 @@ namespace {
 void use_program(GLuint program) {
   Context* const context = current();
   if (context == nullptr || context->in_begin) return found_driver.UseProgram(program);
-  if (context->recording() && !context->list_in_begin()) {
+  if (goes_into_steps(*context)) {
     return record(*context, [program] { glUseProgram(program); });
   }
   found_driver.UseProgram(program);

@@ -1,6 +1,8 @@
 // This library's functions by name, for programs that look them up.
 #include <algorithm>
 #include <atomic>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "src/gl_layer/calls/uniforms.h"
@@ -142,35 +144,52 @@ bool makes_unseen_images(std::string_view name) {
 }
 
 #define NINEBIT_UNIFORM(form, ...) NINEBIT_ENTRY(glUniform##form) NINEBIT_ENTRY(glProgramUniform##form)
-#define NINEBIT_ARB_UNIFORM(form, ...) NINEBIT_ENTRY(glUniform##form##ARB)
 
-// In the order of their names.
+// In the order of their names. Never destroyed: programs look up functions in their own destructors.
 const std::vector<Entry>& own_functions() {
-  static const std::vector<Entry> functions = [] {
+  static const std::vector<Entry>& functions = *new std::vector<Entry>([] {
     std::vector<Entry> all{NINEBIT_OWN_FUNCTIONS(NINEBIT_ENTRY, NINEBIT_ALIAS)                        //
                            NINEBIT_FIRST_UNIFORMS(NINEBIT_UNIFORM, NINEBIT_UNIFORM, NINEBIT_UNIFORM)  //
-                           NINEBIT_LATER_UNIFORMS(NINEBIT_UNIFORM, NINEBIT_UNIFORM, NINEBIT_UNIFORM)  //
-                           NINEBIT_FIRST_UNIFORMS(NINEBIT_ARB_UNIFORM, NINEBIT_ARB_UNIFORM, NINEBIT_ARB_UNIFORM)};
+                           NINEBIT_LATER_UNIFORMS(NINEBIT_UNIFORM, NINEBIT_UNIFORM, NINEBIT_UNIFORM)};
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.name < b.name; });
     return all;
-  }();
+  }());
   return functions;
+}
+
+AnyFunction find_own(std::string_view name) {
+  const std::vector<Entry>& functions = own_functions();
+  const auto found = std::lower_bound(functions.begin(), functions.end(), name,
+                                      [](const Entry& entry, std::string_view of) { return entry.name < of; });
+  return found != functions.end() && found->name == name ? found->function : nullptr;
+}
+
+// Functions with the name of a program, and uniforms, are the same with the suffix of an extension.
+bool has_program(std::string_view name) {
+  constexpr std::string_view kBegins[]{"glBindFragData",   "glGetFragData", "glGetTransformFeedbackVarying",
+                                       "glGetUniform",     "glGetnUniform", "glProgramParameteri",
+                                       "glProgramUniform", "glUniform",     "glTransformFeedbackVaryings"};
+  return std::any_of(std::begin(kBegins), std::end(kBegins), [&](std::string_view b) { return name.starts_with(b); });
+}
+
+AnyFunction find_own_of_extension(std::string_view name) {
+  if (!name.ends_with("EXT") && !name.ends_with("ARB")) return nullptr;
+  return has_program(name) ? find_own(name.substr(0, name.size() - 3)) : nullptr;
 }
 
 }  // namespace
 
 AnyFunction own_function(std::string_view name) {
-  const std::vector<Entry>& functions = own_functions();
-  const auto found = std::lower_bound(functions.begin(), functions.end(), name,
-                                      [](const Entry& entry, std::string_view of) { return entry.name < of; });
-  if (found == functions.end() || found->name != name) {
+  AnyFunction function = find_own(name);
+  if (function == nullptr) function = find_own_of_extension(name);
+  if (function == nullptr) {
     if (makes_unseen_images(name)) unseen_images.store(true, std::memory_order_relaxed);
     return nullptr;
   }
   note_lookup(name);
   if (belongs_to_unwanted(name)) return nullptr;
   if (name.starts_with("glCombiner")) combiners_wanted.store(true, std::memory_order_relaxed);
-  return found->function;
+  return function;
 }
 
 bool unseen_image_calls_looked_up() {

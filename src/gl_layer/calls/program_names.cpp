@@ -1,5 +1,5 @@
-// Commands with the name of a GLSL program. One of the layer's own programs is none to the program that runs, which
-// never got its name: the driver answers as it does for a name that it has not given out.
+// Commands with the name of a GLSL program. The program that runs must not see the layer's own programs, whose names it
+// never got: the driver answers as it does for a name that it has not given out.
 #include "src/gl_layer/context/context.h"
 #include "src/gl_layer/driver/driver.h"
 #include "src/gl_layer/driver/symbols.h"

@@ -1,8 +1,10 @@
-// Commands that set uniforms. One of the layer's own programs is none to the program that runs: glUniform raises
-// GL_INVALID_OPERATION as it does where no program is in use, and glProgramUniform gets a name that was not given out.
+// Commands that set uniforms. The program that runs must not change the layer's own programs: while one of them is in
+// use, glUniform raises GL_INVALID_OPERATION, as without a program; glProgramUniform gets a name that was not given
+// out.
 #include "src/gl_layer/calls/uniforms.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -15,14 +17,12 @@ using namespace ninebit::gl_layer;  // NOLINT(google-build-using-namespace): the
 
 namespace {
 
-bool goes_into_steps(const Context* context) {
-  return context != nullptr && context->recording() && !context->list_in_begin();
-}
-
 template <class Command>
 void set_uniform(const Command& command) {
   Context* const context = current();
-  if (goes_into_steps(context)) return record(*context, [command] { set_uniform(command); });
+  if (context != nullptr && goes_into_steps(*context)) {
+    return record(*context, [command] { set_uniform(command); });
+  }
   const bool own = context != nullptr && context->bound && context->open_list == nullptr && !context->in_begin;
   own ? context->raise(GL_INVALID_OPERATION) : command();
 }
@@ -30,7 +30,8 @@ void set_uniform(const Command& command) {
 // `command` gets the numbers, which a display list keeps.
 template <class T, class Command>
 void set_uniforms(const T* values, GLsizei count, int size, const Command& command) {
-  if (!goes_into_steps(current())) return set_uniform([=] { command(values); });
+  const Context* const context = current();
+  if (context == nullptr || !goes_into_steps(*context)) return set_uniform([=] { command(values); });
   const auto numbers = static_cast<std::size_t>(std::max<GLsizei>(count, 0)) * static_cast<std::size_t>(size);
   const auto kept = std::make_shared<const std::vector<T>>(values, values + numbers);
   set_uniform([=] { command(kept->data()); });

@@ -1,5 +1,5 @@
-// The forms of glUniform and glProgramUniform: S(form, parameters, arguments) has values, V(form, type, size) an array
-// of so many numbers an element, M(form, type, size) matrices.
+// The forms of glUniform and glProgramUniform: S(form, parameters, arguments) takes its values as parameters;
+// V(form, type, size) an array with `size` numbers for each element; M(form, type, size) matrices of `size` numbers.
 #pragma once
 
 // clang-format off

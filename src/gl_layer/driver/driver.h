@@ -32,12 +32,11 @@ namespace ninebit::gl_layer {
   X(MultiDrawElementsBaseVertex) X(MultiDrawElementsIndirect) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(EnableVertexAttribArray) X(FramebufferRenderbuffer) \
   X(FinishFenceNV) X(FlushVertexArrayRangeNV) X(GenFencesNV) X(GetFenceivNV) X(IsFenceNV) X(SetFenceNV) X(TestFenceNV) X(VertexArrayRangeNV) \
   X(FramebufferTexture2D) X(GenerateMipmap) X(GenFramebuffers) X(GenRenderbuffers) \
-  X(GetBooleani_v) X(GetHandleARB) \
+  X(GetHandleARB) \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
-  \
   X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
   X(TexStorage3D) X(TexSubImage3D) X(Uniform1i) X(Uniform2fv) X(Uniform3fv) \
-  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB) \
+  X(Uniform4fv) X(Uniform4iv) X(UseProgram) \
   NINEBIT_VERTEX_PROGRAM_FUNCTIONS(X)
 // What NV_vertex_program is made of.
 #define NINEBIT_VERTEX_PROGRAM_FUNCTIONS(X) \

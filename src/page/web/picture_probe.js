@@ -32,6 +32,7 @@ export function pictureProbe(part, width, height, causes) {
       const one = found(event), example = one?.row.command;
       command.hidden = !one?.wrong || !example;
       if (!command.hidden) command.textContent = example.replace(/--pixel \S+/, `--pixel ${one.x},${one.y}`);
+      if (one?.wrong && !example) line.textContent = `Pixel ${one.x},${one.y}: no command draws this picture alone.`;
     });
   };
 }
