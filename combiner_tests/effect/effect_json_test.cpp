@@ -159,7 +159,7 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
        "expected s, t or st"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"wrap\": \"clamp\", \"cylinder_wrap\": \"s\"}}, "
        "\"passes\": [{}]",
-       2, "a cylinder wrap needs the wrap mode repeat"},
+       2, "a cylinder wrap has no effect with this wrap mode; expected repeat"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"border_color\": [2, 0, 0, 0]}}, \"passes\": [{}]", 2,
        "from 0"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"color_key\": \"kill:FF00FF\"}}, \"passes\": [{}]", 2,
