@@ -83,17 +83,63 @@ test('drawings have no hash unless a test asks', async () => {
   await page.close();
 });
 
+/** What has the keyboard's focus, and whether that is the element of the selector now. */
+const focused = (page, selector) => page.evaluate((where) => ({
+  label: document.activeElement.closest('label')?.querySelector('span')?.textContent ?? document.activeElement.getAttribute('aria-label') ?? document.activeElement.id,
+  same: document.activeElement === document.querySelector(where) }), selector);
+
 test("the keyboard's focus stays on the control that was changed", async () => {
   const page = await openPage(browser);
-  const focused = () => page.evaluate(() => document.activeElement.closest('label')?.textContent.slice(0, 12) ?? document.activeElement.id);
-  for (const [selector, value] of [['#profile-choice select', 'nv2a'], ['[data-unit="1"] select', 'gradient'], ['#panel-inputs fieldset:not([data-unit]) select', 'sphere:48']]) {
+  const chosen = [['#profile-choice select', 'nv2a'], ['[data-unit="1"] select', 'gradient'], ['#panel-inputs fieldset:not([data-unit]) select', 'sphere:48']];
+  for (const [selector, value] of chosen) {
     await page.focus(selector);
-    const old = await focused();
-    assert.notEqual(old, '');
+    const { label } = await focused(page, selector);
+    assert.notEqual(label, '');
     await page.select(selector, value);
     await page.waitForFunction(() => document.getElementById('picture').dataset.hash);
-    assert.equal(await focused(), old, selector);
-    assert.equal(await page.evaluate((where) => document.activeElement === document.querySelector(where), selector), true, selector);
+    assert.deepEqual(await focused(page, selector), { label, same: true }, selector);
+  }
+  await openEffect(page, 'index_cube');
+  await page.focus('#file-choice select');
+  for (const pass of ['1', '3', '0']) {
+    await page.select('#file-choice select', pass);
+    await page.waitForFunction((wanted) => globalThis.ninebit.store.state.pass === Number(wanted), {}, pass);
+    await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 400); }));
+    assert.deepEqual(await focused(page, '#file-choice select'), { label: 'Pass', same: true }, pass);
+  }
+  await page.close();
+});
+
+test("the keyboard's focus stays in the settings of index shadows, where sliders come and go", async () => {
+  const page = await openPage(browser);
+  await page.click('#tab-shadow');
+  const controls = '#panel-shadow > .shadow-controls';
+  await page.waitForFunction(() => document.querySelectorAll('#panel-shadow > .shadow-controls input').length === 4);
+  for (const [selector, value] of [[`${controls} select`, 'sphere:48'], [`${controls} label:nth-of-type(4) select`, '128'], [`${controls} select`, 'room']]) {
+    await page.focus(selector);
+    const { label } = await focused(page, selector);
+    await page.select(selector, value);
+    await page.waitForFunction(() => document.querySelectorAll('#panel-shadow > .shadow-controls input').length === 4 && /triangles/.test(document.getElementById('shadow-result').textContent));
+    await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 600); }));
+    assert.deepEqual(await focused(page, selector), { label, same: true }, selector);
+  }
+  await page.close();
+});
+
+test("the keyboard's focus stays on sliders that arrow keys move", async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'fresnel');
+  await page.waitForSelector('#panel-inputs .camera input');
+  for (const selector of ['input[aria-label="const0, alpha"]', '#panel-inputs .camera label:nth-of-type(2) input', '#panel-inputs .camera .camera label:nth-of-type(3) input']) {
+    await page.focus(selector);
+    const { label } = await focused(page, selector);
+    const old = await page.$eval(selector, ({ value }) => value);
+    for (let n = 0; n < 4; n++) {
+      await page.keyboard.press('ArrowLeft');
+      await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 250); }));
+      assert.deepEqual(await focused(page, selector), { label, same: true }, `${selector}, ${n}`);
+    }
+    assert.notEqual(await page.$eval(selector, ({ value }) => value), old, selector);
   }
   await page.close();
 });

@@ -1,5 +1,6 @@
 /**
- * The page of `ninebit compare`: what stands at a pixel, and the command that explains a wrong one.
+ * The page of `ninebit compare`, and the report of `ninebit study shadows`: what stands at a pixel, and the command that
+ * explains a wrong one.
  */
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -25,13 +26,13 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** Moves to the middle of a pixel of an element that shows the whole picture. */
-async function pointAt(selector, x, y) {
-  const element = await page.$(selector);
+/** Moves to the middle of a pixel of an element that shows the whole picture inside its border. */
+async function pointAt(selector, x, y, on = page, [width, height] = [160, 120]) {
+  const element = await on.$(selector);
   await element.scrollIntoView();
-  const box = await element.boundingBox();
-  const at = [box.x + ((x + 0.5) / 160) * box.width, box.y + ((y + 0.5) / 120) * box.height];
-  await page.mouse.move(...at);
+  const box = (await element.boxModel()).content;
+  const at = [box[0].x + ((x + 0.5) / width) * (box[2].x - box[0].x), box[0].y + ((y + 0.5) / height) * (box[2].y - box[0].y)];
+  await on.mouse.move(...at);
   return at;
 }
 
@@ -50,6 +51,25 @@ test('a wrong pixel says its values and cause, and a click gives its command', a
   assert.match(await said(), /pixel 1,1: \d+, \d+, \d+, right$/);
   await page.mouse.click(...corner);
   assert.equal(await page.$$eval('.command', (all) => all[1].hidden), true);
+});
+
+test('the error pictures of a report say the same', async () => {
+  const out = join(folder, 'shadows');
+  const size = [400, 300];
+  const { worst } = native(root, 'study', 'shadows', 'scenes/index_room.gltf', '--size', size.join('x'), '--map-sizes', '32,64', '-o', out);
+  const report = await browser.newPage();
+  await report.setViewport({ width: 380, height: 900 });  // the pictures are shown smaller than they are
+  await report.goto(`file://${join(out, 'report.html')}`);
+  await report.waitForSelector('#picture-1 [role=status]');
+  // The best point's picture comes first, and then the worst one's: the smaller map.
+  const one = worst.find(({ point }) => point === 0);
+  assert.ok(await report.$eval('#picture-1 img', (picture) => picture.clientWidth < picture.naturalWidth));
+  const at = await pointAt('#picture-1 img', one.x, one.y, report, size);
+  const said = await report.$eval('#picture-1 [role=status]', (line) => line.textContent);
+  assert.match(said, new RegExp(`^The worst point: .*, pixel ${one.x},${one.y}: \\d+, \\d+, \\d+, falsely (lit|shadowed): ${one.cause}$`));
+  await report.mouse.click(...at);
+  assert.equal(await report.$eval('#picture-1 .command', (command) => command.textContent), one.command);
+  await report.close();
 });
 
 test('on A4, nothing is wider than the paper, and tables are whole', async () => {

@@ -48,7 +48,9 @@ test('links with values of the wrong kind get one sentence and the first effect'
     [(state) => { state.effect.passes = [null]; }, 'passes[0] must be an object'],
     [(state) => { state.effect.passes[0].name = {}; }, 'passes[0].name must be a string'],
     [(state) => { state.effect.title = ['a']; }, 'title must be a string'],
-    [(state) => { state.files = { a: {} }; }, 'the state.files.a must be a string']];
+    [(state) => { state.pass = -1; }, 'pass is -1; expected 0 or more'],
+    [(state) => { state.profile = JSON.parse('{"a":'.repeat(2000) + '1' + '}'.repeat(2000)); }, 'the profile is nested more than 64 levels deep'],
+    [(state) => { state.files = { a: {} }; }, 'files.a must be a string']];
   for (const [change, sentence] of cases) {
     const state = newState();
     change(state);

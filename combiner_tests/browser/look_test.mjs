@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { clickPixel, expectedHashes, folderOf, hashOf, launch, native, nativeTrace, openEffect, openPage, openTab, root, stateOf, waitForHash, waitForReady } from './support.mjs';
+import { clickPixel, expectedHashes, folderOf, hashOf, launch, native, nativeTrace, openEffect, openPage, openTab, root, stateOf, type, waitForHash, waitForReady } from './support.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -93,6 +93,59 @@ test('F flips between the profiles, and the picture is the other profile’s', a
   await page.focus('.cm-content');
   await page.keyboard.press('f');
   assert.equal(await page.$eval('#flip', (button) => button.getAttribute('aria-pressed')), 'false');
+  await page.close();
+});
+
+test('while one types, Flip shows each picture of the other profile, with a pixel chosen and the profiles open', async () => {
+  const page = await openPage(browser);
+  await page.evaluate(() => globalThis.ninebit.store.change('other', (state) => { state.other = 'nv2a'; }));
+  await page.evaluate(() => globalThis.ninebit.page.picture.take({ x: 60, y: 70 }));
+  await traced(page);
+  await page.click('#tab-profiles');
+  await page.click('#flip');
+  await page.waitForFunction(() => document.querySelector('.badge').textContent.startsWith('nv2a'));
+  for (const scale of ['    scale_by_two();\n', '']) {
+    await type(page, `!!RC1.0\n{\n  rgb {\n    discard = tex0 * col0;\n    discard = tex0 * tex0;\n    spare0 = sum();\n${scale}  }\n}\nout.rgb = spare0;\nout.a = unsigned_invert(zero);\n`);
+    const state = await stateOf(page);
+    const wanted = native(folderOf(state), 'draw', 'effect.json', '--profile', state.other, '-o', 'a.png').hash.color;
+    await page.waitForFunction(() => /pixels differ/.test(document.getElementById('difference-count').textContent));
+    await page.waitForFunction(async (hash) => {
+      const digest = await globalThis.crypto.subtle.digest('SHA-256', globalThis.ninebit.page.picture.pixels);
+      return [...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join('') === hash;
+    }, { timeout: 10_000 }, wanted);
+  }
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test('the texture-shader stages stand in the diagram before the first combiner, with the values of the native trace', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'diffuse_specular');
+  await page.evaluate(() => globalThis.ninebit.page.picture.take({ x: 60, y: 128 }));
+  await traced(page);
+  const state = await stateOf(page);
+  const { effect } = nativeTrace(state, 60, 128);
+  const { stages } = effect.passes[0].fragments[effect.fragment];
+  const shown = await page.$$eval('#trace .nb-box[aria-label^="Texture shader"]', (boxes) => boxes.map((box) => ({
+    title: box.querySelector('b').textContent, values: [...box.querySelectorAll('.nb-held')].map(({ textContent }) => textContent) })));
+  assert.deepEqual(shown.map(({ title }) => title), ['0: texture 2D', '1: dot product', '2: diffuse cube map', '3: reflect cube map']);
+  const text = (value) => String(Number(value.toPrecision(6)));
+  stages.forEach((stage, at) => {
+    for (const value of [...stage.coordinates, ...stage.normal ?? [], ...stage.dot === undefined ? [] : [stage.dot], ...stage.at ?? [], ...stage.texel, ...stage.codes]) {
+      assert.ok(shown[at].values.includes(text(value)), `${value} in ${shown[at].values}`);
+    }
+  });
+  assert.equal(await page.$eval('#trace .nb-section h3', ({ textContent }) => textContent), 'Texture shader');
+  // A click on a wire chooses the box that it leads to, which is lit with what it reads.
+  const from = await page.evaluate(() => {
+    const hold = [...document.querySelectorAll('#trace .nb-hold')].find(({ nbWire }) => nbWire.from.id === 'texture/stage2' && nbWire.to.section.id === 'stage0');
+    hold.dispatchEvent(new MouseEvent('click', { bubbles: true }));
+    return hold.nbWire.to.id;
+  });
+  const lit = await page.evaluate(() => [...document.querySelectorAll('#trace .nb-box.nb-lit')].map((box) => box.getAttribute('aria-label')));
+  assert.match(from, /^stage0\/in-tex2$/);
+  assert.ok(lit.some((label) => label.startsWith('Texture shader: 2:')) && lit.some((label) => label.startsWith('General combiner 0: tex2')), lit.join('; '));
+  assert.deepEqual(page.complaints, []);
   await page.close();
 });
 

@@ -55,11 +55,18 @@ test('every control has a name, and Tab leaves the editor', async () => {
   assert.equal(await page.$eval('#tab-trace', (tab) => tab.getAttribute('aria-selected')), 'true');
 });
 
+/** Opens the groups of further inputs. */
+const openGroups = (page) => page.evaluate(async () => {
+  for (const group of document.querySelectorAll('#panel-inputs details')) group.open = true;
+  await new Promise((resolve) => { setTimeout(resolve, 100); });
+});
+
 // 3 to 1, as WCAG 2.1 asks of what marks a control (success criterion 1.4.11).
 test('the borders of controls stand out in light and dark', async () => {
   for (const scheme of ['light', 'dark']) {
     const page = await openPage(browser);
     await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+    await openGroups(page);
     const faint = await page.evaluate(() => {
       const codes = (color) => color.match(/[\d.]+/g).map(Number);
       const luminance = (color) => codes(color).slice(0, 3).map((code) => code / 255)
@@ -93,6 +100,27 @@ test('the help of a field of a profile is text, and describes its control', asyn
   for (const [field, name, help] of helps) {
     assert.equal(name, field);
     assert.match(help, /\w+ \w+/, field);
+  }
+  await page.close();
+});
+
+test('the help of inputs and of values of a source is text, and describes its control', async () => {
+  const page = await openPage(browser);
+  await openEffect(page, 'index_cube');
+  await openGroups(page);
+  const helpsOf = (selector) => page.$$eval(selector, (controls) => controls.map((control) => [control.dataset.key ?? control.dataset.define,
+    document.getElementById(control.getAttribute('aria-describedby'))?.textContent, document.querySelectorAll(`[id="${control.getAttribute('aria-describedby')}"]`).length]));
+  const keys = await helpsOf('[data-key]');
+  assert.ok(keys.length > 45, `${keys.length}`);
+  await page.evaluate(() => globalThis.ninebit.store.change('all', (state) => {
+    state.files['program.ps'] = 'ps.1.1\n#if SHADED > 1\nmov r0, v0\n#else\nmov r0, c0\n#endif\n';
+    state.effect.passes[0].program = 'program.ps';
+    state.pass = 0;
+  }));
+  await page.waitForSelector('[data-define]');
+  for (const [name, help, count] of [...keys, ...await helpsOf('[data-define]')]) {
+    assert.match(help ?? '', /\w+ \w+/, name);
+    assert.equal(count, 1, name);
   }
   await page.close();
 });

@@ -63,11 +63,16 @@ test('what is wrong with an effect is one sentence', () => {
   for (const [change, message] of cases) assert.throws(() => checkedEffect(effect(change)), { message }, JSON.stringify(change));
   assert.throws(() => checkedEffect(null), { message: 'the effect must be an object' });
   for (const [state, message] of [[5, 'the state must be an object'], [{ effect: effect({}) }, 'the state has no "files"'],
-    [{ effect: effect({}), files: { a: 1 } }, 'the state.files.a must be a string'],
-    [{ effect: effect({}), files: {}, profile: 7 }, 'the state.profile must be a string or an object'],
+    [{ effect: effect({}), files: { a: 1 } }, 'files.a must be a string'],
+    [{ effect: effect({}), files: {}, profile: 7 }, 'profile must be a string or an object'],
+    [{ effect: effect({}), files: {}, pass: -1 }, 'pass is -1; expected 0 or more'],
     [{ effect: effect({ passes: [null] }), files: {} }, 'passes[0] must be an object']]) {
     assert.throws(() => checkedState(state), { message }, JSON.stringify(state));
   }
+  const deep = (levels) => JSON.parse('{"a":'.repeat(levels) + '1' + '}'.repeat(levels));
+  assert.throws(() => checkedState({ effect: effect({}), files: {}, profile: deep(50_000) }), { message: 'the profile is nested more than 64 levels deep' });
+  assert.throws(() => checkedEffect(effect({ scene: { floor: deep(50_000) } })), { message: 'the effect is nested more than 64 levels deep' });
+  assert.equal(checkedState({ effect: effect({}), files: {}, profile: deep(60) }).profile.b, undefined);
 });
 
 test('an address gives names back that objects have themselves', async () => {

@@ -17,13 +17,16 @@ HTML comments in front of a block, which readers do not see:
 HTML comments in prose:
   151<!-- value: EXPRESSION of ninebit ... -->   the figure before it, to the digits shown, is the value of a Python
       expression over the answer of the command with --json, such as errors.by_cause.joint, rows[0].cases or len(rows)
-  <!-- picture: FILE -->   the next line's picture looks like FILE, which a command above or below writes: the means of
-      its blocks are the same within a few codes, as it may have been made smaller
+  <!-- picture: FILE -->   the picture behind it, or on the next line, looks like FILE, which a command above or below
+      writes: the means of its blocks are the same within a few codes, as it may have been made smaller. FILE,FILE are
+      side by side in it, FILE;FILE one below the other
+  <!-- picture: FILE of ninebit ... -->   the same of a command that the page does not show
 
 A word such as OPS_GLSL, which stands for a figure that is still to be put in, is a fault.
 
 Exits with 1 if a command failed or printed something else, with 77 if every command was left out.
 """
+import itertools
 import json
 import math
 import os
@@ -42,7 +45,7 @@ REMARK = re.compile(r'<!-- (not run|run with): (.*?) -->$')
 COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ', 'cc ', './check ')
 SHOWN = ('$ ninebit ', '$ ./check ')
 VALUE = re.compile(r'([-−]?\d[\d,.\u202f]*)(?: %)?<!-- value: (.*?) of (ninebit .*?) -->')
-PICTURE = re.compile(r'<!-- picture: (\S+) -->\n!\[.*?\]\((.*?)\)')
+PICTURE = re.compile(r'<!-- picture: (\S+)(?: of (ninebit .*?))? -->\n?!\[.*?\]\((.*?)\)')
 MISSING = re.compile(r'\b(?:STEPS|OPS)_[A-Z]+\b')  # stands for a figure that nobody has put in
 LIMIT_S = 300
 LIKE = 9  # codes by which the means of blocks of two pictures may differ
@@ -123,15 +126,23 @@ class Keys(dict):
     __getattr__ = dict.__getitem__
 
 
+def run_hidden(command, folder, program, answers):
+    """Runs a command of a comment once; what is wrong with it, or None."""
+    if command in answers:
+        return None
+    function = f'ninebit() {{ {shlex.quote(program)} "$@"; }}\n'
+    result = subprocess.run(['bash', '-c', f'{function}{command} --json --quiet'], cwd=folder, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=LIMIT_S, check=False)
+    if result.returncode not in (0, 1):
+        return f'it exits with {result.returncode} and prints\n{result.stderr}'
+    answers[command] = json.loads(result.stdout, object_hook=Keys)
+    return None
+
+
 def wrong_value(shown, expression, command, folder, program, answers):
     """What is wrong with a figure in prose, or None."""
-    if command not in answers:
-        function = f'ninebit() {{ {shlex.quote(program)} "$@"; }}\n'
-        result = subprocess.run(['bash', '-c', f'{function}{command} --json --quiet'], cwd=folder, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=LIMIT_S, check=False)
-        if result.returncode not in (0, 1):
-            return f'it exits with {result.returncode} and prints\n{result.stderr}'
-        answers[command] = json.loads(result.stdout, object_hook=Keys)
+    if fault := run_hidden(command, folder, program, answers):
+        return fault
     value = eval(expression, {'__builtins__': {}, 'len': len, 'sum': sum, 'max': max, 'min': min}, answers[command])
     plain = shown.rstrip(',.').replace(',', '').replace('\u202f', '').replace('−', '-')
     decimals = len(plain.partition('.')[2])
@@ -152,41 +163,62 @@ def pixels_of(file):
         size, name = struct.unpack('>I4s', data[at:at + 8])
         packed += data[at + 8:at + 8 + size] if name == b'IDAT' else b''
         at += size + 12
-    raw, rows, above = zlib.decompress(packed), [], bytes(width * channels)
-    for y in range(height):
-        start = y * (1 + width * channels)
-        line, filtered = bytearray(raw[start + 1:start + 1 + width * channels]), raw[start]
-        for i in range(len(line) if filtered else 0):
-            left, up = line[i - channels] if i >= channels else 0, above[i]
-            corner = above[i - channels] if i >= channels else 0
-            near = min((left, up, corner), key=lambda one: abs(left + up - corner - one))
-            line[i] = (line[i] + (0, left, up, (left + up) // 2, near)[filtered]) & 255
-        rows.append([line[c::channels] for c in ((0, 0, 0) if channels == 1 else (0, 1, 2))])
-        above = line
+    raw, rows, above = zlib.decompress(packed), [], [bytes(width)] * channels
+    for start in range(0, height * (1 + width * channels), 1 + width * channels):
+        line = raw[start + 1:start + 1 + width * channels]
+        above = [unfiltered(raw[start], line[c::channels], above[c]) for c in range(channels)]
+        rows.append(above * 3 if channels == 1 else above[:3])
     return width, height, rows
 
 
-def means_of(file, across, down):
-    """The means of a picture's blocks, for red, green and blue."""
-    width, height, rows = pixels_of(file)
-    w, h = width // across, height // down
-    return [sum(sum(rows[y][c][x * w:x * w + w]) for y in range(j * h, j * h + h)) / (w * h)
-            for c in range(3) for j in range(down) for x in range(across)]
+def unfiltered(kind, line, above):
+    """A row of one channel of a PNG file, below the row `above`."""
+    if kind == 0:
+        return line
+    if kind == 1:
+        return bytes(code & 255 for code in itertools.accumulate(line))
+    if kind == 2:
+        return bytes((code + up) & 255 for code, up in zip(line, above))
+    out, left, corner = bytearray(), 0, 0
+    for code, up in zip(line, above):
+        if kind == 3:
+            near = (left + up) // 2
+        else:
+            a, b, c = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+            near = left if a <= b and a <= c else up if b <= c else corner
+        left, corner = (code + near) & 255, up
+        out.append(left)
+    return out
 
 
-def wrong_picture(shown, made):
-    """What is wrong with a picture of a page, or None."""
-    if not os.path.exists(made):
-        return f'no command writes {os.path.basename(made)}'
-    sizes = []
-    for file in (shown, made):
-        with open(file, 'rb') as opened:
-            sizes.append(struct.unpack('>II', opened.read(24)[16:]))
-    across, down = (math.gcd(a, b) // 4 for a, b in zip(*sizes))
-    if min(across, down) < 8:
-        return f'sides of {sizes[0]} and {sizes[1]} pixels have no blocks in common'
-    worst = max(abs(a - b) for a, b in zip(means_of(shown, across, down), means_of(made, across, down)))
-    return None if worst <= LIKE else f'the means of blocks differ by up to {worst:.1f} codes'
+def means_of(picture, across, down, place=(0, 0, 1, 1)):
+    """The means of the blocks of a part of a picture, for red, green and blue: part (i, j) of (columns, lines) parts."""
+    width, height, rows = picture
+    i, j, columns, lines = place
+    w, h = width // columns // across, height // lines // down
+    left, top = i * (width // columns), j * (height // lines)
+    return [sum(sum(rows[y][c][x:x + w]) for y in range(top + v * h, top + v * h + h)) / (w * h)
+            for c in range(3) for v in range(down) for x in range(left, left + across * w, w)]
+
+
+def wrong_picture(shown, files, folder):
+    """What is wrong with a picture of a page that has these files, or None."""
+    lines = [line.split(',') for line in files.split(';')]
+    whole = pixels_of(shown)
+    for j, line in enumerate(lines):
+        for i, name in enumerate(line):
+            if not os.path.exists(os.path.join(folder, name)):
+                return f'no command writes {name}'
+            made = pixels_of(os.path.join(folder, name))
+            size = (whole[0] // len(line), whole[1] // len(lines))
+            across, down = (math.gcd(a, b) // 4 for a, b in zip(size, made))
+            if min(across, down) < 6:
+                return f'sides of {size} and {made[:2]} pixels have no blocks in common'
+            worst = max(abs(a - b) for a, b in zip(means_of(whole, across, down, (i, j, len(line), len(lines))),
+                                                   means_of(made, across, down)))
+            if worst > LIKE:
+                return f'the means of blocks of {name} differ by up to {worst:.1f} codes'
+    return None
 
 
 def check_prose(program, page, folder):
@@ -195,12 +227,12 @@ def check_prose(program, page, folder):
         text = file.read()
     answers, checked, failed = {}, 0, 0
     checks = [(found, lambda m: wrong_value(m[1], m[2], m[3], folder, program, answers)) for found in VALUE.finditer(text)]
-    checks += [(found, lambda m: wrong_picture(os.path.join(os.path.dirname(page), m[2]), os.path.join(folder, m[1])))
-               for found in PICTURE.finditer(text)]
+    checks += [(found, lambda m: (m[2] and run_hidden(m[2], folder, program, answers)) or
+                wrong_picture(os.path.join(os.path.dirname(page), m[3]), m[1], folder)) for found in PICTURE.finditer(text)]
     if len(checks) != text.count('<!-- value:') + text.count('<!-- picture:'):
         checked, failed = 1, 1
         print(f'FAILED {os.path.relpath(page, ROOT)}: a comment is not "<!-- value: EXPRESSION of ninebit ... -->" behind a '
-              'figure or "<!-- picture: FILE -->" above a picture')
+              'figure or "<!-- picture: FILE -->" before a picture')
     checks += [(found, lambda m: 'a figure is missing') for found in MISSING.finditer(text)]
     for found, check in checks:
         fault = check(found)

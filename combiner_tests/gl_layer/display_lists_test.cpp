@@ -52,6 +52,23 @@ TEST(LayerLists, CompilingExecutesNothing) {
   EXPECT_EQ(number_of_combiners(), 5);
 }
 
+TEST(LayerLists, TwentyThousandConstants) {
+  NINEBIT_GL_CONTEXT(context);
+  show_constant({1, 0, 0, 1});
+  glViewport(0, 0, 4, 4);
+  glNewList(1, GL_COMPILE);
+  for (int i = 0; i < 20000; ++i) {
+    set_constant(0, static_cast<GLfloat>(i % 256) / 255, static_cast<GLfloat>(i / 256) / 255);
+    glRectf(-1, -1, 1, 1);
+  }
+  glEndList();
+  glCallList(1);
+  Pixel last{};
+  glReadPixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, last.data());
+  EXPECT_EQ(last, (Pixel{0, 19999 % 256, 19999 / 256, 255}));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST(LayerLists, ErrorsAreRaisedWhenAListIsCalled) {
   NINEBIT_GL_CONTEXT(context);
   glNewList(1, GL_COMPILE);

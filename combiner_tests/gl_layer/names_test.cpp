@@ -74,6 +74,70 @@ TEST(LayerNames, ProgramsAreHidden) {
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+TEST(LayerNames, UniformsOfTheLayersProgramsCannotBeSet) {
+  NINEBIT_GL_CONTEXT(context);
+  const GLuint before = make_green_program();
+  draw_by_two_programs();
+  constexpr auto kNoProgram = static_cast<GLenum>(GL_INVALID_OPERATION);
+  constexpr auto kNoName = static_cast<GLenum>(GL_INVALID_VALUE);
+  const std::array<GLint, 256> zeros{};
+  const std::array<GLfloat, 256> zero_floats{};
+  for (GLint location = -1; location < 4; ++location) {
+    for (GLsizei count = 1; count <= 32; ++count) {
+      glUniform4iv(location, count, zeros.data());
+      EXPECT_EQ(glGetError(), kNoProgram) << location << " " << count;
+    }
+    glUniform4f(location, 0, 0, 0, 0);
+    EXPECT_EQ(glGetError(), kNoProgram) << location;
+    glUniform1i(location, 3);
+    EXPECT_EQ(glGetError(), kNoProgram) << location;
+    glUniform4fvARB(location, 1, zero_floats.data());
+    EXPECT_EQ(glGetError(), kNoProgram) << location;
+    glUniformMatrix4fv(location, 1, GL_FALSE, zero_floats.data());
+    EXPECT_EQ(glGetError(), kNoProgram) << location;
+  }
+  for (GLuint name = before + 1; name < before + 10; ++name) {
+    glProgramUniform4iv(name, 0, 1, zeros.data());
+    EXPECT_EQ(glGetError(), kNoName) << name;
+    GLint resources = -1;
+    glGetProgramInterfaceiv(name, GL_UNIFORM, GL_ACTIVE_RESOURCES, &resources);
+    EXPECT_EQ(glGetError(), kNoName) << name;
+    EXPECT_EQ(resources, -1) << name;
+    glProgramParameteri(name, GL_PROGRAM_SEPARABLE, GL_TRUE);
+    EXPECT_EQ(glGetError(), kNoName) << name;
+    glBindFragDataLocation(name, 0, "color");
+    EXPECT_EQ(glGetError(), kNoName) << name;
+    std::array<char, 9> label{};
+    glGetObjectLabel(GL_PROGRAM, name, 9, nullptr, label.data());
+    EXPECT_EQ(glGetError(), kNoName) << name;
+  }
+  // Also in a display list, which keeps the numbers.
+  glNewList(7, GL_COMPILE);
+  {
+    const std::array<GLint, 4> gone{};
+    glUniform4iv(0, 1, gone.data());
+  }
+  glEndList();
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  glCallList(7);
+  EXPECT_EQ(glGetError(), kNoProgram);
+  clear_picture();
+  draw_square();
+  EXPECT_EQ(center_pixel(), kShown);
+  // The program's own program takes them.
+  const GLuint own = make_program("uniform vec4 color; void main() { gl_FragColor = color; }");
+  glUseProgram(own);
+  const GLint color = glGetUniformLocation(own, "color");
+  glUniform4f(color, 1, 0, 1, 1);
+  draw_square();
+  EXPECT_EQ(center_pixel(), (Pixel{255, 0, 255, 255}));
+  const std::array<GLfloat, 4> yellow{1, 1, 0, 1};
+  glProgramUniform4fv(own, color, 1, yellow.data());
+  draw_square();
+  EXPECT_EQ(center_pixel(), (Pixel{255, 255, 0, 255}));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST(LayerNames, ProgramsGoWithTheirContext) {
   NINEBIT_GL_CONTEXT(first);
   draw_by_two_programs();

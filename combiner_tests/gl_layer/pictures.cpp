@@ -67,8 +67,7 @@ std::string differences(const std::vector<Pixel>& got, const std::vector<Pixel>&
   return text;
 }
 
-GLuint make_green_program() {
-  const char* const text = "void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }";
+GLuint make_program(const char* text) {
   const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER), program = glCreateProgram();
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
@@ -78,6 +77,10 @@ GLuint make_green_program() {
   GLint linked = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
   return linked != 0 ? program : 0;
+}
+
+GLuint make_green_program() {
+  return make_program("void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }");
 }
 
 }  // namespace ninebit::test

@@ -30,5 +30,7 @@ std::string differences(const std::vector<Pixel>& got, const std::vector<Pixel>&
 
 // A fragment shader that draws green; 0: the driver refuses it.
 GLuint make_green_program();
+// The same of the text of a fragment shader; 0: the driver refuses it.
+GLuint make_program(const char* text);
 
 }  // namespace ninebit::test

@@ -20,7 +20,7 @@ namespace ninebit::test {
 
 #ifndef NINEBIT_HAS_EGL
 
-std::unique_ptr<GlRunner> GlRunner::make(GlslVersion, std::string& why_not) {
+std::unique_ptr<GlRunner> GlRunner::make(PixelLanguage, std::string& why_not) {
   why_not = "built without EGL (install libegl-dev and libgl-dev)";
   return nullptr;
 }
@@ -29,6 +29,25 @@ std::unique_ptr<GlRunner> GlRunner::make(GlslVersion, std::string& why_not) {
 namespace {
 
 using Pixel = std::array<std::int32_t, 4>;
+
+// A version of GLSL and of the GL that is asked to compile it.
+struct GlOf {
+  const char* version;  // the line that begins a shader
+  bool es;
+  EGLint major, minor;
+};
+GlOf gl_of(PixelLanguage language) {
+  switch (language) {
+    case PixelLanguage::glsl_130:
+      return {"#version 130\n", false, 3, 0};
+    case PixelLanguage::glsl_450:
+      return {"#version 450 core\n", false, 4, 5};
+    case PixelLanguage::es_300:
+      return {"#version 300 es\n", true, 3, 0};
+    default:
+      return {"#version 330 core\n", false, 3, 3};
+  }
+}
 
 constexpr int kMostFragments = 1024;
 constexpr int kMostFunctions = 16;
@@ -119,7 +138,7 @@ struct Gl {
 
 class EglRunner final : public GlRunner {
  public:
-  explicit EglRunner(GlslVersion version) : version_(version) {}
+  explicit EglRunner(PixelLanguage language) : gl_of_(gl_of(language)) {}
   ~EglRunner() override {
     if (display_ == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -131,7 +150,6 @@ class EglRunner final : public GlRunner {
 
   bool open(std::string& why_not) {
     const DriverCode driver_code;
-    const bool es = version_ == GlslVersion::es_300;
     // Every run compiles for itself and leaves nothing in the user's home.
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     // The thread sanitizer does not see how Mesa's threads agree; a picture this small needs none.
@@ -143,12 +161,13 @@ class EglRunner final : public GlRunner {
       why_not = "EGL has no surfaceless platform here (install libegl1, libegl-mesa0 and libgl1-mesa-dri)";
       return false;
     }
-    const std::array<EGLint, 5> attributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, es ? 0 : 3,
-                                           EGL_NONE};
-    eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
+    const std::array<EGLint, 5> attributes{EGL_CONTEXT_MAJOR_VERSION, gl_of_.major, EGL_CONTEXT_MINOR_VERSION,
+                                           gl_of_.minor, EGL_NONE};
+    eglBindAPI(gl_of_.es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
     if (context_ == EGL_NO_CONTEXT || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
-      why_not = std::string("EGL gives no ") + (es ? "OpenGL ES 3.0" : "OpenGL 3.3") + " context";
+      why_not = std::string("EGL gives no context of OpenGL ") + (gl_of_.es ? "ES " : "") +
+                std::to_string(gl_of_.major) + '.' + std::to_string(gl_of_.minor);
       return false;
     }
     gl_.emplace();
@@ -215,7 +234,7 @@ class EglRunner final : public GlRunner {
   // Column i of the picture is function i, row k its result for the arguments k.
   static std::string main_of(const std::vector<std::string>& functions) {
     std::string text =
-        "\nuniform highp isampler2D arguments;\nlayout(location = 0) out highp ivec4 color;\n"
+        "\nuniform highp isampler2D arguments;\nout highp ivec4 color;\n"
         "ivec4 argument(int i) { return texelFetch(arguments, ivec2(i, int(gl_FragCoord.y)), 0); }\n"
         "void main() {\n  int column = int(gl_FragCoord.x);\n";
     for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -242,10 +261,9 @@ class EglRunner final : public GlRunner {
   }
 
   GLuint link(const std::string& fragment_text, std::string& message) {
-    const std::string first = version_ == GlslVersion::es_300 ? "#version 300 es\n" : "#version 330 core\n";
     // One triangle that covers everything.
     const GLuint vertex = compile_shader(GL_VERTEX_SHADER,
-                                         first +
+                                         std::string(gl_of_.version) +
                                              "void main() {\n"
                                              "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0,\n"
                                              "                     gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n",
@@ -277,7 +295,7 @@ class EglRunner final : public GlRunner {
                        texels.data());
   }
 
-  GlslVersion version_;
+  GlOf gl_of_;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
   std::optional<Gl> gl_;
@@ -286,11 +304,18 @@ class EglRunner final : public GlRunner {
 
 }  // namespace
 
-std::unique_ptr<GlRunner> GlRunner::make(GlslVersion version, std::string& why_not) {
-  auto runner = std::make_unique<EglRunner>(version);
+std::unique_ptr<GlRunner> GlRunner::make(PixelLanguage language, std::string& why_not) {
+  auto runner = std::make_unique<EglRunner>(language);
   if (!runner->open(why_not)) return nullptr;
   return runner;
 }
 #endif
+
+std::unique_ptr<GlRunner> GlRunner::make(GlslVersion version, std::string& why_not) {
+  return make(version == GlslVersion::glsl_130   ? PixelLanguage::glsl_130
+              : version == GlslVersion::glsl_330 ? PixelLanguage::glsl_330
+                                                 : PixelLanguage::es_300,
+              why_not);
+}
 
 }  // namespace ninebit::test

@@ -13,7 +13,8 @@ namespace ninebit::test {
 
 class GlRunner {
  public:
-  // nullptr, and why, where there is no EGL or it offers no such context.
+  // nullptr, and why, where there is no EGL or it offers no such context. `language` is one of GLSL.
+  static std::unique_ptr<GlRunner> make(PixelLanguage language, std::string& why_not);
   static std::unique_ptr<GlRunner> make(GlslVersion version, std::string& why_not);
   virtual ~GlRunner() = default;
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -64,10 +65,7 @@ class EmitGlsl : public ::testing::TestWithParam<GlslVersion> {
 };
 
 // By stages, with the uniform array as an array of constants.
-std::string pixel_text(const Program& program, GlslVersion version, const std::string& name) {
-  const PixelLanguage language = version == GlslVersion::glsl_130   ? PixelLanguage::glsl_130
-                                 : version == GlslVersion::glsl_330 ? PixelLanguage::glsl_330
-                                                                    : PixelLanguage::es_300;
+std::string pixel_text(const Program& program, PixelLanguage language, const std::string& name) {
   std::string text = emit_pixel_shader(program, language, name).value();
   std::string values;
   const auto add = [&](const Rgba9& codes) {
@@ -87,8 +85,15 @@ std::string pixel_text(const Program& program, GlslVersion version, const std::s
   return text;
 }
 
-TEST_P(EmitGlsl, ProgramsByStagesGiveTheBitsOfTheReference) {
+constexpr std::array kLanguageNames{"Glsl130", "Glsl330", "Glsl450", "Es300"};  // by PixelLanguage
+
+class EmitPixelGlsl : public ::testing::TestWithParam<PixelLanguage> {};
+
+TEST_P(EmitPixelGlsl, ProgramsByStagesGiveTheBitsOfTheReference) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
+  std::string why_not;
+  const auto runner = GlRunner::make(GetParam(), why_not);
+  if (runner == nullptr) GTEST_SKIP() << why_not;
   std::vector<EmitCase> cases = random_cases(kGlslSeed + 1, kGlslCases / 2);
   for (const EmitCase& c : known_cases()) cases.push_back(c);
   Outputs outputs;
@@ -96,7 +101,7 @@ TEST_P(EmitGlsl, ProgramsByStagesGiveTheBitsOfTheReference) {
     const std::string text = pixel_text(c.program, GetParam(), "ninebit_combine");
     std::string message;
     const std::vector<RegisterFile> inputs = emit_inputs(c.profile, kGlslSeed, kGlslFragments);
-    const auto colors = runner_->run(text, {"ninebit_combine"}, inputs, message);
+    const auto colors = runner->run(text, {"ninebit_combine"}, inputs, message);
     ASSERT_TRUE(colors.has_value()) << c.name << '\n' << message << text;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const Rgba9 expected = evaluate(c.program, inputs[k]);
@@ -106,6 +111,13 @@ TEST_P(EmitGlsl, ProgramsByStagesGiveTheBitsOfTheReference) {
   }
   outputs.expect_meaning(cases.size() * kGlslFragments);
 }
+
+INSTANTIATE_TEST_SUITE_P(Languages, EmitPixelGlsl,
+                         ::testing::Values(PixelLanguage::glsl_130, PixelLanguage::glsl_330, PixelLanguage::glsl_450,
+                                           PixelLanguage::es_300),
+                         [](const auto& language) {
+                           return std::string(kLanguageNames[static_cast<std::size_t>(language.param)]);
+                         });
 
 TEST_P(EmitGlsl, RandomProgramsGiveTheBitsOfTheReference) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";

@@ -1,8 +1,10 @@
-// Programs by stages: HLSL, compiled as C++ with vectors of its own, against the reference; the number of operations.
-// emit_glsl_test.cpp runs the GLSL.
+// Programs by stages: HLSL, compiled as C++ with vectors of its own, against the reference, and by a compiler of HLSL;
+// the number of operations. emit_glsl_test.cpp runs the GLSL.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,6 +16,7 @@
 #include "combiner_tests/language/compiled_c.h"
 #include "combiner_tests/language/emit_cases.h"
 #include "combiner_tests/support/slow_build.h"
+#include "combiner_tests/support/temp_folder.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/glsl.h"
@@ -107,6 +110,39 @@ TEST(EmitPixel, HlslGivesTheBitsOfTheReference) {
     }
   }
   outputs.expect_meaning(cases.size() * 64);
+}
+
+// What glslang's compiler of HLSL says against a pixel shader; empty: nothing.
+std::string hlsl_errors(const std::string& text) {
+  const TempFolder folder;
+  const std::string file = folder / "shader.hlsl";
+  std::ofstream(file) << text;
+  FILE* const out = popen(("glslangValidator -D -V -S frag -e main -o /dev/null '" + file + "' 2>&1").c_str(), "r");
+  if (out == nullptr) return "popen failed";
+  std::string said;
+  for (int byte = std::fgetc(out); byte != EOF; byte = std::fgetc(out)) said += static_cast<char>(byte);
+  return pclose(out) == 0 ? std::string() : said;
+}
+
+TEST(EmitPixel, ACompilerOfHlslTakesTheTexts) {
+  if (std::system("glslangValidator --version >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "no compiler of HLSL is here (install glslang-tools)";
+  }
+  std::vector<EmitCase> cases = random_cases(0x686C736CU, 50);
+  for (const EmitCase& c : known_cases()) cases.push_back(c);
+  std::string text, body;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string name = "program" + std::to_string(i);
+    text += emit_pixel_shader(cases[i].program, PixelLanguage::hlsl, name).value();
+    body += "  if (column == " + std::to_string(i) + ") return " + name +
+            "(a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7].a);\n";
+  }
+  text +=
+      "Texture2D<int4> arguments;\nint4 main(float4 at : SV_Position) : SV_Target {\n  int4 a[8];\n"
+      "  for (int i = 0; i < 8; ++i) a[i] = arguments.Load(int3(i, int(at.y), 0));\n  const int column = int(at.x);\n" +
+      body + "  return a[0];\n}\n";
+  EXPECT_EQ(hlsl_errors(text), "") << text;
+  EXPECT_NE(hlsl_errors(std::regex_replace(text, std::regex("inout "), "input ")), "");
 }
 
 std::string without_words(const std::string& text) {

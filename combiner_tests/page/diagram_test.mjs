@@ -19,6 +19,7 @@ for (const name of readdirSync(web).filter((n) => n.endsWith('.js'))) {
 }
 const { traceModel } = await import(join(folder, 'trace_model.mjs'));
 const { programModel, addEquations } = await import(join(folder, 'program_model.mjs'));
+const { operationText } = await import(join(folder, 'stage_model.mjs'));
 const { layOut } = await import(join(folder, 'diagram_layout.mjs'));
 
 const run = (...args) => execFileSync(ninebit, args, { encoding: 'utf8', maxBuffer: 1 << 26, stdio: ['ignore', 'pipe', 'ignore'] });
@@ -45,7 +46,7 @@ function checkLayout(model, where) {
   return wires;
 }
 
-const heldBy = (cell) => cell.value.code ?? cell.value.units;
+const heldBy = (cell) => cell.value.code ?? cell.value.units ?? cell.value.byte ?? cell.value.number;
 const ancestors = (cell) => {
   const found = new Set([cell]);
   for (const one of found) for (const parent of one.parents) found.add(parent);
@@ -102,6 +103,38 @@ for (const effect of effects) {
 }
 assert.ok(effects.length > 15 && cells > 1000 && marks.truncated > 50 && marks.clamped > 2, JSON.stringify({ cells, marks }));
 
+// Texture-shader stages stand before the first combiner with all their values, and the combiners' registers hold their codes.
+const stageEffects = { depth_balls: '130,130', diffuse_specular: '60,128', constant_eye: '128,128', palette: '128,128', water: '128,100', clip_planes: '128,128' };
+const stageWires = new Set();
+for (const [name, pixel] of Object.entries(stageEffects)) {
+  const trace = JSON.parse(run('trace', '--effect', join(source, `scenes/effects/${name}.json`), '--pixel', pixel, '--json'));
+  const stages = trace.effect.passes.find((pass) => pass.name === trace.effect.pass).fragments[trace.effect.fragment].stages;
+  const model = checkTrace(trace, name);
+  const [section, next] = model.sections;
+  assert.deepEqual([section.title, section.boxes.length], ['Texture shader', 4], name);
+  assert.match(next.title, /^(General combiner 0|Final combiner)/, name);
+  stages.forEach((stage, i) => {
+    const box = section.boxes[i];
+    assert.equal(box.title, `${i}: ${operationText(stage.operation)}`);
+    const valuesOf = (caption) => box.parts.find((part) => part.caption.startsWith(caption))?.cells.map(heldBy);
+    if (stage.operation !== 'none') assert.deepEqual(valuesOf('coordinates'), stage.coordinates, `${name} ${i}`);
+    assert.deepEqual(valuesOf('dot product')?.[0], stage.dot, `${name} ${i}`);
+    assert.deepEqual(valuesOf('read at'), stage.at, `${name} ${i}`);
+    assert.deepEqual(valuesOf('texel of stage'), stage.normal, `${name} ${i}`);
+    assert.deepEqual(box.parts.find((part) => /^texel( read)?$/.test(part.caption)).cells.map(heldBy), stage.texel, `${name} ${i}`);
+    assert.deepEqual(valuesOf(`tex${i}, read`), stage.codes, `${name} ${i}`);
+  });
+  for (const { from, to } of layOut(model, 204).wires) if (from.section === section) stageWires.add(`${name}: ${from.id} > ${to.id}`);
+}
+for (const wire of ['depth_balls: texture/stage0 > texture/stage2', 'depth_balls: texture/stage1 > texture/stage2', 'depth_balls: texture/stage3 > final/in-tex3',
+  'diffuse_specular: texture/stage3 > texture/stage2', 'diffuse_specular: texture/stage2 > stage0/in-tex2', 'palette: texture/stage0 > texture/stage1', 'water: texture/stage0 > texture/stage1']) {
+  assert.ok(stageWires.has(wire), `no ${wire} in ${[...stageWires].join(', ')}`);
+}
+assert.ok(!stageWires.has('palette: texture/stage0 > texture/stage2'));
+
+assert.equal(operationText('dot_product_2d'), 'dot product 2D');
+assert.equal(operationText('dot_product_diffuse_cube_map'), 'diffuse cube map');
+
 // Random programs with all that the combiners can do, on random registers.
 const pack = join(folder, 'pack');
 run('vectors', '-o', pack, '--programs', '65', '--fragments', '1', '--profile', 'nv2a', '--quiet');
@@ -123,6 +156,13 @@ programs.forEach((text, i) => {
   checkLayout(program, `program ${i}`);
 });
 for (const kind of ['mux', 'sum', 'E·F', 'colour', 'out']) assert.ok(kinds.has(kind), `no ${kind} in ${[...kinds]}`);
+
+// A dot product has the name that it has in texts: "·" is a product.
+{
+  const trace = JSON.parse(run('trace', '--effect', join(source, 'scenes/effects/dot3_specular.json'), '--pixel', '128,80', '--json'));
+  const titles = boxesOf(traceModel(trace)).map((box) => box.title);
+  assert.ok(titles.some((title) => /^dot\(A, B\) → /.test(title)) && titles.includes('dot(A, B)') && !titles.some((title) => title.includes('•')), titles.join());
+}
 
 // The article's program: the output's alpha depends on all three channels of both colours, and on nothing else.
 const article = join(source, 'docs/programs/index_compare.gl');

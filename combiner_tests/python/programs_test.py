@@ -79,8 +79,10 @@ class States(unittest.TestCase):
                 self.assertEqual(ninebit.convert(given, "json"), state.print("json"))
                 self.assertEqual(str(ninebit.explain(given)), ninebit.Program(state).explain())
                 self.assertTrue(ninebit.prove("equivalent", given, state))
-                if not isinstance(given, (ninebit.State, ninebit.Program)):
-                    self.assertEqual(ninebit.State.parse(given), state)
+                self.assertEqual(ninebit.State.parse(given), state)
+            for more in ({"form": "gl"}, {"profile": "geforce2"}, {"chip": "nv10"}, {"setup": 1}):
+                with self.assertRaisesRegex(TypeError, "belong to the text of a program; a State has them already"):
+                    ninebit.State.parse(state, **more)
             self.assertEqual(ninebit.State.parse(one_line).print("json"), ninebit.convert(one_line, "json"))
             with self.assertRaisesRegex(ninebit.Error, "wrong.rc1: .*2:11: .*spare2"):
                 ninebit.State.parse(wrong)

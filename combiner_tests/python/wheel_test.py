@@ -50,6 +50,23 @@ class Wheel(unittest.TestCase):
         self.assertEqual(said.split("]")[0], "[7, 7, 7, 0")
         self.assertIn(str(target), said)
 
+    def test_pip_installs_it_in_an_environment_without_a_network(self):
+        made = subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", self.at / "venv"], capture_output=True,
+                              text=True, check=False)
+        if made.returncode != 0:
+            self.skipTest(f"no virtual environment (Debian: python3-venv): {made.stdout or made.stderr}")
+        python = self.at / "venv/bin/python"
+        clean = {**os.environ, "PYTHONPATH": ""}
+        subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-index", top, "--config-settings", f"build={build}"],
+                       check=True, env=clean)
+        said = subprocess.run([python, "-c", PROGRAM], env=clean, cwd=self.at, capture_output=True, text=True,
+                              check=True).stdout
+        self.assertEqual(said.split("]")[0], "[7, 7, 7, 0")
+        self.assertIn(str(self.at / "venv"), said)
+        shown = subprocess.run([python, "-m", "pip", "show", "ninebit"], env=clean, capture_output=True, text=True,
+                               check=True).stdout
+        self.assertIn("\nVersion: ", shown)
+
     def test_sources_are_packed(self):
         if not (top / ".git").exists():
             self.skipTest("not a clone")

@@ -62,7 +62,8 @@ class Emulator {
     const T positive = v < 0 && !(has(EmulatorFault::mappings_keep_sign) && mapping != 0) ? T{0} : v;
     switch (mapping) {
       case 0:
-        return positive;
+        // The colour sum and E times F are not registers.
+        return has(EmulatorFault::clamped_when_read) && (byte & 15) < kColorSum ? std::min(positive, one_) : positive;
       case 1:
         return one_ - (positive > one_ && !has(EmulatorFault::invert_above_one) ? one_ : positive);
       case 2:
@@ -88,7 +89,9 @@ class Emulator {
     }
     if (!has(EmulatorFault::no_scale)) wide *= kScales[out >> 16 & 3];
     const T value = rounds() ? nearest(wide / one_) : wide / one_;
-    if (has(EmulatorFault::no_output_clamp) || (k == 2 && has(EmulatorFault::third_unclamped))) return value;
+    if (has(EmulatorFault::no_output_clamp) || has(EmulatorFault::clamped_when_read) ||
+        (k == 2 && has(EmulatorFault::third_unclamped)))
+      return value;
     return std::clamp(value, rounds() ? T{-255} : T{-1}, one_);
   }
 
@@ -114,7 +117,7 @@ class Emulator {
     registers_ = before;
     const bool has_dot = (out >> 12 & 3) != 0;
     const T alpha = registers_[kEmulatedSpare0][3];
-    const bool by_high_bit = (word("RC_ENABLE") >> 8 & 1) != 0;
+    const bool by_high_bit = (word("RC_ENABLE") >> 8 & 1) != 0 || has(EmulatorFault::mux_by_threshold);
     const bool takes_cd = by_high_bit
                               ? alpha >= half()
                               : alpha > 0 && static_cast<long>(nearest(rounds() ? alpha : alpha * T{255})) % 2 == 1;
@@ -131,9 +134,7 @@ class Emulator {
   void write(std::uint32_t out, const std::array<Color, 3>& value, std::size_t first, std::size_t end) {
     std::array<std::uint32_t, 3> to{out >> 4 & 15, out & 15, out >> 8 & 15};
     if ((out >> 12 & 3) != 0 && has(EmulatorFault::no_third_beside_dot)) to[2] = 0;
-    std::array<std::size_t, 3> order{0, 1, 2};
-    if (has(EmulatorFault::ab_after_cd)) order = {1, 0, 2};
-    for (const std::size_t k : order) {
+    for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t c = first; to[k] != 0 && c < end; ++c) registers_[to[k]][c] = value[k][c];
     }
     if (first == 3 || has(EmulatorFault::no_blue_to_alpha)) return;
@@ -171,7 +172,8 @@ class Emulator {
       const T sum = sum_part(registers_[kEmulatedSpare0][c], invert_spare0) +
                     sum_part(registers_[kEmulatedSecondary][c], invert_secondary);
       registers_[kProduct][c] = rounds() && !has(EmulatorFault::ef_unrounded) ? nearest(product) : product;
-      const bool clamps = (efg >> 7 & 1) != 0 || has(EmulatorFault::sum_always_clamped);
+      const bool clamps =
+          ((efg >> 7 & 1) != 0 && !has(EmulatorFault::sum_never_clamped)) || has(EmulatorFault::sum_always_clamped);
       registers_[kColorSum][c] = clamps && sum > one_ ? one_ : sum;
     }
   }
@@ -209,7 +211,7 @@ class Emulator {
     for (int s = 0; s < stages; ++s) stage(s);
     const std::array<Color, 16> left = registers_;
     std::uint32_t abcd = word("RC_FINAL0"), efg = word("RC_FINAL1");
-    if (abcd == 0 && efg == 0) {
+    if (abcd == 0 && efg == 0 && !has(EmulatorFault::final_zero_shows_zero)) {
       abcd = kEmulatedSpare0;
       efg = (kEmulatedSpare0 | 16) << 8;
     }
@@ -227,7 +229,8 @@ class Emulator {
       const bool is_whole = rounds() && !has(EmulatorFault::mix_unrounded) && !has(EmulatorFault::bytes_cut);
       out[c] = byte((is_whole ? nearest(mix) : mix) + input(abcd, c, registers_));
     }
-    out[3] = byte(input(efg >> 8, 2, registers_));
+    const bool is_register = (efg >> 8 & 15) < kColorSum;
+    out[3] = byte(input(efg >> 8, is_register && has(EmulatorFault::final_g_reads_red) ? 0 : 2, registers_));
     if (has(EmulatorFault::red_blue_swapped)) std::swap(out[0], out[2]);
     registers_ = left;
     return out;

@@ -37,7 +37,6 @@ enum class EmulatorFault {
   sum_inverts_swapped,
   constant_alpha_one,
   constants_abgr,
-  ab_after_cd,            // CD is written before AB
   alpha_before_rgb_blue,  // the alpha portion is written before the RGB portion
   no_output_clamp,
   no_scale,
@@ -48,7 +47,12 @@ enum class EmulatorFault {
   alpha_reads_alpha,  // where it should read blue
   spare0_alpha_kept,  // starts as 0 and keeps the last fragment's value
   alpha_reads_rgb_written,
-  eight_stages_none
+  eight_stages_none,
+  sum_never_clamped,
+  mux_by_threshold,       // also where the control word says the lowest bit
+  final_zero_shows_zero,  // final words of 0 are read as they stand: 0 in, 0 out
+  final_g_reads_red,      // where it should read blue
+  clamped_when_read,      // outputs are not clamped; registers that are read as unsigned identity are
 };
 
 // The colours of a pack of profile nv2a, by program and fragment. The programs run in turn.

@@ -161,6 +161,26 @@ TEST(Compare, OffsetsHaveSemicolons) {
   EXPECT_NE(object["rows"][0]["errors"]["wrong"], object["rows"][1]["errors"]["wrong"]);
 }
 
+// The same chip with exact combiners: no index is lost to truncation; `ideal` has nothing to be replaced. No flag of
+// `trace` draws such a picture, so its pixels have no commands.
+TEST(Compare, ExactCombiners) {
+  const TempFolder folder;
+  const Json object = json_of(
+      ninebit({"compare", kRoom, "-o", folder / "out", "--size", "160x120", "--map-size", "64", "--quiet", "--json",
+               "--index-step", "1", "--vary", "profile=geforce2,ideal", "--vary", "arithmetic=chip,exact"}));
+  EXPECT_EQ(names_of_rows(object), (ManyWords{"profile geforce2, arithmetic chip", "profile geforce2, arithmetic exact",
+                                              "profile ideal, arithmetic chip", "profile ideal, arithmetic exact"}));
+  const Json &chip = object["rows"][0], &exact = object["rows"][1];
+  EXPECT_EQ(exact["varied"]["arithmetic"], "exact");
+  EXPECT_GT(chip["errors"]["by_cause"]["truncation"], 0);
+  EXPECT_EQ(exact["errors"]["by_cause"]["truncation"], 0);
+  EXPECT_EQ(exact["hash"]["index_map"], chip["hash"]["index_map"]);
+  EXPECT_NE(exact["hash"]["stencil"], chip["hash"]["stencil"]);
+  EXPECT_FALSE(chip["errors"]["worst"].empty());
+  EXPECT_TRUE(exact["errors"]["worst"].empty());
+  EXPECT_EQ(object["rows"][3]["hash"], object["rows"][2]["hash"]);
+}
+
 // One page without other files, and the same figures beside it. Names are data: no markup comes from them.
 TEST(Compare, ThePageHoldsAll) {
   const TempFolder folder;
@@ -279,6 +299,7 @@ TEST(Compare, WrongUsage) {
       {{"--vary", "index-step"}, {"--vary", "FLAG=VALUE"}},
       {{"--vary", "index-stp=1"}, {"index-stp", "did you mean 'index-step'"}},
       {{"--vary", "size=8x8,9x9"}, {"'size' cannot be varied"}},
+      {{"--vary", "arithmetic=chip,real"}, {"'real' is not an arithmetic; expected chip or exact"}},
       {{"--vary", "index-step=1,900"}, {"index-step", "900"}},
       {{"--vary", "index-step=1,1"}, {"given twice"}},
       {{"--vary", "index-step=1,"}, {"empty"}},

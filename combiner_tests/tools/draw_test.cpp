@@ -81,6 +81,17 @@ TEST(Draw, AnswersWhatItDrew) {
   EXPECT_EQ(same["hash"], drawn["hash"]);
 }
 
+TEST(Draw, FilesAreNamedAsTheyWereGiven) {
+  const TempFolder folder;
+  for (const std::string before : {"", "./", "sub//"}) {
+    std::vector<std::string> words = draw(kSepia, before + "d.png", {"--tex0", kPhotograph, "--difference", "ideal"});
+    std::erase(words, "--quiet");
+    const Outcome drawn = ninebit(words, {.folder = folder.path().string()});
+    EXPECT_EQ(drawn.err, "wrote " + before + "d.png\nwrote " + before + "d.difference.png\n");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / before / "d.difference.png"));
+  }
+}
+
 // A program without arithmetic: what differs comes from the rasterizer.
 TEST(Draw, ArithmeticIsTheSameChipWithExactCombiners) {
   const TempFolder folder;
@@ -107,8 +118,8 @@ TEST(Draw, TheWordArithmeticIsNoFile) {
     return ninebit(
         {"draw", kSepia, "--tex0", kPhotograph, "-o", folder / "p.png", "--size", "64x64", "--difference", other});
   };
-  EXPECT_NE(said("arithmetic").err.find(" pixels differ with exact combiners, by 1 at most\n"), std::string::npos);
-  EXPECT_NE(said(folder / "arithmetic.json").err.find("\n0 pixels differ under profile arithmetic, by 0 at most\n"),
+  EXPECT_NE(said("arithmetic").out.find(" pixels differ with exact combiners, by 1 at most\n"), std::string::npos);
+  EXPECT_NE(said(folder / "arithmetic.json").out.find("\n0 pixels differ under profile arithmetic, by 0 at most\n"),
             std::string::npos);
   expect_error(said("./arithmetic"), 2, {"--difference", "unknown profile", "arithmetic, geforce2", ".json file"});
   expect_error(said(folder / "missing.json"), 3, {"missing.json"});

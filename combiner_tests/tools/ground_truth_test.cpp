@@ -58,7 +58,7 @@ TEST(GroundTruthOfRender, TheWorstPixelsCanBeTraced) {
     std::erase(spoken, "--quiet");
     const Outcome said = ninebit(spoken);
     for (const std::string& cause : causes) {
-      EXPECT_NE(said.err.find("\n  " + cause + ": ninebit trace --scene "), std::string::npos) << said.err;
+      EXPECT_NE(said.out.find("\n  " + cause + ": ninebit trace --scene "), std::string::npos) << said.out;
     }
   }
 }
@@ -104,8 +104,39 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
     }
   }
   EXPECT_GE(found, 4U);
-  EXPECT_NE(read_bytes(folder / "s/report.html").find("Wrong pixels of the worst point"), std::string::npos);
+  const std::string report = read_bytes(folder / "s/report.html");
+  EXPECT_NE(report.find("Wrong pixels of the worst point"), std::string::npos);
+  // Its error pictures say what is wrong where: each with a plane of causes and a command.
+  std::size_t planes = 0;
+  for (std::size_t at = 0; (at = report.find("{\"wrong\":\"data:image/png;base64,", at)) != std::string::npos; ++at)
+    ++planes;
+  EXPECT_EQ(planes, 2U);
+  EXPECT_NE(report.find("\"command\":\"ninebit trace --scene "), std::string::npos);
   EXPECT_NE(read_bytes(folder / "s/worst.csv").find("point,cause,x,y,radius,command\r\n"), std::string::npos);
+}
+
+// Whatever single values a study has: its question asks the same again, and its commands find what it counted.
+TEST(GroundTruthOfRender, TheCommandsOfAStudyRun) {
+  for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
+           {"--map-size", "64"},
+           {"--map-size", "64", "--index-step", "1", "--index-scope", "object", "--index-format", "la",
+            "--index-scales", "first-x4", "--up", "y", "--cull", "back", "--floor", "none"},
+           {"--map-size", "64", "--steps", "1,2", "--index-order", "neighbour", "--patch-angle", "20"},
+           {"--technique", "shadow-map", "--map-size", "64", "--polygon-offset", "0,0", "--spot-angle", "90"},
+           {"--technique", "depth-cube", "--map-size", "64", "--depth-bits", "8", "--bias", "0", "--profile", "nv2a"},
+           {"--technique", "shadow-volume", "--light-facing", "--fov", "70"}}) {
+    std::vector<std::string> study{"study", "shadows", kRoom, "--size", "80x60", "--json", "--quiet"};
+    study.insert(study.end(), flags.begin(), flags.end());
+    const Json answer = json_of(ninebit(study));
+    SCOPED_TRACE(answer["question"]);
+    std::vector<std::string> again = words_of_command(answer["question"]);
+    again.insert(again.end(), {"--json", "--quiet"});
+    EXPECT_EQ(json_of(ninebit(again)), answer);
+    EXPECT_EQ(answer.contains("worst"), answer["rows"][0]["wrong"] != 0);
+    for (const Json& one : answer.contains("worst") ? answer["worst"] : Json::array()) {
+      EXPECT_EQ(truth_by(one["command"])["cause"], one["cause"]) << one["command"];
+    }
+  }
 }
 
 // Those of a study's best and worst point are those of a rendering with the point's settings.
@@ -215,7 +246,7 @@ TEST(GroundTruthOfRender, TellsPeopleTheCounts) {
   const std::string line = "ground truth: " + errors["false_lit"].dump() + " pixels falsely lit, " +
                            errors["false_shadowed"].dump() +
                            " falsely shadowed: " + errors["by_cause"]["joint"].dump() + " joint, ";
-  EXPECT_NE(outcome.err.find(line), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
 }
 
 }  // namespace

@@ -53,6 +53,22 @@ TEST(StudyShadows, TheQuestionIsACommandThatAsksTheSame) {
             answer);
 }
 
+// The single value of a setting, default or not, is the only point, and the question asks for it.
+TEST(StudyShadows, AGivenMapSizeIsTheOnlyOne) {
+  for (const std::string size : {"64", "512"}) {
+    const Json answer = json_of(ninebit(small_sweep({"--map-size", size, "--json"})));
+    ASSERT_EQ(answer["rows"].size(), 1U) << size;
+    EXPECT_EQ(answer["rows"][0]["map_size"].dump(), size);
+    EXPECT_EQ(answer["question"], "ninebit study shadows " + kRoom +
+                                      " --technique index-cube --size 80x60 --map-sizes " + size +
+                                      " --profile geforce2");
+    EXPECT_EQ(json_of(ninebit(small_sweep({"--map-sizes", size, "--json"}))), answer);
+  }
+  const Json beside = json_of(ninebit(small_sweep({"--map-size", "64", "--steps", "1,2", "--json"})));
+  ASSERT_EQ(beside["rows"].size(), 2U);
+  for (const Json& row : beside["rows"]) EXPECT_EQ(row["map_size"], 64);
+}
+
 TEST(StudyShadows, WrongGrids) {
   struct Case {
     std::vector<std::string> flags;
@@ -64,6 +80,7 @@ TEST(StudyShadows, WrongGrids) {
       {{"--map-sizes="}, 2, {"--map-sizes"}},
       {{"--map-sizes", "64,,128"}, 2, {"--map-sizes", "64,,128"}},
       {{"--steps", "0,1"}, 2, {"--steps", "from 1 to 16"}},
+      {{"--steps", "2.5"}, 2, {"--steps", "'2.5'; expected a list of whole numbers from 1 to 16"}},
       {{"--scopes", "polygon,pixel"},
        2,
        {"--scopes", "unknown name 'pixel'; expected a list of polygon, object, section"}},

@@ -69,16 +69,33 @@ TEST(TraceEffect, TextureShaders) {
   EXPECT_EQ(replaced["depth_replaced"], true);
   ASSERT_EQ(replaced["stages"].size(), 4U);
   EXPECT_TRUE(replaced["stages"][1].contains("dot"));
+  EXPECT_EQ(replaced["stages"][1]["operation"], "dot_product");
+  EXPECT_EQ(replaced["stages"][1]["previous"], 0);
+  EXPECT_EQ(replaced["stages"][2]["dot_products"], (Json{1, 2}));
+  EXPECT_FALSE(replaced["stages"][0].contains("previous")) << "a plain texture reads no other stage";
   EXPECT_TRUE(replaced["stages"][3].contains("at"));
   EXPECT_EQ(replaced["stages"][2]["texel"], (Json{0, 0, 0, 0}));
   const Json shell = pixel_of("clip_planes.json", "60,90");
   EXPECT_EQ(shell["passes"][0]["fragments"][0]["fate"], "culled by the texture shader");
   const Outcome text = ninebit({"trace", "--effect", kFolder + "depth_balls.json", "--pixel", "130,130", "--quiet"});
   EXPECT_NE(text.out.find("(replaced)"), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("  stage 1: s, t, r, q = ("), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("dot product "), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("  texture stage 1: dot_product by stage 0, s, t, r, q = ("), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("dot product"), std::string::npos) << text.out;
   EXPECT_EQ(replaced["stages"][3]["coordinates"].size(), 4U);
   EXPECT_NE(replaced["stages"][3]["text"].get<std::string>().find("texture read at ("), std::string::npos);
+  // The dot product of the next stage is read, too.
+  const Json diffuse = pixel_of("diffuse_specular.json", "60,128");
+  EXPECT_EQ(diffuse["passes"][0]["fragments"][0]["stages"][2]["dot_products"], (Json{1, 2, 3}));
+  // In a picture, each stage is a box with its values one below the other.
+  const TempFolder folder;
+  const std::string picture = folder / "stages.svg";
+  const Outcome drawn =
+      ninebit({"trace", "--effect", kFolder + "depth_balls.json", "--pixel", "130,130", "--quiet", "-o", picture});
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  const std::string svg = read_bytes(picture);
+  EXPECT_NE(svg.find(">texture stage 2: dot_product_depth_replace by stage 0</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">  dot product 1 with ("), std::string::npos);
+  EXPECT_NE(svg.find(">  texel (197, 197, 197, 255)</text>"), std::string::npos) << "without the legend that follows";
 }
 
 }  // namespace

@@ -214,6 +214,8 @@ TEST_F(TraceVerb, WrongUsage) {
       {{"--effect", kToonEffect, "--scene", kRoom, "--pixel", "1,1"}, {"--scene excludes --effect"}},
       {{article_, "--effect", kToonEffect, "--pixel", "1,1"}, {"not PROGRAM"}},
       {{"--scene", kRoom, "--pixel", "7"}, {"invalid pixel '7'"}},
+      {{"--scene", kRoom, "--pixel", "2.5,3"}, {"invalid pixel '2.5,3'; expected X,Y, each a whole number"}},
+      {{"--effect", kToonEffect, "--pixel", "1,1", "--frame", "2.5"}, {"invalid frame '2.5'; expected a whole number"}},
       {{"--scene", kRoom, "--pixel", "-1,3"}, {"invalid pixel '-1,3'"}},
       {{"--scene", kRoom, "--pixel", "64,0", "--size", "64x48"}, {"64,0 is outside", "0 to 63", "0 to 47"}},
       {{"--scene", kRoom, "--pixel", "0,48", "--size", "64x48"}, {"0,48 is outside"}},

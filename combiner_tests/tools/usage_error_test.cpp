@@ -38,7 +38,7 @@ TEST(UsageError, VerbsAndArguments) {
 
 TEST(UsageError, ValuesOfRender) {
   const TempFolder folder;
-  const std::string size = "WIDTHxHEIGHT, each from 1 to 16384";
+  const std::string size = "WIDTHxHEIGHT, each a whole number from 1 to 16384";
   const std::string map_size = "power of two from 1 to 16384";
   const std::string degrees = "degrees from 0.01 to 170";
   struct Flag {
@@ -47,7 +47,7 @@ TEST(UsageError, ValuesOfRender) {
     std::string expected;
   };
   const std::vector<Flag> flags{
-      {"--size", {"0x0", "-5x5", "16385x1", "1x16385", "1024", "abc", "1x2x3", "1x", "9999999999x1"}, size},
+      {"--size", {"0x0", "-5x5", "16385x1", "1x16385", "1024", "abc", "1x2x3", "1x", "2.5x3", "9999999999x1"}, size},
       {"--map-size", {"0", "3", "500", "32768", "-2", "2.0", "64,64", ""}, map_size},
       {"--index-step", {"0", "17", "1.5", "99999999999"}, "1 to 16"},
       {"--index-format", {"bgr"}, "rgb"},
@@ -56,7 +56,7 @@ TEST(UsageError, ValuesOfRender) {
       {"--index-scales", {"both", "x4"}, "both-x4,first-x4,second-x4,no-scale"},
       {"--patch-angle", {"-1", "90.1", "nan", "inf", "20,20", ""}, "degrees from 0 to 90"},
       {"--section-size", {"3", "513", "64.5"}, "4 to 512"},
-      {"--pick", {"-1,0", "0,-1", "5", "1,2,3", "1.5,2"}, "X,Y, counted from the top left"},
+      {"--pick", {"-1,0", "0,-1", "5", "1,2,3", "1.5,2"}, "X,Y, each a whole number, counted from the top left"},
       {"--technique", {"magic"}, "index-cube"},
       {"--profile", {"geforce7"}, "geforce2"},
       {"--threads", {"-1", "1025", "many"}, "0 to 1024"},

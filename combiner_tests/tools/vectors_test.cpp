@@ -291,6 +291,34 @@ TEST_F(Vectors, ResultsThatCannotBeJudged) {
   EXPECT_EQ(ninebit({"verify", "-", "--vectors", folder}, {.in = folder + "/results.txt"}).code, 0);
 }
 
+// Parts of a pack may be run; the first program without results is named with its line. Line N + 1 has program N.
+TEST_F(Vectors, ProgramsWithoutResultsAreNamed) {
+  const std::string folder = pack();
+  (void)check(folder, kRight);
+  const std::string text = read_bytes(results_);
+  EXPECT_EQ(verdict(folder, 0)["missing"], nullptr);
+  const auto line_at = [&](int line) {
+    std::size_t at = 0;
+    for (int i = 1; i < line; ++i) at = text.find('\n', at) + 1;
+    return at;
+  };
+  struct Case {
+    int line, end;  // lines [line, end) are taken out
+    const char* said;
+  };
+  for (const Case& c : {Case{5, 6, ":5: program 4 is missing; 1199 of 1200 programs have results\n"},
+                        Case{2, 4, ":2: program 1 is missing; 1198 of 1200 programs have results\n"},
+                        Case{301, 1202, ":301: program 300 is missing; 299 of 1200 programs have results\n"}}) {
+    SCOPED_TRACE(c.said);
+    write_bytes(results_, text.substr(0, line_at(c.line)) + text.substr(line_at(c.end)));
+    const Outcome outcome = ninebit({"verify", results_, "--vectors", folder});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with(results_ + c.said)) << outcome.out;
+    const Json missing = verdict(folder, 0)["missing"];
+    EXPECT_EQ(missing, (Json{{"programs", c.end - c.line}, {"first", c.line - 1}, {"line", c.line}})) << missing.dump();
+  }
+}
+
 // A profile of one's own has packs, too; verify needs its file.
 TEST_F(Vectors, OfAProfileOfOnesOwn) {
   const std::string own = write_bytes(folder_ / "own.json", R"({"base": "nv2a", "name": "mine", "half": 127})");

@@ -55,13 +55,10 @@ function flush(    out, at, label, target, parts, n, i) {
   text = ""
 }
 
-# A comment such as <!-- playground: sepia --> is the effect in the playground, if that was built.
+# A comment such as <!-- playground: sepia --> stays: docs/reference/live shows the effect there, once the playground is built.
 /^<!-- playground: [a-z0-9_]+ -->$/ {
   flush()
-  if (system("test -e build/playground/index.html") == 0) {
-    print "\n@htmlonly\n<iframe class=\"playground\" loading=\"lazy\" title=\"" $3 " in the playground\"" \
-          " src=\"playground/index.html?embed&amp;effect=" $3 "\"></iframe>\n@endhtmlonly\n"
-  }
+  print "\n@htmlonly\n" $0 "\n@endhtmlonly\n"
   next
 }
 /^ *```/ { flush(); fenced = !fenced; print; next }

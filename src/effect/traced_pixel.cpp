@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "ninebit/language/trace_json.h"
 
@@ -54,8 +55,11 @@ std::string listed(const std::array<T, N>& numbers) {
 }  // namespace
 
 std::string stage_text(const StageValues& stage) {
-  std::string text;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  const TextureOperationInfo& info = info_of(stage.operation);
+  std::string text(info.name);
+  if (info.input != StageInput::none) text += " by stage " + std::to_string(stage.previous);
+  if (!stage.is_consistent) text += ", which is inconsistent";
+  const auto add = [&](const std::string& part) { text += ", " + part; };
   if (stage.coordinates != std::array<float, 4>{}) add("s, t, r, q = " + listed(stage.coordinates));
   if (stage.dot) add("dot product " + text_of(*stage.dot) + " with " + listed(*stage.normal));
   if (stage.at) add("texture read at " + listed(*stage.at));
@@ -68,11 +72,26 @@ std::string stage_text(const StageValues& stage) {
 
 namespace {
 
+// The stages whose dot products stage i turns into a place or a depth.
+std::vector<int> stages_of_dots(TextureOperation operation, int i) {
+  std::vector<int> stages;
+  // The diffuse look-up reads the dot product of the next stage, too.
+  const int last = operation == TextureOperation::dot_product_diffuse_cube_map ? i + 1 : i;
+  for (int k = i - info_of(operation).dots_before; k <= last; ++k) stages.push_back(k);
+  return stages;
+}
+
 // The texture-shader stages of a fragment, in the order of the units; keys without a value are left out.
 AnswerJson stages_answer(const TextureShaderResult& result) {
   AnswerJson stages = AnswerJson::array();
-  for (const StageValues& stage : result.stage) {
-    AnswerJson one{{"text", stage_text(stage)}, {"coordinates", stage.coordinates}};
+  for (int i = 0; i < kTextureStages; ++i) {
+    const StageValues& stage = result.stage[static_cast<std::size_t>(i)];
+    const TextureOperationInfo& info = info_of(stage.operation);
+    AnswerJson one{{"text", stage_text(stage)}, {"operation", info.name}};
+    if (!stage.is_consistent) one["inconsistent"] = true;
+    if (info.input != StageInput::none) one["previous"] = stage.previous;
+    if (info.dots_before > 0) one["dot_products"] = stages_of_dots(stage.operation, i);
+    one["coordinates"] = stage.coordinates;
     if (stage.normal) one["normal"] = *stage.normal;
     if (stage.dot) one["dot"] = *stage.dot;
     if (stage.at) {

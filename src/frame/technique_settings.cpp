@@ -185,8 +185,8 @@ constexpr std::array kSettings{
          .axis = {.flag = "map-sizes",
                   .columns = {"map_size"},
                   .expected = "powers of two such as 128,256",
-                  .help = "Sizes of the map, in texels per side (default without another list: 128 to "
-                          "1024)"}}),
+                  .help = "Sizes of the map, in texels per side (default without another list: that of "
+                          "--map-size, else 128 to 1024)"}}),
     setting<&R::index, &IndexSettings::format>(
         {.name = "index-format",
          .group = &kIndices,
@@ -208,7 +208,7 @@ constexpr std::array kSettings{
                                               .help = "Difference between consecutive indices in a channel",
                                               .axis = {.flag = "steps",
                                                        .columns = {"index_step"},
-                                                       .expected = "steps from 1 to 16, such as 1-4",
+                                                       .expected = "whole numbers from 1 to 16, such as 1-4",
                                                        .help = "Steps between indices"}}),
     setting<&R::index, &IndexSettings::section_size>({.name = "section-size",
                                                       .group = &kIndices,

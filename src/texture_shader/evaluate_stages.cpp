@@ -9,7 +9,13 @@ TextureShaderResult evaluate(const TextureShaderProgram& program, const Hardware
   TextureShaderResult result;
   one_fragment::Fragment fragment(program, inputs, fetch, result);
   one_fragment::walk_stages(program, profile, fragment);
-  for (std::size_t i = 0; i < result.stage.size(); ++i) result.stage[i].coordinates = inputs.at[i];
+  for (std::size_t i = 0; i < result.stage.size(); ++i) {
+    const ProgramTextureStage& stage = program.stage[i];
+    result.stage[i].operation = stage.state.operation;
+    result.stage[i].previous = stage.state.previous;
+    result.stage[i].is_consistent = stage.inconsistent.empty();
+    result.stage[i].coordinates = inputs.at[i];
+  }
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_textures.h"
+#include "src/tools/compare/compare_page.h"
 #include "src/tools/compare/compare_points.h"
 #include "src/tools/compare/compare_sheet.h"
 #include "src/tools/input/host.h"
@@ -40,7 +41,7 @@ std::string as_point_in_words(const ComparedPoints& compared) {
 std::vector<std::string> ignored_by_points(const ComparedPoints& compared, const Scene& scene,
                                            std::vector<std::string> ignored) {
   for (const ComparedPoint& point : compared.points) {
-    RenderSettings settings = settings_of(point.scene, point.common);
+    RenderSettings settings = settings_of(point);
     settings.evidence = true;
     for (std::string& part : ignored_materials(scene, point.scene.technique, settings)) {
       if (std::find(ignored.begin(), ignored.end(), part) == ignored.end()) ignored.push_back(std::move(part));
@@ -226,10 +227,7 @@ int compare(const CompareFlags& flags, ComparedPoints points) {
   if (!flags.common.quiet) {
     for (const auto& file : written) say_written(file);
   }
-  if (!flags.common.json) {
-    say(summary_of(comparison));
-    return kDone;
-  }
+  if (!flags.common.json) return answer(summary_of(comparison));
   Json object = compare_json(flags, comparison);
   object["files"] = Json::array();
   for (const auto& file : written) object["files"].push_back(file.string());

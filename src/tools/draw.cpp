@@ -120,33 +120,27 @@ Status draw_all(const DrawFlags& flags, bool is_effect, const HardwareProfile& p
   return {};
 }
 
-// "picture.difference.png" for "picture.png".
-std::string beside(const std::filesystem::path& output, const char* ending) {
-  return output.stem().string() + ending;
-}
-
 Status write_files(const DrawFlags& flags, Drawn& done) {
   const std::filesystem::path output(flags.output);
   auto files = StagedFiles::open(output.parent_path());
   if (!files) return files.error();
+  // "picture.difference.png" beside "picture.png"; the folder is named as it was given.
+  const auto stage = [&](const char* ending) {
+    done.files.push_back(std::filesystem::path(output).replace_filename(output.stem().string() + ending));
+    return files->stage(done.files.back().filename().string());
+  };
   Status s;
-  if (writes(flags, "picture")) {
-    s = write_png(files->stage(output.filename().string()), picture_of(done.renderer->picture()));
-  }
+  if (writes(flags, "picture")) s = write_png(stage(".png"), picture_of(done.renderer->picture()));
   if (s && done.difference && writes(flags, "difference")) {
-    s = write_png(files->stage(beside(output, ".difference.png")), done.difference->image);
+    s = write_png(stage(".difference.png"), done.difference->image);
   }
-  if (s && flags.layers && writes(flags, "layers")) {
-    s = write_layers(done.renderer->layers(), files->stage(beside(output, ".layers.exr")));
-  }
+  if (s && flags.layers && writes(flags, "layers")) s = write_layers(done.renderer->layers(), stage(".layers.exr"));
   if (!s) {
     Diagnostic fault = s.error();
-    fault.file = files->files().back().string();
+    fault.file = done.files.back().string();
     return fault;
   }
-  if (Status committed = files->commit(); !committed) return committed;
-  done.files = files->files();
-  return {};
+  return files->commit();
 }
 
 std::string color_hash(const Surface& surface, int first, int last) {
@@ -187,14 +181,15 @@ int print_answer(const DrawFlags& flags, const Effect& effect, const HardwarePro
     for (const auto& file : done.files) say_written(file);
   }
   if (flags.common.json) return answer(draw_json(flags, effect, profile, is_effect, done));
-  say(fmt::format("{} pass{}, {:.0f} ms\n", effect.passes.size(), effect.passes.size() == 1 ? "" : "es",
-                  done.total_ms));
+  std::string text =
+      fmt::format("{} pass{}, {:.0f} ms\n", effect.passes.size(), effect.passes.size() == 1 ? "" : "es", done.total_ms);
   if (done.difference) {
-    say(fmt::format("{} pixels differ {}, by {} at most\n", done.difference->pixels,
+    text +=
+        fmt::format("{} pixels differ {}, by {} at most\n", done.difference->pixels,
                     is_arithmetic(flags.difference) ? "with exact combiners" : "under profile " + flags.difference.name,
-                    done.difference->max));
+                    done.difference->max);
   }
-  return kDone;
+  return answer(text);
 }
 
 int draw(const DrawFlags& flags) {

@@ -125,7 +125,7 @@ void add_gl_run(CLI::App& app, int& exit_code) {
       "  ninebit gl-run --profile geforce2 --dump programs -- ./old_demo\n"
       "The exit code is the program's.");
   auto flags = std::make_shared<GlRunFlags>();
-  flags->common.profile = "nv2a";  // of the chips' class that has all three extensions
+  flags->common.profile = "nv2a";  // of the chips' class that has all the extensions
   add_profile_flag(*verb, flags->common);
   auto* const dump =
       verb->add_option("--dump", flags->dump, "Write each combiner program that is drawn with into this folder")

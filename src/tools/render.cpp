@@ -162,8 +162,7 @@ int print_answer(const RenderFlags& flags, const FinishedRender& done) {
     for (const auto& file : done.removed) say(fmt::format("removed {}, of an earlier run\n", file.string()));
   }
   if (flags.common.json) return answer(render_json(flags, done));
-  say(summary_text(flags, done));
-  return done.rendering->picked ? answer(pick_text(flags, done)) : kDone;
+  return answer(summary_text(flags, done) + (done.rendering->picked ? pick_text(flags, done) : ""));
 }
 
 // The exit code of --check-order.

@@ -2,10 +2,13 @@
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { Engine, Fault, Replaced, Stopped } from '../../../src/playground/web/engine_client.js';
+import { Flip } from '../../../src/playground/web/flip.js';
 import { Live } from '../../../src/playground/web/live.js';
 
 let workers;
 let kept;
+/** @type {Engine[]} */
+const engines = [];
 
 beforeEach(() => {
   workers = [];
@@ -24,11 +27,16 @@ beforeEach(() => {
     answer(data) { this.onmessage({ data: { id: this.sent.at(-1).id, ...data } }); }
   };
 });
-afterEach(() => { globalThis.Worker = kept; });
+afterEach(() => {
+  globalThis.Worker = kept;
+  // Their time limits would keep Node waiting.
+  for (const { timer } of engines.splice(0)) clearTimeout(timer);
+});
 
 function engine() {
   const heard = { busy: [], broken: [] };
   const made = new Engine({ scripts: ['a'], wasm: { packed: 'x', size: 8 } }, (busy) => heard.busy.push(busy), (reason) => heard.broken.push(reason));
+  engines.push(made);
   workers[0].answer({ answer: {} });
   return { made, heard, worker: workers[0] };
 }
@@ -57,6 +65,25 @@ test('a newer request of a key takes the place of one that waits', async () => {
   for (let n = 0; n < 3; n++) worker.answer({ answer: {} });
   await Promise.all([running, other, newer]);
   assert.deepEqual(worker.sent.slice(1).map(({ request }) => request.do), ['a', 'd', 'c']);
+});
+
+test('the comparison of Flip and that of the panel do not replace each other', async () => {
+  const { made, worker } = engine();
+  const store = { state: { effect: {}, files: {}, choices: {}, profile: 'nv2a', other: 'geforce2', pass: 0 } };
+  const shelf = { async loadFor() {} }, shown = [];
+  const live = new Live(store, made, shelf, {});
+  const badge = {}, picture = { badge, show: (...planes) => shown.push(planes) };
+  globalThis.document = { createElement: () => ({ setAttribute() {}, addEventListener() {}, append() {} }) };
+  const flip = new Flip(store, live, picture, () => {});
+  flip.on = true;
+  const trace = made.ask({ do: 'pixel' }), other = flip.update(), panel = live.compare(['nv2a', 'geforce2']);
+  await shelf.loadFor();
+  worker.answer({ answer: {} });
+  await trace;
+  for (let n = 0; n < 2; n++) worker.answer({ answer: { width: 1, height: 1, difference: { pixels: 1, max: 2 } }, bytes: new Uint8Array([1, 1, 1, 1, 9, 9, 9, 9, 0, 0, 0, 0]) });
+  await Promise.all([other, panel]);
+  assert.deepEqual(shown.map(([bytes]) => [...bytes]), [[9, 9, 9, 9]]);
+  assert.equal(badge.textContent, 'geforce2: 1 pixels differ, by 2 at most');
 });
 
 test('a newer request about the drawing before it waits behind that drawing', async () => {

@@ -9,7 +9,9 @@ class SmallElement {
     if (name.startsWith('data-')) this.dataset[name.slice('data-'.length)] = value;
   }
 
+  getAttribute(name) { return this.attributes[name] ?? null; }
   removeAttribute(name) { delete this.attributes[name]; }
+  closest() { return null; }
   addEventListener(event, run) { this.listeners[event] = run; }
   append(...children) { this.children.push(...children.filter((child) => child instanceof SmallElement)); }
   replaceChildren(...children) { this.children = children; }

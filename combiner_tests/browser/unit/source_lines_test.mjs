@@ -71,8 +71,26 @@ test('GL calls name their boxes', () => {
   assert.deepEqual(lines[2], ['early/rgb-E']);
 });
 
+test('the n-th arithmetic instruction of a pixel shader is stage n, and + its other portion', () => {
+  const groups = (lines) => lines.map((boxes) => [...new Set(boxes.map((box) => box.replace(/-.*/, '')))].join(' '));
+  const text = readFileSync(new URL('../../../docs/programs/bump.ps', import.meta.url), 'utf8');
+  const instructions = text.split('\n').map((line) => /^\s*(\+?)\s*(dp3|mov|mad)/.exec(line));
+  assert.deepEqual(groups(boxesOfLines(text, 2)).map(Boolean), instructions.map(Boolean));
+  const shader = 'ps.1.1 ; add r0, t0, t1\n// mul r0, t0, t1\ndef c0, 1, 0, 0, 1\ntex t0\ntexbem t1, t0\ndp3_sat r0.rgb, t0_bx2, v0_bx2\n+mov r0.a, t1\nMAD_x2 r0, r0, t1, c0 + mul r1.a, t0, t1\n';
+  assert.deepEqual(groups(boxesOfLines(shader, 2)), ['', '', '', '', '', 'stage0/rgb', 'stage0/alpha', 'stage1/rgb stage1/alpha', '']);
+  assert.ok(boxesOfLines(shader)[5].includes('stage0/rgb-ab'));
+  assert.deepEqual(groups(boxesOfLines('xps.1.1\nxmma discard.rgb, discard, r0.rgb, t0, v0, t1, v1\nxmma_d2 r1.a, discard.a, discard.a, t0, v0, zero, zero\nxfc zero, zero, zero, r0, zero, zero, r1.a\n', 2)),
+    ['', 'stage0/rgb', 'stage1/alpha', 'final/rgb final/ab final/ac final/mix final/alpha early/rgb early/ef', '']);
+});
+
+test('instructions that take two stages light both, and where others take more, no line lights', () => {
+  const text = 'ps.1.2\ncmp r0, r0.a, t0, t1\nmov r0, t0\n';
+  assert.ok(boxesOfLines(text, 3)[1].some((box) => box.startsWith('stage1/')) && boxesOfLines(text, 3)[2].every((box) => box.startsWith('stage2/')));
+  assert.deepEqual(boxesOfLines(text, 4), [[], [], [], []]);
+});
+
 test('other forms have none', () => {
-  assert.deepEqual(boxesOfLines('ps.1.1\nmov r0, t0\n'), [[], [], []]);
+  assert.deepEqual(boxesOfLines('{"ninebit": "program"}\n', 1), [[], []]);
 });
 
 test("the gallery's programs have boxes, in as many stages as they have blocks", () => {

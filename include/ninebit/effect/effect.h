@@ -52,7 +52,7 @@ enum class VertexSource : std::uint8_t {
   tangent_to_world_z,    // likewise
   point_sprite,          // the place in a point, (0, 0) at its upper left corner: of polygon mode point
   color,                 // the mesh's vertex colour times its material's base colour
-  lambert,               // the base colour times the light's colour times max(0, N · L); alpha of `color`
+  lambert,               // the base colour times the light's colour times max(0, dot(N, L)); alpha of `color`
   index                  // the colour of the polygon's index: flat, as in index cube shadow mapping
 };
 

@@ -82,6 +82,8 @@ struct ReportPicture {
   std::string title;      // shown above the picture
   Image8 image;           // the top row first
   std::string caption{};  // shown below the picture; may be empty
+  Image8 causes{};        // of wrong pixels, grey: 0, or an ErrorCause's number, plus 128 if falsely lit; may be empty
+  std::string command{};  // `ninebit trace` of one of these, with `--pixel X,Y`; may be empty
 };
 
 // A file of its own beside the page.

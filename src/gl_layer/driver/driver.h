@@ -23,21 +23,21 @@ namespace ninebit::gl_layer {
   X(TexParameterf) X(TexParameterfv) X(TexParameteri) X(TexParameteriv) X(TexSubImage1D) X(TexSubImage2D)
 // nullptr where the driver does not have them.
 #define NINEBIT_LATER_FUNCTIONS(X) \
-  X(ActiveTexture) X(AttachShader) X(BindAttribLocation) X(BindBuffer) X(BindVertexArray) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
+  X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindVertexArray) X(BindFramebuffer) X(BindRenderbuffer) X(BlitFramebuffer) \
   X(CheckFramebufferStatus) X(ClearBufferfv) X(ColorMaski) X(CompileShader) X(CompressedTexImage1D) X(CompressedTexImage2D) \
-  X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFencesNV) X(DeleteFramebuffers) X(DeleteObjectARB) X(DeleteProgram) \
+  X(CompressedTexImage3D) X(CreateProgram) X(CreateShader) X(DeleteFencesNV) X(DeleteFramebuffers) X(DeleteProgram) \
   X(DeleteRenderbuffers) X(DeleteShader) X(DeleteVertexArrays) X(DetachShader) X(Disablei) X(DisableVertexAttribArray) X(DrawArraysInstanced) X(DrawBuffers) \
   X(DrawElementsBaseVertex) X(DrawArraysIndirect) \
   X(DrawElementsIndirect) X(DrawElementsInstanced) X(DrawElementsInstancedBaseVertex) X(MultiDrawArraysIndirect) \
   X(MultiDrawElementsBaseVertex) X(MultiDrawElementsIndirect) X(DrawRangeElements) X(DrawRangeElementsBaseVertex) X(EnableVertexAttribArray) X(FramebufferRenderbuffer) \
   X(FinishFenceNV) X(FlushVertexArrayRangeNV) X(GenFencesNV) X(GetFenceivNV) X(IsFenceNV) X(SetFenceNV) X(TestFenceNV) X(VertexArrayRangeNV) \
-  X(FramebufferTexture2D) X(GenerateMipmap) X(GenFramebuffers) X(GenRenderbuffers) X(GetActiveAttrib) X(GetActiveUniform) \
-  X(GetAttachedShaders) X(GetAttribLocation) X(GetBooleani_v) X(GetHandleARB) X(GetInfoLogARB) X(GetObjectParameterivARB) \
+  X(FramebufferTexture2D) X(GenerateMipmap) X(GenFramebuffers) X(GenRenderbuffers) \
+  X(GetBooleani_v) X(GetHandleARB) \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetStringi) X(GetUniformLocation) \
-  X(GetUniformfv) X(GetUniformiv) X(IsProgram) \
+  \
   X(LinkProgram) X(MultiDrawArrays) X(MultiDrawElements) X(RenderbufferStorage) X(ShaderSource) X(TexImage3D) X(TexStorage1D) X(TexStorage2D) \
   X(TexStorage3D) X(TexSubImage3D) X(Uniform1i) X(Uniform2fv) X(Uniform3fv) \
-  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB) X(ValidateProgram) \
+  X(Uniform4fv) X(Uniform4iv) X(UseProgram) X(UseProgramObjectARB) \
   NINEBIT_VERTEX_PROGRAM_FUNCTIONS(X)
 // What NV_vertex_program is made of.
 #define NINEBIT_VERTEX_PROGRAM_FUNCTIONS(X) \

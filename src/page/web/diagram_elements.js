@@ -1,6 +1,6 @@
 // The elements of the diagram. Texts only ever become text nodes.
 import { kDiagramStyle } from './diagram_style.js';
-import { differs, heldText, kGlyphs, realText, spoken } from './diagram_words.js';
+import { differs, heldText, isSingle, kGlyphs, realText, spoken } from './diagram_words.js';
 
 const kSvg = 'http://www.w3.org/2000/svg';
 export function make(tag, className, text) {
@@ -31,8 +31,9 @@ function cellElement(cell, model) {
   element.append(make('span', '', cell.label), make('span', 'nb-glyph', mark ? kGlyphs[mark.kind] : ''));
   element.classList.toggle('nb-word', !value);
   if (value) {
-    element.append(make('span', 'nb-held', heldText(value)), make('span', 'nb-real', realText(value.real)),
-                   make('span', 'nb-ideal', realText(value.ideal)));
+    element.append(make('span', 'nb-held', heldText(value)));
+    element.classList.toggle('nb-single', isSingle(value));
+    if (!isSingle(value)) element.append(make('span', 'nb-real', realText(value.real)), make('span', 'nb-ideal', realText(value.ideal)));
     element.classList.toggle('nb-differs', differs(value));
   }
   if (mark) element.classList.add(`nb-${mark.kind}`);
@@ -56,7 +57,7 @@ export function boxElement(box, model) {
   const head = make('header');
   head.append(make('b', '', box.title), make('small', '', box.sub));
   head.title = `${box.title}\n${box.sub}`;
-  if (box.symbol) head.append(make('span', 'nb-symbol', box.symbol));
+  if (box.symbol) head.append(make('span', box.symbol.length > 1 ? 'nb-symbol nb-long' : 'nb-symbol', box.symbol));
   if (box.bytes) {
     const swatch = make('span', 'nb-swatch');
     swatch.style.background = `rgb(${box.bytes.slice(0, 3).map(Number).join(' ')})`;
@@ -87,7 +88,7 @@ export function sectionElements(section, model, boxWidth) {
   section.columns.forEach((name, i) => {
     if (!section.boxes.some((box) => box.column === i)) return;
     const column = place(make('div', 'nb-column', name), section.columnX[i], section.y + 28, boxWidth);
-    if (model.valued) {
+    if (model.valued && !section.isPlain) {
       const names = make('div', 'nb-cell');
       names.append(...['', '', section.codeNames?.[i] ?? 'code', 'real', 'ideal'].map((text) => make('span', '', text)));
       column.append(names);
@@ -117,6 +118,14 @@ export function wireElements(layout) {
     wire.element.setAttribute('d', wire.path);
     if (wire.refused) wire.element.setAttribute('class', 'nb-refused');
     svg.append(wire.element);
+  }
+  // Wider than what is seen, so that a pointer can take hold of it.
+  for (const wire of layout.wires) {
+    const hold = document.createElementNS(kSvg, 'path');
+    hold.setAttribute('d', wire.path);
+    hold.setAttribute('class', 'nb-hold');
+    hold.nbWire = wire;
+    svg.append(hold);
   }
   return svg;
 }

@@ -27,7 +27,8 @@ function placeGroup(boxes, top, left) {
     const sources = new Set();
     for (const part of box.parts) {
       for (const cell of part.cells) {
-        for (const parent of cell.parents) if (parent.box !== box && boxes.includes(parent.box)) sources.add(parent.box);
+        // A texture stage may read the dot product of the next one, which is not placed yet.
+        for (const parent of cell.parents) if (parent.box.column < box.column && boxes.includes(parent.box)) sources.add(parent.box);
       }
     }
     for (const parent of box.sources ?? []) if (boxes.includes(parent)) sources.add(parent);
@@ -63,7 +64,7 @@ export function layOut(model, boxWidth) {
     const top = y + kSectionHead;
     let bottom = placeGroup(section.boxes.filter((b) => b.group === 'in'), top, left);
     let next = top;
-    for (const group of ['rgb', 'alpha', 'sum']) {
+    for (const group of ['stages', 'rgb', 'alpha', 'sum']) {
       const boxes = section.boxes.filter((b) => b.group === group);
       if (!boxes.length) continue;
       next = placeEquations(section, group, next, left(5) - kColumnGap - left(1));
@@ -102,10 +103,19 @@ function wiresOf(model, right) {
   return [...wires.values()];
 }
 
+// Texture stages are as high as their section: a wire to another than the next one runs above the boxes between.
+function aboveOf({ from, to, endY }, startX, startY) {
+  const r = 4, x = startX + 8 + from.column * r, last = to.x - 8 - from.column * r, y = to.y - 6 - from.column * r;
+  const along = Math.sign(last - x) * r;
+  return `M${startX} ${startY}H${x - r}Q${x} ${startY} ${x} ${startY - r}V${y + r}Q${x} ${y} ${x + along} ${y}H${last - along}` +
+         `Q${last} ${y} ${last} ${y + r}V${endY - r}Q${last} ${endY} ${last + r} ${endY}H${to.x}`;
+}
+
 function pathOf(wire, right, nextLane) {
   const { from, to, endY } = wire;
   const startX = from.x + from.w;
   const startY = from.y + 20;
+  if (from.section === to.section && to.group === 'stages' && to.column !== from.column + 1) return aboveOf(wire, startX, startY);
   if (from.section === to.section) {
     const bend = Math.max(16, Math.min(60, (to.x - startX) / 2));
     return `M${startX} ${startY}C${startX + bend} ${startY} ${to.x - bend} ${endY} ${to.x} ${endY}`;

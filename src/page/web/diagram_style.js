@@ -33,6 +33,7 @@ export const kDiagramStyle = `
 .nb-sheet { position: relative; margin: 0 auto; }
 .nb-wires { position: absolute; inset: 0; pointer-events: none; }
 .nb-wires path { fill: none; stroke: var(--nb-wire); stroke-width: 1.5; transition: opacity .12s; }
+.nb-wires path.nb-hold { stroke: transparent; stroke-width: 9; pointer-events: stroke; cursor: pointer; }
 .nb-wires path.nb-refused { stroke-dasharray: 3 4; opacity: .65; }
 .nb-section { position: absolute; margin: 0; }
 .nb-section h3 { margin: 0; font-size: 15px; line-height: 22px; letter-spacing: -.005em; background: var(--nb-paper);
@@ -49,10 +50,11 @@ export const kDiagramStyle = `
 .nb-box > header small { display: block; color: var(--nb-quiet); font-size: 11px; line-height: 15px; white-space: nowrap;
   overflow: hidden; text-overflow: ellipsis; }
 .nb-register { background: var(--nb-in); border-color: var(--nb-in-rule); }
-.nb-operator { background: var(--nb-op); border-color: var(--nb-op-rule); }
+.nb-operator, .nb-stage { background: var(--nb-op); border-color: var(--nb-op-rule); }
 .nb-operator > header { padding-right: 34px; }
 .nb-symbol { position: absolute; right: 7px; top: 7px; width: 24px; height: 24px; border: 1.5px solid var(--nb-op-rule);
   border-radius: 50%; text-align: center; line-height: 20px; font-size: 15px; }
+.nb-symbol.nb-long { font-size: 10px; }
 .nb-output, .nb-result { border-left-width: 3px; border-left-color: var(--nb-accent); }
 .nb-result { border-width: 2px; border-color: var(--nb-accent); }
 .nb-swatch { position: absolute; right: 8px; top: 8px; width: 22px; height: 22px; border-radius: 4px; border: 1px solid var(--nb-rule); }
@@ -61,6 +63,7 @@ export const kDiagramStyle = `
 .nb-caption .nb-mark { font-weight: 600; }
 .nb-cell { display: grid; grid-template-columns: 20px 10px 1fr 9.2ch 9.2ch; height: 16px; padding: 0 7px; font: 10.5px/16px var(--nb-mono);
   text-align: right; cursor: default; white-space: pre; transition: opacity .12s; }
+.nb-cell.nb-single { grid-template-columns: 24px 10px 1fr; }
 .nb-cell.nb-word { display: block; text-align: left; }
 .nb-cell.nb-word .nb-glyph { display: none; }
 .nb-equation { position: absolute; font: 600 12.5px/20px var(--nb-mono); overflow-wrap: anywhere; white-space: pre-wrap; }

@@ -3,11 +3,18 @@
 export const kChannelNames = { r: 'red', g: 'green', b: 'blue', a: 'alpha', rgb: 'red, green, blue' };
 export const kGlyphs = { truncated: '▾', clamped: '■' };
 
-// A code or wide value: whole, or a half.
+// What is held: a code or wide value, whole or a half; a byte of a texel; a number with six digits.
 export function heldText(value) {
+  if (isSingle(value)) return value.byte !== undefined ? String(value.byte) : numberText(value.number);
   const held = value.code ?? value.units;
   return Number.isInteger(held) ? String(held) : held.toFixed(1);
 }
+
+// Whether a value is one number, which has no real and ideal one beside it.
+export const isSingle = (value) => value.byte !== undefined || value.number !== undefined;
+
+// JSON has no words for infinite numbers and NaN: they come as null.
+const numberText = (x) => (x === null ? 'not finite' : String(Number(x.toPrecision(6))));
 
 // Five decimals; a number too small for them has an exponent.
 export function realText(x) {
@@ -16,7 +23,7 @@ export function realText(x) {
 }
 
 export function differs(value) {
-  return realText(value.real) !== realText(value.ideal);
+  return !isSingle(value) && realText(value.real) !== realText(value.ideal);
 }
 
 const isWide = (value) => value.code === undefined;
@@ -34,6 +41,7 @@ function lossText({ kind, by }, one) {
 export function factsOf(cell, one) {
   const { value } = cell;
   if (!value) return { values: [], loss: '' };
+  if (isSingle(value)) return { values: [[value.byte !== undefined ? 'byte' : 'number', heldText(value)]], loss: '' };
   const unit = isWide(value) ? one * one : one;
   return {
     values: [[heldName(value), `${heldText(value)}/${unit}`], ['real', realText(value.real)], ['ideal', realText(value.ideal)]],

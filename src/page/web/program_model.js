@@ -1,5 +1,5 @@
 // A program without a fragment, in the boxes of the same block picture: which registers each unit reads and writes.
-import { kEarlyColumns, kFinalColumns, kStageColumns, mappingText, ModelBuilder, registerText } from './trace_model.js';
+import { kEarlyColumns, kFinalColumns, kStageColumns, mappingText, ModelBuilder, productNameOf, productText, registerText } from './trace_model.js';
 
 const kShortNames = {
   primary_color: 'primary', secondary_color: 'secondary', constant_color0: 'const0', constant_color1: 'const1',
@@ -47,8 +47,8 @@ class ProgramBuilder extends ModelBuilder {
 function productOf(model, group, portion, letters, isDot) {
   const name = letters.toLowerCase();
   const factors = [...letters].map((l) => variableOf(model, l, group, portion[l.toLowerCase()]));
-  const box = model.box({ id: `${group}-${name}`, column: 2, group, kind: 'operator', symbol: isDot ? '•' : '×',
-                          title: `${letters[0]} ${isDot ? '•' : '·'} ${letters[1]}`, sub: isDot ? 'dot product' : 'product' });
+  const box = model.box({ id: `${group}-${name}`, column: 2, group, kind: 'operator', symbol: isDot ? 'dot' : '×',
+                          title: productText(letters, isDot), sub: isDot ? 'dot product' : 'product' });
   return model.part(box, '', [{ label: 'value', parents: factors }])[0];
 }
 
@@ -69,7 +69,7 @@ function addProgramPortion(model, group, portion, byLowestBit) {
   for (const name of ['ab', 'cd', 'sum']) {
     if (out[name] === 'discard') continue;
     const register = shortOf(out[name]);
-    const what = { ab: 'A·B', cd: 'C·D', sum: out.mux_sum ? 'mux' : 'sum' }[name];
+    const what = productNameOf(name === 'sum' && out.mux_sum ? 'mux' : name, out[`${name}_dot_product`]);
     const steps = [out.bias === 'none' ? '' : '− ½', kScaleMarks[out.scale] ?? '', 'narrow, clamp'].filter(Boolean).join(', ');
     const box = model.box({ id: `${group}-out-${name}`, column: 4, group, kind: 'output', title: `${what} → ${register}${group === 'alpha' ? '.alpha' : ''}`, sub: steps });
     const word = group === 'alpha' ? 'alpha' : 'colour';

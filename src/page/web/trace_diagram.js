@@ -7,7 +7,7 @@
 // Texts from the trace only ever become text nodes.
 import { addStyleOnce, boxElement, legend, make, sectionElements, toolbar, wireElements } from './diagram_elements.js';
 import { layOut } from './diagram_layout.js';
-import { factsOf, heldText, kGlyphs, placeOf, realText } from './diagram_words.js';
+import { factsOf, heldText, isSingle, kGlyphs, placeOf, realText } from './diagram_words.js';
 import { addEquations, programModel } from './program_model.js';
 import { traceModel } from './trace_model.js';
 
@@ -30,6 +30,12 @@ function stepsOf(model) {
     for (const box of section.boxes) if (box.group !== 'in') steps.push([box]);
   }
   return steps;
+}
+
+// The value that a wire leads to: the first one of its box that was computed from the other box.
+function readerOf(wire) {
+  const cells = wire?.to.parts.flatMap((part) => part.cells);
+  return cells?.find((cell) => cell.parents.some((parent) => parent.box === wire.from)) ?? cells?.[0];
 }
 
 // A cell's name and value, for the line above the diagram.
@@ -100,7 +106,7 @@ class Diagram {
     this.bar.forward.addEventListener('click', () => this.step(this.now + 1));
     this.bar.all.addEventListener('click', () => this.clear());
     this.bar.range.addEventListener('input', () => this.step(Number(this.bar.range.value)));
-    const cellAt = (event) => (event.target.closest?.('.nb-cell') ?? event.target.closest?.('.nb-box'))?.nbCell;
+    const cellAt = (event) => (event.target.closest?.('.nb-cell') ?? event.target.closest?.('.nb-box'))?.nbCell ?? readerOf(event.target.nbWire);
     this.scroll.addEventListener('pointerover', (event) => { if (event.pointerType !== 'touch' && !this.pinned) this.choose(cellAt(event)); });
     this.scroll.addEventListener('pointerleave', () => { if (!this.pinned) this.choose(undefined); });
     this.scroll.addEventListener('focusin', (event) => { if (cellAt(event)) this.choose(cellAt(event)); });
@@ -192,7 +198,7 @@ class Diagram {
       for (const { label, value } of box.parts.at(-1).cells) {
         if (!value) continue;
         const item = make('span', 'nb-value');
-        item.append(make('i', '', `${boxes.length > 1 ? `${box.title}.` : ''}${label} `), `${heldText(value)} (${realText(value.real)})`);
+        item.append(make('i', '', `${boxes.length > 1 ? `${box.title}.` : ''}${label} `), isSingle(value) ? heldText(value) : `${heldText(value)} (${realText(value.real)})`);
         line.append(item);
       }
     }

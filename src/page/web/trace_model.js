@@ -1,8 +1,10 @@
 // The values of a trace as cells, in the boxes of the hardware's block picture: what the diagram draws.
 //
-// A model is {one, arithmetic, sections}. A section (a general combiner, or the final combiner) has boxes; a box stands
-// in a column of a group ("in" for registers, "rgb", "alpha") and has parts; a part has cells, one for each channel. A
-// cell's parents are the cells that its value was computed from, so ancestors are found by following them.
+// A model is {one, arithmetic, sections}. A section (the texture shader, a general combiner, or the final combiner) has
+// boxes; a box stands in a column of a group ("stages", "in" for registers, "rgb", "alpha") and has parts; a part has
+// cells, one for each channel or component. A cell's parents are the cells that its value was computed from, so ancestors
+// are found by following them.
+import { addTextureStages } from './stage_model.js';
 
 const kScaleText = { none: '', scale_by_two: '× 2', scale_by_four: '× 4', scale_by_one_half: '÷ 2' };
 const kMappingText = {
@@ -98,6 +100,10 @@ export class ModelBuilder {
   }
 }
 
+// The title of a product's box, and its name where a portion writes it: a dot product as the texts write it.
+export const productText = ([first, second], isDot) => (isDot ? `dot(${first}, ${second})` : `${first} · ${second}`);
+export const productNameOf = (name, isDot) => (isDot ? productText(name.toUpperCase(), true) : { ab: 'A·B', cd: 'C·D' }[name] ?? name);
+
 function isLost(value) {
   return value !== undefined && value.real !== 0;
 }
@@ -112,8 +118,8 @@ function inputsOf(channels, name) {
 // A product and, with a dot product, its sum over the channels. Returns the cells that the portion goes on with.
 function addProduct(model, group, channels, name, letters, isDot) {
   const factors = [...letters].map((l) => model.variable(l, group, inputsOf(channels, l.toLowerCase())));
-  const box = model.box({ id: `${group}-${name}`, column: 2, group, kind: 'operator', symbol: isDot ? '•' : '×',
-                          title: `${letters[0]} ${isDot ? '•' : '·'} ${letters[1]}`, sub: isDot ? 'dot product' : 'product' });
+  const box = model.box({ id: `${group}-${name}`, column: 2, group, kind: 'operator', symbol: isDot ? 'dot' : '×',
+                          title: productText(letters, isDot), sub: isDot ? 'dot product' : 'product' });
   const products = model.part(box, isDot ? 'products' : '', channels.map((c, i) => ({
     label: c.channel, value: c[`${name}_product`], parents: factors.map((f) => f[i]) })));
   if (!isDot) return products;
@@ -143,7 +149,7 @@ function addThird(model, stage, group, channels, output, products) {
 function addOutput(model, stage, group, portion, name, from) {
   const outputs = portion.channels.map((c) => ({ ...c.outputs.find((o) => o.output === name), channel: c.channel }));
   const register = outputs[0].target.split('.')[0];
-  const what = { ab: 'A·B', cd: 'C·D', sum: 'sum', mux: 'mux' }[name];
+  const what = productNameOf(name, portion[`${name}_dot_product`]);
   const blueToAlpha = Boolean(portion[`${name}_blue_to_alpha`]);
   const box = model.box({ id: `${group}-out-${name}`, column: 4, group, kind: 'output', title: `${what} → ${register}${group === 'alpha' ? '.alpha' : ''}`,
                           sub: blueToAlpha ? 'red, green, blue; blue also to alpha' : group === 'alpha' ? 'alpha' : 'red, green, blue' });
@@ -286,6 +292,7 @@ function addFinal(model, trace) {
 // The model of the object that `ninebit trace --json` prints.
 export function traceModel(trace) {
   const model = new ModelBuilder();
+  addTextureStages(model, trace);
   for (const stage of trace.stages) addStage(model, stage);
   addFinal(model, trace);
   return { one: trace.one, arithmetic: trace.arithmetic, valued: true, sections: model.sections, cells: model.cells };

@@ -8,6 +8,7 @@ import { readdirSync, readFileSync, renameSync, statSync, writeFileSync } from '
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import { textOfBytes } from './text_bytes.js';
 
 const [engine, output, npm] = process.argv.slice(2);
@@ -49,13 +50,10 @@ function packed(file) {
   return execFileSync('/usr/bin/python3', ['-c', script, file], { maxBuffer: 1 << 28 });
 }
 
-/** JSON that cannot end its script element. */
-const inScript = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
-
 const { content, pictures } = gallery();
 const parts = {
   STYLE: readFileSync(join(here, 'style.css'), 'utf8'),
-  CONTENT: inScript(content),
+  CONTENT: textOfBytes(deflateRawSync(JSON.stringify(content), { level: 9 })),
   PICTURES: pictures,
   ENGINE: readFileSync(`${engine}.js`, 'utf8'),
   WASM: textOfBytes(packed(`${engine}.wasm`)),

@@ -43,16 +43,27 @@ export function choice(label, options, chosen, change) {
   return element('label', { class: 'field' }, element('span', {}, label), select);
 }
 
+/** What a control is called: its key, or what a reader hears, and the texture unit that it belongs to. @param {HTMLElement} control */
+function nameOf(control) {
+  const { key, define, file } = control.dataset;
+  const label = control.getAttribute('aria-label') ?? (control.closest('label')?.querySelector('span') ?? control).textContent;
+  return JSON.stringify([control.closest('[data-unit]')?.getAttribute('data-unit'), key ?? define ?? file ?? label]);
+}
+
 /**
- * Gives an element other children. The keyboard's focus stays on the control at its place.
+ * Gives an element other children. The keyboard's focus stays on the control of the same name, else on that at its place.
  * @param {HTMLElement} parent
  * @param {...Node} children
  */
 export function replaceChildren(parent, ...children) {
   const controls = () => /** @type {HTMLElement[]} */ ([...parent.querySelectorAll('button, select, input')]);
-  const at = controls().indexOf(/** @type {HTMLElement} */ (document.activeElement));
+  const active = /** @type {HTMLElement} */ (document.activeElement);
+  const before = controls(), at = before.indexOf(active);
+  const name = at >= 0 && nameOf(active), same = before.filter((control) => nameOf(control) === name).indexOf(active);
   parent.replaceChildren(...children);
-  if (at >= 0) controls()[at]?.focus();
+  if (at < 0) return;
+  const after = controls();
+  (after.filter((control) => nameOf(control) === name)[same] ?? after[at])?.focus();
 }
 
 /**

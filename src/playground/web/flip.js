@@ -53,7 +53,7 @@ export class Flip {
     const { profile, other } = this.store.state;
     const { badge } = this.picture;
     try {
-      const { answer, bytes } = await this.live.compare([profile, other]);
+      const { answer, bytes } = await this.live.compare([profile, other], 'flip');
       if (!this.on) return;
       const part = answer.width * answer.height * 4;
       this.picture.show(bytes.slice(part, 2 * part), answer.width, answer.height);

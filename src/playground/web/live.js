@@ -120,11 +120,15 @@ export class Live {
     return this.askPrepared({ do: 'losses', pass: this.store.state.pass });
   }
 
-  /** @param {any[]} profiles */
-  async compare(profiles) {
+  /**
+   * The picture under two profiles.
+   * @param {any[]} profiles
+   * @param {string} [key] who asks: a newer comparison replaces only those of the same
+   */
+  async compare(profiles, key = 'compare') {
     const { effect, files, choices } = this.store.state;
     await this.shelf.loadFor(effect);
-    return this.engine.ask({ do: 'compare', effect, files, choices: readable(choices), profiles, ...this.moment }, { key: 'compare' });
+    return this.engine.ask({ do: 'compare', effect, files, choices: readable(choices), profiles, ...this.moment }, { key });
   }
 
   /** @param {string} to */

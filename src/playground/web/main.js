@@ -13,8 +13,15 @@ const asked = new URLSearchParams(location.search);
 /** In a frame of another page: picture, editor and trace alone, and nothing is kept. */
 const embedded = asked.has('embed');
 
-const content = bare(JSON.parse(byId('content').textContent));
-content.files = pictureFiles(content.files);
+/** The gallery: effects, programs, pictures. @type {any} */
+let content;
+
+/** Unpacks the gallery. */
+async function unpackContent() {
+  const packed = new Blob([/** @type {BlobPart} */ (bytesOfText(byId('content').textContent))]);
+  content = bare(await new Response(packed.stream().pipeThrough(new DecompressionStream('deflate-raw'))).json());
+  content.files = pictureFiles(content.files);
+}
 
 /** The page's pictures by their names. @param {Record<string, number>} sizes in the order of their bytes @returns {Map<string, Uint8Array>} */
 function pictureFiles(sizes) {
@@ -87,6 +94,7 @@ async function start() {
   const program = engineProgram();
   const engine = new Engine(program, busyMark(), (reason) => say(`${reason}. The text is kept; the next edit draws again.`, 'engine'));
   const newEngine = () => new Engine(program, () => {}, () => {});
+  await unpackContent();
   const { store, view } = await firstStore();
   const { answer: about } = await engine.ask({ do: 'about' });
   byId('version').textContent = `ninebit ${about.version ?? ''}`;

@@ -55,7 +55,7 @@ export async function opened(hash) {
   } catch {
     throw new Error('the address is damaged: part of it is missing or changed');
   }
-  const view = typeof found?.view === 'object' && found.view !== null ? bare(found.view) : {};
+  const view = typeof found?.view === 'object' && found.view !== null ? bare(found.view, 'what the link looks at') : {};
   return { state: checkedState(found), view };
 }
 

@@ -27,7 +27,8 @@ const either = (words) => (words.length < 2 ? words.join() : `${words.slice(0, -
 
 /** @param {Schema} schema @param {number} value @param {string} place */
 function ofNumber({ minimum = -Infinity, maximum = Infinity }, value, place) {
-  return value < minimum || value > maximum ? `${place} is ${value}; expected ${minimum} to ${maximum}` : null;
+  const wanted = maximum === Infinity ? `${minimum} or more` : minimum === -Infinity ? `${maximum} or less` : `${minimum} to ${maximum}`;
+  return value < minimum || value > maximum ? `${place} is ${value}; expected ${wanted}` : null;
 }
 
 /** @param {Schema} schema @param {any[]} value @param {string} place @param {Schema} root @returns {string|null} */

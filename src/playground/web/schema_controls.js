@@ -8,7 +8,11 @@ import { complaint } from './schema.js';
 import { bare } from './state.js';
 
 /** @param {any} schema with a reference to what it means @returns {any} */
-const resolved = (schema) => (schema.$ref ? { .../** @type {any} */ (effectSchema.$defs)[schema.$ref.replace('#/$defs/', '')], description: schema.description } : schema);
+function resolved(schema) {
+  if (!schema.$ref) return schema;
+  const named = /** @type {any} */ (effectSchema.$defs)[schema.$ref.replace('#/$defs/', '')];
+  return { ...named, description: schema.description ?? named.description };
+}
 
 /** A key in words. @param {string} key */
 const words = (key) => key.replaceAll('_', ' ');
@@ -47,13 +51,26 @@ export function valueOf(schema, text) {
 /** A value as its text. @param {any} value */
 const textOf = (value) => (value === undefined ? '' : Array.isArray(value) ? value.join(', ') : String(value));
 
-/** What a field expects, for the field's own hint. @param {any} schema @returns {string} */
+/** What a control is for and what it takes, in words. @param {any} schema @returns {string} */
 function hint(schema) {
   const kinds = kindsOf(schema);
   const { items, minItems } = kinds.find(({ type }) => type === 'array') ?? {};
-  const count = items ? `${minItems} values with commas` : '';
+  const count = items ? `${minItems} values with commas.` : '';
   const { minimum, maximum } = kinds.find(({ type }) => type === 'number' || type === 'integer') ?? {};
-  return [schema.description, count, maximum === undefined ? '' : `${minimum} to ${maximum}`].filter(Boolean).join(' ');
+  return [schema.description, count, maximum === undefined ? '' : `${minimum} to ${maximum}.`].filter(Boolean).join(' ');
+}
+
+/**
+ * The text below a control that says what it is for, and that describes it; `null`: there is nothing to say.
+ * @param {any} control an input or a select
+ * @param {string} path names the control
+ * @param {string} text
+ */
+function helpOf(control, path, text) {
+  if (!text) return null;
+  const id = `help-${path}`;
+  control.setAttribute('aria-describedby', id);
+  return element('small', { class: 'help quiet', id }, text);
 }
 
 /**
@@ -65,7 +82,7 @@ function hint(schema) {
  */
 function field(label, path, schema, value, change) {
   const fault = element('small', { class: 'fault', role: 'alert' });
-  const input = element('input', { type: 'text', value: textOf(value), placeholder: 'default', title: hint(schema), 'data-key': path, spellcheck: 'false', autocomplete: 'off', maxlength: 1000,
+  const input = element('input', { type: 'text', value: textOf(value), placeholder: 'default', 'data-key': path, spellcheck: 'false', autocomplete: 'off', maxlength: 1000,
     onchange: () => {
       const wanted = valueOf(schema, input.value);
       const wrong = wanted === undefined ? null : complaint(schema, wanted, label, effectSchema);
@@ -73,14 +90,22 @@ function field(label, path, schema, value, change) {
       input.setAttribute('aria-invalid', String(Boolean(wrong)));
       if (!wrong) change(wanted);
     } });
-  return element('div', {}, element('label', { class: 'field' }, element('span', {}, label), input), fault);
+  return element('div', {}, element('label', { class: 'field' }, element('span', {}, label), input), helpOf(input, path, hint(schema)), fault);
 }
 
-/** @param {string} label @param {string} path @param {string[]} options @param {string} value @param {(value: string) => void} change */
-function select(label, path, options, value, change) {
+/**
+ * @param {string} label
+ * @param {string} path
+ * @param {any} schema
+ * @param {string[]} options
+ * @param {string} value
+ * @param {(value: string) => void} change
+ */
+function select(label, path, schema, options, value, change) {
   const made = choice(label, [['', 'default'], ...options.map((option) => /** @type {[string, string]} */ ([option, words(option)]))], value, change);
-  made.querySelector('select').dataset.key = path;
-  return made;
+  const control = made.querySelector('select');
+  control.dataset.key = path;
+  return element('div', {}, made, helpOf(control, path, schema.description));
 }
 
 /** Shows a control as that of a key that is not there. @param {HTMLElement} control */
@@ -111,13 +136,13 @@ export function controlsOf(schema, keys, value, change, { path = '', before = ''
       else object[key] = wanted;
     });
     const listed = options[key] ?? own.enum;
-    if (listed) return select(label, place, listed, now ?? '', (wanted) => set(wanted || undefined));
-    if (own.type === 'boolean') return select(label, place, ['yes', 'no'], now === undefined ? '' : now ? 'yes' : 'no', (wanted) => set(wanted ? wanted === 'yes' : undefined));
+    if (listed) return select(label, place, own, listed, now ?? '', (wanted) => set(wanted || undefined));
+    if (own.type === 'boolean') return select(label, place, own, ['yes', 'no'], now === undefined ? '' : now ? 'yes' : 'no', (wanted) => set(wanted ? wanted === 'yes' : undefined));
     const object = kindsOf(own).find(({ type }) => type === 'object');
     if (!object) return field(label, place, own, now, set);
     const nullable = kindsOf(own).some(({ type }) => type === 'null');
     // With the object, its values go.
-    const off = nullable ? select(label, place, ['off'], now === null ? 'off' : '', (wanted) => {
+    const off = nullable ? select(label, place, own, ['off'], now === null ? 'off' : '', (wanted) => {
       set(wanted ? null : undefined);
       inside.forEach(empty);
     }) : null;

@@ -17,6 +17,9 @@ function functionsOf({ functions = [] }) {
   });
 }
 
+/** The id of the text that describes the fields of values. */
+const helpOfValues = 'help-define';
+
 export class SourceChoices {
   /**
    * @param {HTMLElement} parent
@@ -73,18 +76,16 @@ export class SourceChoices {
       controls.push(named('program', choice('Program', options, String(number), (value) => this.pick(file, Number(value)))));
     }
     controls.push(...names.map((name) => this.field(file, name, defines[name] ?? '')));
+    if (names.length) controls.push(element('small', { class: 'help quiet', id: helpOfValues }, 'Values: a number, an enumerant, an expression, or several numbers with commas.'));
     this.parent.hidden = controls.length === 0;
-    // Fields may come and go while one types into another.
-    const active = /** @type {HTMLElement|null} */ (document.activeElement)?.dataset.define;
     replaceChildren(this.parent, ...controls);
-    if (active) /** @type {HTMLElement|undefined} */ ([...this.parent.querySelectorAll('input')].find(({ dataset }) => dataset.define === active))?.focus();
     return undefined;
   }
 
   /** @param {string} file @param {string} name @param {string} value */
   field(file, name, value) {
     const input = element('input', { type: 'text', value, 'data-define': name, placeholder: 'value', spellcheck: 'false', autocomplete: 'off', maxlength: 1000,
-      title: 'A number, an enumerant, an expression, or several numbers with commas', oninput: () => this.edit(file, (now) => {
+      'aria-describedby': helpOfValues, oninput: () => this.edit(file, (now) => {
         now.defines ??= bare({});
         if (input.value.trim()) now.defines[name] = input.value.trim();
         else delete now.defines[name];

@@ -1,5 +1,5 @@
 /**
- * Which boxes of the trace's diagram a line of a program's source is about: for !!RC1.0, and for GL calls.
+ * Which boxes of the trace's diagram a line of a program's source is about: for !!RC1.0, GL calls and pixel shaders.
  */
 
 /** The boxes of a product, a sum, or a whole portion. @param {string} section @param {string} group @param {string} part */
@@ -66,13 +66,45 @@ function ofGlCalls(text) {
   });
 }
 
+/** An instruction of a pixel shader that becomes a general combiner, or xfc: `+`, its name, and its operands. */
+const arithmetic = /(\+\s*)?\b(mov|add|sub|mul|mad|lrp|dp3|dp4|cnd|cmp|xmma|xmmc|xdm|xdd|xfc)(?:_\w+)*\s+([^\n+]*)/gi;
+/** How many operands are written, where it is not one. @type {Record<string, number>} */
+const written = { xmma: 3, xmmc: 3, xdm: 2, xdd: 2 };
+
+/** The portions that an instruction writes, by the masks of what it writes. @param {string} name @param {string} operands */
+function portionsOf(name, operands) {
+  const masks = operands.split(',').slice(0, written[name] ?? 1).flatMap((target) => /\.\s*(\w+)/.exec(target)?.[1] ?? []);
+  if (masks.length === 0 || masks.some((mask) => /^(rgba|xyzw)$/i.test(mask))) return ['rgb', 'alpha'];
+  return [...masks.some((mask) => /[rgbxyz]/i.test(mask)) ? ['rgb'] : [], ...masks.some((mask) => /[aw]/i.test(mask)) ? ['alpha'] : []];
+}
+
+/**
+ * Each arithmetic instruction is a stage, and one with + is of the stage before it; cmp and dp4 are two.
+ * @param {string} text
+ * @param {number} [stages] how many the program has: where constants or dot products take more, no line is known
+ */
+function ofPixelShader(text, stages) {
+  let stage = -1;
+  const lines = byLine(without(text, /\/\*[^]*?\*\/|(\/\/|;).*|^\s*#.*/gm), arithmetic, ([, joined, word, operands]) => {
+    const name = word.toLowerCase();
+    if (name === 'xfc') return [...finalBoxes(false), ...finalBoxes(true), ...earlyBoxes];
+    const first = joined ? stage : stage + 1;
+    stage = joined ? stage : first + (name === 'cmp' || name === 'dp4' ? 1 : 0);
+    const own = [...new Set([first, stage])];
+    return own.flatMap((number) => portionsOf(name, operands).flatMap((group) => ['ab', 'cd', 'sum'].flatMap((part) => boxesOf(`stage${number}`, group, part))));
+  });
+  return stages === undefined || stages === stage + 1 ? lines : lines.map(() => []);
+}
+
 /**
  * The ids of boxes for each line, the first line first; empty lists where a line computes nothing, or in other forms.
  * @param {string} text
+ * @param {number} [stages] how many general combiners the program has
  * @returns {string[][]}
  */
-export function boxesOfLines(text) {
+export function boxesOfLines(text, stages) {
   if (/^\s*!!RC1\.0/.test(text)) return ofRc10(text);
   if (/gl(Final)?CombinerInputNV/.test(text)) return ofGlCalls(text);
+  if (/^\s*(x?ps[._]1[._]\d|!!PS1\.0)/im.test(text)) return ofPixelShader(text, stages);
   return text.split('\n').map(() => []);
 }

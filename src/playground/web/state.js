@@ -26,16 +26,22 @@ export const profileFile = 'profile.json';
 /** The profile to compare with: each effect can be drawn with exact combiners. */
 const defaultOther = 'arithmetic';
 
+/** How deep values may be nested: an effect has fewer than 10 levels, and what walks through them has a limit. */
+const mostLevels = 64;
+
 /**
  * The value with objects that inherit nothing: `__proto__` and `constructor` are names like others in them.
  * @template T
  * @param {T} value JSON, which is changed
+ * @param {string} [name] the value in the sentence that refuses one that is nested too deep
+ * @param {number} [levels] how many more there may be
  * @returns {T}
  */
-export function bare(value) {
+export function bare(value, name = 'a value', levels = mostLevels) {
   if (typeof value !== 'object' || value === null) return value;
+  if (levels === 0) throw new Error(`${name} is nested more than ${mostLevels} levels deep`);
   if (!Array.isArray(value)) Object.setPrototypeOf(value, null);
-  Object.values(value).forEach(bare);
+  for (const inner of Object.values(value)) bare(inner, name, levels - 1);
   return value;
 }
 
@@ -107,7 +113,7 @@ const kindOfState = {
 export function checkedEffect(found) {
   const wrong = complaint(effectSchema, found, 'the effect');
   if (wrong) throw new Error(wrong.replace(/^the effect[.]/, ''));
-  return bare(found);
+  return bare(found, 'the effect');
 }
 
 /**
@@ -117,10 +123,10 @@ export function checkedEffect(found) {
  */
 export function checkedState(found) {
   const wrong = complaint(kindOfState, found, 'the state');
-  if (wrong) throw new Error(wrong);
+  if (wrong) throw new Error(wrong.replace(/^the state[.]/, ''));
   const { effect, files, choices = {}, pass = 0, profile = 'nv2a', other = defaultOther } = found;
   checkedEffect(effect);
-  return bare({ effect, files, choices, pass: pass < effect.passes.length ? pass : 0, profile, other });
+  return bare({ effect, files, choices, pass: pass < effect.passes.length ? pass : 0, profile: bare(profile, 'the profile'), other });
 }
 
 /** The pass that the panels are about. @param {State} state */

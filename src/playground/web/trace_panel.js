@@ -7,20 +7,6 @@ import { choice } from './dom.js';
 import { boxesOfLines } from './source_lines.js';
 import { passOf, programOf } from './state.js';
 
-/**
- * What the texture-shader stages before the combiners did to the traced fragment, a line a stage; empty: there are none.
- * @param {any} effect
- */
-function stageLines(effect) {
-  const drawn = (effect.passes ?? []).find((/** @type {any} */ { name }) => name === effect.pass);
-  const stages = drawn?.fragments?.[effect.fragment]?.stages ?? [];
-  return stages.map((/** @type {any} */ stage, /** @type {number} */ number) => {
-    const line = document.createElement('p');
-    line.textContent = `texture stage ${number}: ${stage.text}`;
-    return line;
-  });
-}
-
 export class TracePanel {
   /**
    * @param {HTMLElement} parent
@@ -71,20 +57,19 @@ export class TracePanel {
     this.place.textContent = [where, effect.pass && `pass ${effect.pass}`, ...fragments].filter(Boolean).join(', ');
     const names = passes.filter((drawn) => drawn.fragments?.length).map((drawn) => drawn.name);
     if (names.length > 1) this.place.append(' ', choice('Pass', names, pass ?? effect.pass ?? names[0], this.choose));
-    this.parent.append(...stageLines(effect));
     if (!trace.stages) return;
-    this.lines = this.linesOf(effect.pass, state);
+    this.lines = this.linesOf(effect.pass, state, trace.stages.length);
     const diagram = document.createElement('div');
     this.parent.append(diagram);
     this.diagram = traceDiagram(diagram, trace, { chosen: (/** @type {string|undefined} */ box) => this.chosen(box) });
   }
 
-  /** @param {string|null} pass @param {import('./state.js').State} state */
-  linesOf(pass, state) {
+  /** @param {string|null} pass @param {import('./state.js').State} state @param {number} stages of the traced program */
+  linesOf(pass, state, stages) {
     const names = state.effect.passes.map((/** @type {any} */ { name }, /** @type {number} */ at) => name ?? `pass ${at + 1}`);
     const traced = state.effect.passes[names.indexOf(pass)];
     const { program } = passOf(state);
-    return traced && program && traced.program === program ? boxesOfLines(programOf(state) ?? '') : [];
+    return traced && program && traced.program === program ? boxesOfLines(programOf(state) ?? '', stages) : [];
   }
 
   /** @param {string|undefined} box */

@@ -57,15 +57,21 @@ class State(_combiner.State):
         super().__init__(os.fspath(profile))
 
     @classmethod
-    def parse(cls, text, form=None, profile="geforce2", *, chip=None, function=None, define=None, setup=0):
-        """Parses a program: a text, or the path of a file. Without `form`, finds the form of the text.
+    def parse(cls, text, form=None, profile=None, *, chip=None, function=None, define=None, setup=0):
+        """Parses a program: a text, or the path of a file. Without `form`, finds the form of the text. The profile is
+        geforce2 if none is given. A State or a Program is parsed already: the result is its state.
 
         The forms are 'gl' (GL calls), 'source' (a source file with them), 'rc10' (!!RC1.0), 'ps' (a ps.1.x pixel
         shader), 'tokens' (an assembled one), 'words' and 'words-json' (register words), 'json', 'xbox' (a D3DPIXELSHADERDEF) and 'log' (register
         writes). `function` is for sources, `define` for them and pixel shaders, `chip` for words, `setup` for logs: the
         number of a set-up.
         """
+        if isinstance(text, (State, Program)):
+            if setup or any(given is not None for given in (form, profile, chip, function, define)):
+                raise TypeError("form, profile and other keywords belong to the text of a program; a State has them already")
+            return text.state if isinstance(text, Program) else text
         text, file = _read("text", text)
+        profile = "geforce2" if profile is None else profile
         state = cls.__new__(cls)
         values = {str(name): str(value) for name, value in dict(define or {}).items()}
         try:
@@ -99,15 +105,10 @@ class Program(_combiner.Program):
     """
 
     def __init__(self, state, form=None, profile=None):
-        if isinstance(state, Program):
-            state = state.state
-        if not isinstance(state, State):
+        if not isinstance(state, (State, Program)):
             source_of("state", state)  # refuses what is no program
-            state = State.parse(state, form, "geforce2" if profile is None else profile)
-        elif form is not None or profile is not None:
-            raise TypeError("form and profile belong to the text of a program; a State has a profile already")
-        super().__init__(state)
-        self.state = state
+        self.state = State.parse(state, form, profile)
+        super().__init__(self.state)
 
     def evaluate(self, inputs=None, /, *, out=None, axis=None, registers=False, **keywords):
         """The colours of fragments, as int16 codes: `one`, mostly 255, is 1.0.

@@ -11,6 +11,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ninebit/image/image_io.h"
+#include "ninebit/shadow/ground_truth.h"
 #include "src/study/report/report_colors.h"
 #include "src/study/report/report_text.h"
 #include "src/system/hashing/openssl.h"
@@ -70,6 +72,16 @@ Json json_of(const HeatMap& map) {
   return out;
 }
 
+Result<Json> json_of(const ReportPicture& picture) {
+  if (picture.causes.pixels.empty()) return Json::object();
+  const auto png = encode_png(picture.causes);
+  if (!png) return png.error();
+  Json causes = Json::array();
+  for (std::size_t cause = 0; cause < kErrorCauses; ++cause) causes.push_back(name_of(static_cast<ErrorCause>(cause)));
+  return Json{
+      {"wrong", "data:image/png;base64," + base64(*png)}, {"causes", std::move(causes)}, {"command", picture.command}};
+}
+
 std::string base64_of(const ColorRamp& ramp) {
   std::string bytes;
   for (const Rgb color : ramp) {
@@ -88,11 +100,17 @@ Result<std::string> page_data(const StudyReport& report) {
   Json out{{"palette", std::move(palette)},
            {"ramps", {base64_of(color_ramp(HeatMap{})), base64_of(color_ramp(two_sided))}},
            {"plots", Json::array()},
-           {"maps", Json::array()}};
+           {"maps", Json::array()},
+           {"pictures", Json::array()}};
   for (const Plot& plot : report.plots) out["plots"].push_back(json_of(plot));
   for (const HeatMap& map : report.heat_maps) {
     if (const Status status = check_size(map); !status) return status.error();
     out["maps"].push_back(json_of(map));
+  }
+  for (const ReportPicture& picture : report.pictures) {
+    auto object = json_of(picture);
+    if (!object) return object.error();
+    out["pictures"].push_back(std::move(*object));
   }
   std::string text;
   for (const char c : out.dump(-1, ' ', false, Json::error_handler_t::replace)) {

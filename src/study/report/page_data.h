@@ -1,4 +1,4 @@
-// The data for the page's script: plots and heat maps as JSON.
+// The data for the page's script: plots, heat maps and what is wrong in pictures, as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,9 +8,9 @@
 
 namespace ninebit {
 
-// {"palette": […], "ramps": […], "plots": […], "maps": […]} without the character '<', so that nothing in it can end a
-// <script> element. Points that a plot cannot show are left out. Reports a heat map whose size does not match its
-// number of values.
+// {"palette": […], "ramps": […], "plots": […], "maps": […], "pictures": […]} without the character '<', so that nothing
+// in it can end a <script> element. Points that a plot cannot show are left out. Reports a heat map whose size does not
+// match its number of values, and a picture that cannot be encoded.
 [[nodiscard]] Result<std::string> page_data(const StudyReport& report);
 
 // A heat map's values as a page holds them: as few bytes as they can be restored from, bit for bit.

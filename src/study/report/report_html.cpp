@@ -113,13 +113,14 @@ std::string heat_maps(const StudyReport& report) {
 
 Result<std::string> pictures(const StudyReport& report) {
   std::string out;
-  for (const ReportPicture& picture : report.pictures) {
+  for (std::size_t i = 0; i < report.pictures.size(); ++i) {
+    const ReportPicture& picture = report.pictures[i];
     const auto png = encode_png(picture.image);
     if (!png) return png.error();
     out += fmt::format(
-        "<figure>\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<img class=\"picture\" alt=\"{0}\" "
+        "<figure id=\"picture-{5}\">\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<img class=\"picture\" alt=\"{0}\" "
         "width=\"{2}\" height=\"{3}\" src=\"data:image/png;base64,{4}\">\n",
-        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, base64(*png));
+        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, base64(*png), i);
     out += file_line(picture.file);
   }
   return out;
@@ -201,6 +202,11 @@ Result<std::string> report_html(const StudyQuestion& question, std::string_view 
   page += kChartScript;
   page += "</script>\n<script>\n";
   for (const std::string_view script : {kValuesScript, kPlotsScript, kPageScript}) page += script;
+  const auto is_judged = [](const ReportPicture& picture) { return !picture.causes.pixels.empty(); };
+  if (std::any_of(report.pictures.begin(), report.pictures.end(), is_judged)) {
+    page += "</script>\n<script type=\"module\">\n";
+    for (const std::string_view script : {kWrongPixels, kPictureProbe, kPicturesScript}) page += script;
+  }
   return page + "</script>\n</body>\n</html>\n";
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ninebit/shadow/ground_truth.h"
+#include "src/shadow/ground_truth/judge.h"
 #include "src/study/part/sweep_axes.h"
 #include "src/study/shadows/shadow_sweep_report.h"
 #include "src/study/shadows/wrong_pixel_traces.h"
@@ -134,11 +135,13 @@ class ShadowSweep final : public Study {
       shown = row->count("point");
       const auto judged = judge(*shown, {});
       if (!judged) return judged.error();
-      add_traces(name, *shown, judged->truth, report);
+      const std::string trace = add_traces(name, *shown, judged->truth, report);
       report.pictures.push_back({.file = fmt::format("error-{}", name),
                                  .title = fmt::format("The {} point: {}", name, unit_name(*shown)),
                                  .image = error_picture(judged->rendering, judged->truth),
-                                 .caption = "Orange: lit, and should be in shadow. Blue: the reverse."});
+                                 .caption = "Orange: lit, and should be in shadow. Blue: the reverse.",
+                                 .causes = cause_plane(judged->truth, settings_.width, settings_.height),
+                                 .command = trace});
     }
     return report;
   }
@@ -176,12 +179,12 @@ class ShadowSweep final : public Study {
     return command + chosen;
   }
 
-  // The wrong pixels of a point that are worth a look, with the commands that explain them. A scene without a file has
-  // none.
-  void add_traces(std::string_view name, std::size_t unit, const GroundTruth& truth, StudyReport& report) const {
-    if (question_.arguments.empty()) return;
+  // The wrong pixels of a point that are worth a look, with the commands that explain them; returns one of these. A
+  // scene without a file has none.
+  std::string add_traces(std::string_view name, std::size_t unit, const GroundTruth& truth, StudyReport& report) const {
+    if (question_.arguments.empty()) return {};
     const auto worst = worst_traces(truth, settings_.width, settings_.height, trace_command(unit));
-    if (worst.empty()) return;
+    if (worst.empty()) return {};
     for (const WrongPixelTrace& one : worst) {
       StudyRow row{.table = "worst", .fields = {{"point", std::uint64_t{unit}}}};
       for (auto& field : fields_of(one)) row.fields.push_back(std::move(field));
@@ -196,6 +199,7 @@ class ShadowSweep final : public Study {
       report.answers.push_back(fmt::format("A wrong pixel of the {} point, {}: {}", name, cause, one.command));
     }
     report.tables.push_back(std::move(table));
+    return worst.front().command;
   }
 
   [[nodiscard]] Result<Judged> judge(std::size_t unit, const GoOn& go_on) const {

@@ -80,6 +80,11 @@ class MistakenNumbers {
     }
     return e;
   }
+  // A register as an input.
+  [[nodiscard]] T read(InputMapping mapping, T number) const {
+    const bool clamps = mapping == InputMapping::unsigned_identity && has(BrokenRule::identity_to_one);
+    return map(mapping, clamps ? std::min(number, one_) : number);
+  }
   // n / divisor as a whole number.
   [[nodiscard]] static T narrow(Narrowing narrowing, T n, T divisor) {
     return narrowing == Narrowing::toward_zero ? std::trunc(n / divisor) : std::floor((n + divisor / 2) / divisor);
@@ -123,7 +128,7 @@ class MistakenGeneral {
   T input(const CombinerInput& in, int component) const {
     if (in.usage == ComponentUsage::blue && n_.has(BrokenRule::alpha_reads_red)) component = kRed;
     const bool is_second = &in == c_ || &in == d_;
-    return n_.map(in.mapping, fetched(is_second ? *second_ : registers_, in.reg, static_cast<std::size_t>(component)));
+    return n_.read(in.mapping, fetched(is_second ? *second_ : registers_, in.reg, static_cast<std::size_t>(component)));
   }
   T product(T x, T y) const {
     if (n_.is_real()) return x * y;
@@ -213,12 +218,13 @@ class MistakenFinal {
       : n_(numbers), program_(program), registers_(registers) {}
 
   T input(const CombinerInput& in, int component) const {
-    const auto c = static_cast<std::size_t>(component);
+    const bool reads_red = in.usage == ComponentUsage::blue && n_.has(BrokenRule::g_reads_red);
+    const auto c = static_cast<std::size_t>(reads_red ? kRed : component);
     const T number = in.reg == Register::zero        ? T{0}
                      : in.reg == Register::constant0 ? n_.of_code(program_.constant0[c])
                      : in.reg == Register::constant1 ? n_.of_code(program_.constant1[c])
                                                      : registers_[static_cast<std::size_t>(in.reg)][c];
-    return map(in.mapping, number);
+    return n_.read(in.mapping, number);
   }
   T map(InputMapping mapping, T e) const { return n_.map(mapping, e); }
   T sum_part(bool inverted, Register r, int component) const {

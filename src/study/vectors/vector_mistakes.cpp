@@ -244,6 +244,7 @@ const NamedBrokenRule kBrokenRules[] = {
     {"AB and (1 - A)C are rounded one by one", "9", "final-mix", BrokenRule::mix_of_narrowed},
     {"bytes of the colour are cut, not rounded", "9", "final-ab", BrokenRule::colors_cut},
     {"red and blue of the colour are exchanged", "", "final-reads", BrokenRule::red_blue_swapped},
+    {"G of the final combiner reads red instead of blue", "", "final-g", BrokenRule::g_reads_red},
 };
 
 // The groups of the fields' other values.
@@ -305,6 +306,14 @@ std::vector<Mistake> mistakes_of(const HardwareProfile& profile) {
                      [](HardwareProfile& p) { p.arithmetic.value = Arithmetic::float32; },
                      {},
                      only(BrokenRule::colors_cut, true)});
+    BrokenRules when_read = only(BrokenRule::outputs_unclamped, true);
+    when_read |= only(BrokenRule::identity_to_one, true);
+    found.push_back({"outputs of general combiners are clamped to 1 only where they are read as unsigned identity",
+                     "",
+                     "results-below-minus-1",
+                     {},
+                     when_read,
+                     only(BrokenRule::identity_to_one, true)});
     for (const NamedBrokenRule& one : kBrokenRules) {
       found.push_back(
           {one.name, one.rules, one.group, {}, only(one.broken, one.in_general), only(one.broken, one.in_final)});

@@ -48,6 +48,8 @@ enum class BrokenRule {
   mix_of_narrowed,     // A·B and (1 - A)·C are narrowed one by one
   colors_cut,          // A·B + (1 - A)·C + D is not narrowed, and the bytes of the colour are cut
   red_blue_swapped,    // the colour's red and blue are exchanged
+  g_reads_red,         // G of the final combiner reads a register's red instead of its blue
+  identity_to_one,     // a register that is read as unsigned identity is clamped to 1
   count
 };
 using BrokenRules = std::bitset<static_cast<std::size_t>(BrokenRule::count)>;

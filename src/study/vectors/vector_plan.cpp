@@ -2,6 +2,12 @@
 // with the results and breaks next to none of those that agree. Then mistakes that others have made needless are
 // dropped. Rounds look at a sample of each group, with programs that differ and programs that agree; what is accepted
 // is counted over all fragments.
+//
+// Where two mistakes touch the same programs, the first of them alone breaks much: a mux that takes AB for CD, and
+// takes the threshold where the lowest bit should count, agrees by chance in half of the fragments with the lowest bit.
+// A lesser mistake that breaks nothing then bars the way. So, if much is left unexplained, a second plan is made in
+// which a mistake may break any number of fragments fewer than it explains. In its end, too, each mistake must break
+// next to none of the fragments that agree with all the others. The plan that explains more is kept.
 #include "src/study/vectors/vector_plan.h"
 
 #include <algorithm>
@@ -17,6 +23,8 @@ constexpr std::size_t kSampleOfAGroup = 20;  // programs that differ, and as man
 // A mistake that is made may break fragments that agree only because two faults cancel there: one for each
 // kGainOfABreak that it explains.
 constexpr std::size_t kGainOfABreak = 8;
+// A second plan is made if the first leaves more than one of so many fragments that differ.
+constexpr std::size_t kMuchLeft = 10;
 
 using Given = std::vector<JudgedProgram<Bytes4>>;
 using Agreement = std::vector<std::vector<bool>>;  // by program of the results, then fragment
@@ -31,13 +39,17 @@ class Planner {
   }
 
   [[nodiscard]] bool plan(VectorVerdict& verdict) {
-    std::vector<std::size_t> accepted;
-    rivals_.resize(mistakes_.size());
-    for (std::size_t round = 0; round < kMostSteps; ++round) {
-      const std::optional<std::size_t> next = best_after(accepted);
-      if (!next) break;
-      accepted.push_back(*next);
-      drop_needless(accepted);
+    std::vector<std::size_t> accepted = grown(kGainOfABreak);
+    const std::size_t agree = agreeing(accepted, all_);
+    if (kMuchLeft * (verdict.fragments - agree) > verdict.differ) {
+      auto rivals = std::move(rivals_);
+      std::vector<std::size_t> second = grown(1);
+      drop_breaking(second);
+      if (agreeing(second, all_) > agree) {
+        accepted = std::move(second);
+      } else {
+        rivals_ = std::move(rivals);
+      }
     }
     if (stopped_) return false;
     tell(accepted, verdict);
@@ -49,6 +61,19 @@ class Planner {
     std::size_t gains = 0, breaks = 0;
     friend bool operator==(const Count&, const Count&) = default;
   };
+
+  // Mistakes that are added as long as one explains fragments. `gain_of_a_break`: how many for each that it breaks.
+  std::vector<std::size_t> grown(std::size_t gain_of_a_break) {
+    std::vector<std::size_t> accepted;
+    rivals_.assign(mistakes_.size(), {});
+    for (std::size_t round = 0; round < kMostSteps; ++round) {
+      const std::optional<std::size_t> next = best_after(accepted, gain_of_a_break);
+      if (!next) break;
+      accepted.push_back(*next);
+      drop_needless(accepted);
+    }
+    return accepted;
+  }
 
   [[nodiscard]] Model model_of(const std::vector<std::size_t>& accepted) const {
     return Model(pack_.profile, mistakes_, accepted);
@@ -120,7 +145,7 @@ class Planner {
     return {};
   }
 
-  std::optional<std::size_t> best_after(const std::vector<std::size_t>& accepted) {
+  std::optional<std::size_t> best_after(const std::vector<std::size_t>& accepted, std::size_t gain_of_a_break) {
     const Agreement before = agreement(model_of(accepted), all_);
     take_sample(before);
     const std::string first = first_group(before);
@@ -130,7 +155,7 @@ class Planner {
     for (std::size_t m = 0; m < mistakes_.size() && !stopped_ && !first.empty(); ++m) {
       if (std::find(accepted.begin(), accepted.end(), m) != accepted.end()) continue;
       const Count count = compare(before, agreement_with(accepted, m, before));
-      if (count.gains == 0 || count.breaks * kGainOfABreak > count.gains) continue;
+      if (count.gains <= count.breaks || count.breaks * gain_of_a_break > count.gains) continue;
       counts.emplace_back(m, count);
       const auto value = [&](std::size_t mistake, const Count& of) {
         return std::pair(of.gains - of.breaks, mistakes_[mistake].group == first);
@@ -146,26 +171,47 @@ class Planner {
     return stopped_ ? std::nullopt : best;
   }
 
-  std::size_t agreeing(const std::vector<std::size_t>& accepted) {
+  std::size_t agreeing(const std::vector<std::size_t>& accepted, const std::vector<std::size_t>& programs) {
     std::size_t count = 0;
-    for (const auto& one : agreement(model_of(accepted), sample_)) {
+    for (const auto& one : agreement(model_of(accepted), programs)) {
       count += static_cast<std::size_t>(std::count(one.begin(), one.end(), true));
     }
     return count;
   }
 
+  static std::vector<std::size_t> without(const std::vector<std::size_t>& accepted, std::size_t i) {
+    std::vector<std::size_t> fewer = accepted;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    return fewer;
+  }
+
   void drop_needless(std::vector<std::size_t>& accepted) {
-    std::size_t best = agreeing(accepted);
+    std::size_t best = agreeing(accepted, sample_);
     for (std::size_t i = 0; i + 1 < accepted.size();) {
-      std::vector<std::size_t> without = accepted;
-      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
-      const std::size_t count = agreeing(without);
+      std::vector<std::size_t> fewer = without(accepted, i);
+      const std::size_t count = agreeing(fewer, sample_);
       if (count < best || stopped_) {
         ++i;
         continue;
       }
-      accepted = std::move(without);
+      accepted = std::move(fewer);
       best = count;
+    }
+  }
+
+  // Drops mistakes that break too many of the fragments that agree with all the others.
+  void drop_breaking(std::vector<std::size_t>& accepted) {
+    for (std::size_t i = 0; i < accepted.size();) {
+      std::vector<std::size_t> fewer = without(accepted, i);
+      const Agreement before = agreement(model_of(fewer), all_), after = agreement(model_of(accepted), all_);
+      if (stopped_) return;
+      const Count count = compare(before, after);
+      if (count.breaks * kGainOfABreak <= count.gains) {
+        ++i;
+        continue;
+      }
+      accepted = std::move(fewer);
+      i = 0;
     }
   }
 

@@ -70,7 +70,7 @@ namespace {
 std::string check_pixel(const std::string& text) {
   const auto n = numbers<int>(text, ',');
   if (n && n->size() == 2 && n->at(0) >= 0 && n->at(1) >= 0) return {};
-  return fmt::format("invalid pixel '{}'; expected X,Y, counted from the top left", text);
+  return fmt::format("invalid pixel '{}'; expected X,Y, each a whole number, counted from the top left", text);
 }
 
 }  // namespace
@@ -93,7 +93,8 @@ std::string check_size(const std::string& text) {
   const auto n = numbers<int>(text, 'x');
   if (n && n->size() == 2 && n->at(0) >= 1 && n->at(1) >= 1 && std::max(n->at(0), n->at(1)) <= kMaxSurfaceSize)
     return {};
-  return fmt::format("invalid picture size '{}'; expected WIDTHxHEIGHT, each from 1 to {}", text, kMaxSurfaceSize);
+  return fmt::format("invalid picture size '{}'; expected WIDTHxHEIGHT, each a whole number from 1 to {}", text,
+                     kMaxSurfaceSize);
 }
 
 std::string check_point(const std::string& text) {
@@ -119,7 +120,7 @@ std::string check_seconds(const std::string& text) {
 
 std::string check_frame(const std::string& text) {
   if (are_numbers_in<int>(text, ',', 1, 0, 1'000'000'000)) return {};
-  return fmt::format("invalid frame '{}'; expected a number from 0 to 1000000000", text);
+  return fmt::format("invalid frame '{}'; expected a whole number from 0 to 1000000000", text);
 }
 
 std::string check_spot_angle(const std::string& text) {

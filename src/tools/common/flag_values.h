@@ -70,7 +70,7 @@ CLI::Option* add_pixel_flag(CLI::App& verb, const std::string& flag, std::string
 
 // Checks of the scene flags. Each returns an empty string for a valid value, else the reason and what is expected.
 
-// WIDTHxHEIGHT, each from 1 to kMaxSurfaceSize.
+// WIDTHxHEIGHT, each a whole number from 1 to kMaxSurfaceSize.
 [[nodiscard]] std::string check_size(const std::string& text);
 // X,Y,Z, each from -kMostDistance to kMostDistance.
 [[nodiscard]] std::string check_point(const std::string& text);

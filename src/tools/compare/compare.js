@@ -1,4 +1,5 @@
 // The page of `ninebit compare`. Its data are in the element "data"; every name is shown as text.
+import { pictureProbe } from "../../page/web/picture_probe.js";
 import { pictureSwipe } from "../../page/web/picture_swipe.js";
 import { sortableTable } from "../../page/web/sortable_table.js";
 import { causeColors, causeHelp, heatStops, wrongPixels } from "../../page/web/wrong_pixels.js";
@@ -65,36 +66,6 @@ function choiceOf(parent, text, names, chosen, changed) {
   return select;
 }
 
-// A line that says what stands at the pixel that one points at, and of a wrong one that is clicked the command that says
-// why. Returns watch(element, rowAt), where rowAt(share) is the row shown at that share of the element's width.
-function probe(part) {
-  const line = add(part, "p", "Point at a picture: its pixel's values. Click a wrong pixel: the command that says why.", "note");
-  line.setAttribute("role", "status");
-  const command = add(part, "pre", undefined, "command");
-  command.hidden = true;
-  return (element, rowAt) => {
-    const found = (event) => {
-      const box = element.getBoundingClientRect();
-      const [across, down] = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
-      if (!(across >= 0 && across < 1 && down >= 0 && down < 1)) return undefined;
-      const x = Math.floor(across * pictureWidth), y = Math.floor(down * pictureHeight), row = rowAt(across);
-      const at = y * pictureWidth + x, value = row.plane?.[at] ?? 0;
-      return { row, x, y, rgb: [...row.rgba.slice(4 * at, 4 * at + 3)], cause: data.causes[value & 127], wrong: value !== 0, lit: value > 127 };
-    };
-    element.addEventListener("pointermove", (event) => {
-      const one = found(event);
-      if (!one) return;
-      const judgement = !one.row.plane ? "" : one.wrong ? `, falsely ${one.lit ? "lit" : "shadowed"}: ${one.cause}` : ", right";
-      line.textContent = `${one.row.name}, pixel ${one.x},${one.y}: ${one.rgb.join(", ")}${judgement}`;
-    });
-    element.addEventListener("click", (event) => {
-      const one = found(event), example = one?.row.errors?.worst?.[0]?.command;
-      command.hidden = !one?.wrong || !example;
-      if (!command.hidden) command.textContent = example.replace(/--pixel \S+/, `--pixel ${one.x},${one.y}`);
-    });
-  };
-}
-
 function addPictures(page) {
   const part = section(page, "Pictures", "Drag the divider, or move it with the arrow keys.");
   const controls = add(part, "div", undefined, "controls");
@@ -134,7 +105,7 @@ function addPictures(page) {
   }
   part.append(swipe.element);
   const divider = swipe.element.querySelector("[role=slider]");
-  probe(part)(swipe.element, (across) => drawn[pair[100 * across < Number(divider.ariaValueNow) ? "left" : "right"]]);
+  pictureProbe(part, pictureWidth, pictureHeight, data.causes)(swipe.element, (across) => drawn[pair[100 * across < Number(divider.ariaValueNow) ? "left" : "right"]]);
   for (const side of ["left", "right"]) show(side);
 }
 
@@ -230,7 +201,7 @@ function addMaps(page) {
   bar.style.background = `linear-gradient(to right, ${heatStops.map((rgb) => `rgb(${rgb})`).join(", ")})`;
   const high = add(scale, "span");
   scale.append(` in squares of ${2 * heatRadius + 1} pixels; the same scale for all pictures, by square roots`);
-  const watch = probe(part);
+  const watch = pictureProbe(part, pictureWidth, pictureHeight, data.causes);
   const grid = add(part, "div", undefined, "maps");
   for (const row of judged) {
     const figure = add(grid, "figure");
@@ -248,6 +219,7 @@ function addMaps(page) {
 }
 
 async function load(row) {
+  row.command = row.errors?.worst?.[0]?.command;
   row.picture = new Image();
   row.picture.src = row.color;
   await row.picture.decode();

@@ -10,9 +10,8 @@
 
 #include "ninebit/frame/pictures.h"
 #include "ninebit/image/image_io.h"
+#include "ninebit/numerics/profile_fields.h"
 #include "src/shadow/ground_truth/judge.h"
-#include "src/study/report/page_texts.h"
-#include "src/system/hashing/openssl.h"
 #include "src/system/nearest_name.h"
 #include "src/tools/common/flag_values.h"
 #include "src/tools/common/given_pictures.h"
@@ -22,6 +21,10 @@
 namespace ninebit::tools {
 namespace {
 
+// Varied like a flag: this chip, and the same chip with exact combiners.
+constexpr const char* kArithmeticFlag = "arithmetic";
+constexpr std::string_view kExact = "exact";
+
 // One --vary.
 struct VariedFlag {
   std::string flag;  // without dashes
@@ -29,7 +32,7 @@ struct VariedFlag {
 };
 
 std::vector<std::string> flags_to_vary() {
-  std::vector<std::string> names{"technique", "profile"};
+  std::vector<std::string> names{"technique", "profile", kArithmeticFlag};
   for (const TechniqueSetting& setting : technique_settings()) names.emplace_back(setting.name);
   return names;
 }
@@ -67,6 +70,9 @@ VariedFlag varied_flag(const std::string& text) {
     if (value->empty()) refuse_vary(text, "a value is empty; expected a value before and after each separator");
     if (std::find(varied.values.begin(), value, *value) != value) {
       refuse_vary(text, fmt::format("'{}' is given twice; expected each value once", *value));
+    }
+    if (flag == kArithmeticFlag && *value != kExact && *value != "chip") {
+      refuse_vary(text, fmt::format("'{}' is not an arithmetic; expected chip or exact", *value));
     }
   }
   return varied;
@@ -138,8 +144,13 @@ ComparedPoint varied_point(const CompareFlags& flags, const LightKinds& kinds, c
   }
   std::reverse(values.begin(), values.end());
   std::vector<std::string> words;
+  bool exact = false;
   for (const auto& [flag, value] : values) {
-    arguments.push_back(fmt::format("--{}={}", flag, value));
+    if (flag == kArithmeticFlag) {
+      exact = value == kExact;
+    } else {
+      arguments.push_back(fmt::format("--{}={}", flag, value));
+    }
     words.push_back(flag == "technique" ? value : fmt::format("{} {}", flag, value));
   }
   const std::string name = fmt::format("{}", fmt::join(words, ", "));
@@ -149,6 +160,7 @@ ComparedPoint varied_point(const CompareFlags& flags, const LightKinds& kinds, c
   try {
     ComparedPoint point = parse_point(std::move(arguments));
     point.as_point = as_point;
+    point.exact = exact;
     point.name = name;
     point.varied = std::move(values);
     return point;
@@ -163,6 +175,12 @@ std::size_t pixels_of_size(const CompareFlags& flags) {
 }
 
 }  // namespace
+
+RenderSettings settings_of(const ComparedPoint& point) {
+  RenderSettings settings = settings_of(point.scene, point.common);
+  if (point.exact) settings.profile = with_exact_combiners(settings.profile);
+  return settings;
+}
 
 const char* light_kind_name(LightKind kind) {
   return kind == LightKind::point ? "point" : kind == LightKind::spot ? "spot" : "directional";
@@ -298,7 +316,9 @@ Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Sc
   for (const ErrorCause cause : causes_of(*rendering.evidence)) {
     errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
   }
-  errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0]), *truth);
+  // No flag of `trace` gives a chip exact combiners, so such a picture has no command.
+  if (!point.exact)
+    errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0]), *truth);
   Image8 causes = cause_plane(*truth, settings.width, settings.height);
   auto plane = encode_png(causes);
   if (!plane) return plane.error();
@@ -367,7 +387,7 @@ double total_ms(const PassTimes& times) {
 Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene,
                                  const GroundTruthScene& rays, const Progress& progress) {
   ComparedRow row{.light = scene.lights[0].kind};
-  RenderSettings settings = settings_of(point.scene, point.common);
+  RenderSettings settings = settings_of(point);
   settings.evidence = true;
   const auto part = [&](double from, double share) {
     return [&progress, from, share](std::string_view pass, double done) { return progress(pass, from + share * done); };
@@ -422,70 +442,6 @@ Json compare_json(const CompareFlags& flags, const Comparison& comparison) {
           {"rows", std::move(rows)},
           {"left_out", std::move(left_out)},
           {"ignored", comparison.ignored}};
-}
-
-namespace {
-
-std::string picture_url(const std::string& png) {
-  return "data:image/png;base64," + base64(png);
-}
-
-// The page's data without the character '<', so that nothing in it can end a <script> element.
-std::string page_json(const CompareFlags& flags, const Comparison& comparison) {
-  Json data = compare_json(flags, comparison);
-  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
-    const ComparedRow& row = comparison.rows[i];
-    if (!row.color.empty()) data["rows"][i]["color"] = picture_url(row.color);
-    if (!row.wrong.empty()) data["rows"][i]["wrong_pixels"] = picture_url(row.wrong);
-  }
-  data["made_by"] = given_command();
-  data["causes"] = Json::array();
-  for (std::size_t cause = 0; cause < kErrorCauses; ++cause) {
-    data["causes"].push_back(name_of(static_cast<ErrorCause>(cause)));
-  }
-  std::string text;
-  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";  // in JSON, '<' occurs only in strings
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
-// A module without its lines of imports: on the page all modules are one.
-std::string without_imports(std::string_view module) {
-  std::string text;
-  while (!module.empty()) {
-    const std::size_t end = std::min(module.find('\n'), module.size() - 1) + 1;
-    if (!module.starts_with("import ")) text += module.substr(0, end);
-    module.remove_prefix(end);
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string compare_page(const CompareFlags& flags, const Comparison& comparison) {
-  // The policy makes browsers refuse all external resources.
-  std::string page =
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
-      "style-src 'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n"
-      "<title>Comparison – ninebit</title>\n<style>\n";
-  page += kReportLook;
-  page += kCompareStyle;
-  page += kPrintStyle;
-  page += "</style>\n</head>\n<body>\n<noscript>This page needs JavaScript. report.json has its figures.</noscript>\n";
-  page += fmt::format("<script type=\"application/json\" id=\"data\">{}</script>\n<script type=\"module\">\n",
-                      page_json(flags, comparison));
-  page += kPictureSwipe;
-  page += kSortableTable;
-  page += kWrongPixels;
-  page += without_imports(kCompareScript);
-  return page + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace ninebit::tools

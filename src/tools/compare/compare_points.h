@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,7 +30,11 @@ struct ComparedPoint {
   CommonFlags common{};
   std::vector<std::string> arguments{};  // the flags that it was parsed from
   bool as_point = false;                 // the scene's spot light is drawn as a point light at its place
+  bool exact = false;                    // with exact combiners: --vary arithmetic=exact
 };
+
+// The settings of its rendering.
+[[nodiscard]] RenderSettings settings_of(const ComparedPoint& point);
 
 // A technique that is not compared.
 struct LeftOut {
@@ -110,18 +113,5 @@ struct Comparison {
 
 // The object of --json and report.json.
 [[nodiscard]] Json compare_json(const CompareFlags& flags, const Comparison& comparison);
-
-// The page of `ninebit compare`: one file without network or other files.
-
-// The HTML text. Names of files and settings are data of its script, which shows them as text.
-[[nodiscard]] std::string compare_page(const CompareFlags& flags, const Comparison& comparison);
-
-// The texts that the page of `compare` contains, embedded in the program at build time.
-
-extern const std::string_view kPictureSwipe;   // src/page/web/picture_swipe.js
-extern const std::string_view kSortableTable;  // src/page/web/sortable_table.js
-extern const std::string_view kWrongPixels;    // src/page/web/wrong_pixels.js
-extern const std::string_view kCompareScript;  // compare.js beside this file
-extern const std::string_view kCompareStyle;   // compare.css beside this file
 
 }  // namespace ninebit::tools

@@ -42,7 +42,7 @@ struct FinishedRender {
   double load_ms = 0.0, write_ms = 0.0, total_ms = 0.0;
 };
 
-// The summary for stderr: triangles, pixels, time; with IndexOrder::neighbour also the counts of the order, and with
+// The summary for people: triangles, pixels, time; with IndexOrder::neighbour also the counts of the order, and with
 // --ground-truth the errors by cause.
 [[nodiscard]] std::string summary_text(const RenderFlags& flags, const FinishedRender& done);
 

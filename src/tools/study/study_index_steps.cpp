@@ -122,7 +122,7 @@ void add_study_index_steps(CLI::App& verbs, StudyRequest& request) {
   verb->add_option("--steps", flags->steps, "Steps between indices to measure, such as 1-4")
       ->type_name("LIST")
       ->capture_default_str()
-      ->check(list_by(&steps_of, "consecutive steps from 1 to 255, such as 1-16"));
+      ->check(list_by(&steps_of, "consecutive whole numbers from 1 to 255, such as 1-16"));
   verb->add_option("--formats", flags->formats, "Formats of an index (default: all): channel,rgb,la,l,a")
       ->type_name("LIST")
       ->check(list_of(all_formats()));

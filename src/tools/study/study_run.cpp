@@ -34,11 +34,16 @@ std::string build_of_program() {
   return fmt::format("{} {}", NINEBIT_VERSION, hash.finish().substr(0, 16));
 }
 
-// A progress line with an estimate of the remaining time. If that is more than ten seconds, it is also printed once on
-// a line of its own, even if stderr is not a terminal.
+// The parts of the work.
+constexpr const char* kMeasurements = "measurements";
+constexpr const char* kMapsAndFiles = "maps and files";
+
+// A progress line with an estimate of the remaining time of a part of the work: of the measurements, or of the maps and
+// files that are made of them. If that is more than ten seconds, it is also printed once on a line of its own, even if
+// stderr is not a terminal.
 class UnitProgress {
  public:
-  explicit UnitProgress(bool quiet) : line_(quiet), quiet_(quiet) {}
+  UnitProgress(const char* part, bool quiet) : part_(part), line_(quiet), quiet_(quiet) {}
 
   // Called before each unit with the share of the work that is done; returns false after an interrupt.
   bool step(const std::string& unit, double done) {
@@ -50,13 +55,14 @@ class UnitProgress {
     constexpr double kLong = 10.0;
     if (left > kLong && !told_ && !quiet_) {
       told_ = true;
-      say(fmt::format("{:.0f} % done; about {:.0f} s left.\n", 100.0 * done, left));
+      say(fmt::format("{}: {:.0f} % done; about {:.0f} s left for them.\n", part_, 100.0 * done, left));
     }
     return line_.step(fmt::format("{} ({:.0f} %, {:.0f} s left)", unit, 100.0 * done, left), done);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+  const char* part_;
   ProgressLine line_;
   bool quiet_;
   bool told_ = false;
@@ -70,7 +76,7 @@ bool go_on() {
 
 // Runs all units and returns their rows without saving them.
 Result<std::vector<StudyRow>> run_whole(const Study& study, bool quiet) {
-  UnitProgress progress(quiet);
+  UnitProgress progress(kMeasurements, quiet);
   double all = 0.0, done = 0.0;
   for (std::size_t unit = 0; unit < study.units(); ++unit) all += study.weight(unit);
   std::vector<StudyRow> rows;
@@ -101,9 +107,9 @@ int finish(const Study& study, const std::string& folder, std::span<const StudyR
   if (done == study.units() && (!folder.empty() || host() != nullptr)) {
     Status drawn;
     {
-      UnitProgress progress(flags.quiet);
+      UnitProgress progress(kMapsAndFiles, flags.quiet);
       drawn = study.draw(
-          rows, [&](double share) { return progress.step("maps and files", share); }, *made);
+          rows, [&](double share) { return progress.step(kMapsAndFiles, share); }, *made);
     }
     if (!drawn) return report(drawn.error());
   }
@@ -131,7 +137,7 @@ int run_in_folder(const Study& study, const StudyFlags& flags) {
   const std::size_t units = (study.units() - shard.index) / shard.count + 1;
   Result<StudyPart> part = StudyPart();
   {
-    UnitProgress progress(flags.common.quiet);
+    UnitProgress progress(kMeasurements, flags.common.quiet);
     part = run_part(study, build_of_program(), shard, flags.folder, {.seconds = flags.budget, .go_on = go_on},
                     [&](const std::string& unit, double done) { return progress.step(unit, done); });
   }

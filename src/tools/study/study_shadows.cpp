@@ -77,13 +77,23 @@ void add_option(StudyQuestion& question, const CLI::Option& option, bool always)
   }
 }
 
+// Whether the flag gives the only value of an axis; the question then has the axis alone.
+bool is_swept(const ShadowsFlags& flags, std::string_view flag) {
+  bool swept = false;
+  for_each_axis(flags, [&](const TechniqueSetting& setting, const std::string& list) {
+    swept = swept || (!list.empty() && flag.substr(2) == setting.name);
+  });
+  return swept;
+}
+
 Result<StudyQuestion> question_of(const ShadowsFlags& flags) {
   auto question = question_of(flags.study, "shadows");
   if (!question) return question;
   if (question->profile == "all") question->profile = flags.study.common.profile;
   question->arguments = flags.scene.file;
   for (const CLI::Option* option : flags.scene_options) {
-    add_option(*question, *option, option->get_name() == "--technique" || option->get_name() == "--size");
+    const std::string name = option->get_name();
+    if (!is_swept(flags, name)) add_option(*question, *option, name == "--technique" || name == "--size");
   }
   if (!flags.scene.up.empty()) question->options.emplace_back("--up", flags.scene.up);
   for_each_axis(flags, [&](const TechniqueSetting& setting, const std::string& list) {
@@ -100,13 +110,21 @@ Result<StudyQuestion> question_of(const ShadowsFlags& flags) {
   return question;
 }
 
+// The map sizes of a grid without lists: the one of --map-size, if it is given.
+std::string default_map_sizes(const ShadowsFlags& flags, const TechniqueSetting& map_size) {
+  const bool is_given =
+      std::any_of(flags.scene_options.begin(), flags.scene_options.end(),
+                  [](const CLI::Option* option) { return option->get_name() == "--map-size" && option->count() > 0; });
+  return is_given ? map_size.text_of(map_size.get(flags.scene.settings)) : kDefaultMapSizes;
+}
+
 // Completes the grid; settings that the technique does not have are wrong usage.
 void complete_grid(ShadowsFlags& flags) {
   const auto known = swept_settings(*find_technique(flags.scene.technique), flags.scene.settings);
   if (!known) throw CLI::ValidationError(known.error().message);
   if (grid_of(flags).empty() && known->has("map-size")) {
-    for_each_axis(flags, [](const TechniqueSetting& setting, std::string& list) {
-      if (setting.name == "map-size") list = kDefaultMapSizes;
+    for_each_axis(flags, [&flags](const TechniqueSetting& setting, std::string& list) {
+      if (setting.name == "map-size") list = default_map_sizes(flags, setting);
     });
   }
   const auto found = axes_of(*known, grid_of(flags));

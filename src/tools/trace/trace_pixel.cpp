@@ -156,7 +156,7 @@ namespace {
 std::string stages_text(const ProbedFragment& f) {
   std::string text;
   for (std::size_t i = 0; f.stages && i < f.stages->stage.size(); ++i) {
-    text += fmt::format("  stage {}: {}\n", i, stage_text(f.stages->stage[i]));
+    text += fmt::format("  texture stage {}: {}\n", i, stage_text(f.stages->stage[i]));
   }
   return text;
 }

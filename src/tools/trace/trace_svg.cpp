@@ -77,6 +77,50 @@ std::vector<SvgPart> parts_of(std::string_view text) {
   return parts;
 }
 
+// Takes the lines of texture-shader stages out of the fragment's part, wrapped ones whole.
+std::vector<std::string> stage_lines_of(SvgPart& fragment) {
+  std::vector<std::string> stages;
+  std::vector<SvgLine> others;
+  bool is_inside = false;  // a stage's line, which may go on in the next one
+  for (SvgLine& line : fragment.lines) {
+    const bool is_stage = line.text.starts_with("  texture stage ");
+    is_inside = is_stage || (is_inside && line.text.starts_with("    "));
+    if (is_stage) {
+      stages.push_back(line.text.substr(2));
+    } else if (is_inside) {
+      stages.back() += ' ' + line.text.substr(line.text.find_first_not_of(' '));
+    } else {
+      others.push_back(std::move(line));
+    }
+  }
+  fragment.lines = std::move(others);
+  return stages;
+}
+
+// The texture-shader stages, a part a stage, with a line for each value.
+std::vector<SvgPart> texture_stages_of(SvgPart& fragment) {
+  std::vector<SvgPart> stages;
+  for (const std::string& line : stage_lines_of(fragment)) {
+    // "texture stage 1: dot_product by stage 0, s, t, r, q = (0, 0, 1, 0), dot product 1 with (0, 0, 1), texel (0, 0,
+    // 0, 0)".
+    std::string_view rest = line;
+    SvgPart& stage = stages.emplace_back();
+    const auto add = [&](std::string_view text) {
+      const bool is_title = stage.lines.empty();
+      stage.lines.push_back({(is_title ? "" : "  ") + std::string(text), is_title ? "result" : ""});
+    };
+    for (const std::string_view next :
+         {", s, t, r, q = ", ", dot product ", ", texture read at ", ", texel ", ", codes "}) {
+      const std::size_t end = rest.find(next);
+      if (end == std::string_view::npos) continue;
+      add(rest.substr(0, end));
+      rest.remove_prefix(end + 2);
+    }
+    add(rest);
+  }
+  return stages;
+}
+
 // "stage 0" of "stage 0, RGB portion".
 std::string_view combiner_of(const SvgPart& part) {
   const std::string_view title = part.lines.empty() ? std::string_view() : part.lines[0].text;
@@ -100,13 +144,19 @@ std::string arrow(int from, int to, int y) {
                      to - 10, y - 5, y + 5);
 }
 
-// Columns of parts, from left to right: the fragment and its registers, each combiner, the result below the last.
+// Columns of parts, from left to right: the fragment and its registers, with its texture-shader stages between the two
+// if it has some; each combiner; the result below the last.
 std::vector<std::vector<SvgPart>> columns_of(std::vector<SvgPart> parts, bool has_result) {
-  constexpr std::size_t kOfFragment = 2;
+  constexpr std::size_t kRegisters = 1;
+  std::vector<SvgPart> stages = texture_stages_of(parts[0]);
+  const bool has_stages = !stages.empty();
   std::vector<std::vector<SvgPart>> columns(1);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool is_beside = i >= kOfFragment && !(has_result && i + 1 == parts.size()) &&
-                           combiner_of(parts[i]) != combiner_of(columns.back().back());
+    const bool is_result = has_result && i + 1 == parts.size();
+    const bool is_beside =
+        i == kRegisters ? has_stages
+                        : i > kRegisters && !is_result && combiner_of(parts[i]) != combiner_of(columns.back().back());
+    if (i == kRegisters && has_stages) columns.push_back(std::move(stages));
     if (is_beside) columns.emplace_back();
     columns.back().push_back(std::move(parts[i]));
   }

@@ -52,8 +52,11 @@ struct JudgedResults {
   std::vector<VectorGroup> groups;
   std::size_t programs = 0;  // that the results have
   VectorVerdict verdict;
-  std::vector<Shown> first{};  // by VectorVerdict::first
-  std::vector<Shown> steps{};  // by VectorVerdict::plan
+  std::vector<Shown> first{};     // by VectorVerdict::first
+  std::vector<Shown> steps{};     // by VectorVerdict::plan
+  std::size_t pack_programs = 0;  // that the pack has
+  std::size_t first_missing = 0;  // of these, the first one without results, counted from 0
+  int missing_line = 2;           // where they would stand: below those of the program before it
 };
 
 std::string pack_file(const VectorResultsFlags& flags) {
@@ -90,9 +93,15 @@ struct Texts {
 };
 
 // `show(value)` gives a value for people and as JSON.
-template <class Pack, class Show>
-JudgedResults judged(const Pack& pack, std::size_t programs, VectorVerdict verdict, const Show& show) {
-  JudgedResults out{pack.id, std::string(pack.profile.name), pack.groups, programs, std::move(verdict)};
+template <class Pack, class Results, class Show>
+JudgedResults judged(const Pack& pack, const Results& results, VectorVerdict verdict, const Show& show) {
+  JudgedResults out{pack.id, std::string(pack.profile.name), pack.groups, results.programs.size(), std::move(verdict)};
+  out.pack_programs = pack.programs.size();
+  for (const auto& [program, given] : results.programs) {
+    if (program != out.first_missing) break;
+    ++out.first_missing;
+    out.missing_line = given.line + 1;
+  }
   for (const VectorVerdict::Place& place : out.verdict.first) out.first.push_back(show(place));
   for (const VectorVerdict::Step& step : out.verdict.plan) out.steps.push_back(show({step.program, step.fragment}));
   return out;
@@ -137,7 +146,7 @@ Result<JudgedResults> judge_colors(const Texts& texts, const VectorProgress& go_
   if (!results) return results.error();
   auto verdict = judge_vectors(*pack, *results, texts.most, go_on);
   if (!verdict) return verdict.error();
-  return judged(*pack, results->programs.size(), *std::move(verdict), [&](const VectorVerdict::Place& place) {
+  return judged(*pack, *results, *std::move(verdict), [&](const VectorVerdict::Place& place) {
     const VectorProgram& program = pack->programs[place.program];
     const auto& given = results->programs.at(place.program);
     const Bytes4 &shown = given.colors[place.fragment], &expected = program.expected[place.fragment];
@@ -176,7 +185,7 @@ Result<JudgedResults> judge_stages(const Texts& texts, const VectorProgress& go_
   if (!results) return results.error();
   auto verdict = judge_stage_vectors(*pack, *results, texts.most, go_on);
   if (!verdict) return verdict.error();
-  return judged(*pack, results->programs.size(), *std::move(verdict), [&](const VectorVerdict::Place& place) {
+  return judged(*pack, *results, *std::move(verdict), [&](const VectorVerdict::Place& place) {
     const StageVectorProgram& program = pack->programs[place.program];
     const auto& given = results->programs.at(place.program);
     const StageOutput &shown = given.outputs[place.fragment], &expected = program.expected[place.fragment];
@@ -267,6 +276,10 @@ std::string text_of(const JudgedResults& judged, const std::string& file) {
   if (verdict.differ > verdict.first.size()) {
     text += fmt::format("… and {} more fragments\n", verdict.differ - verdict.first.size());
   }
+  if (judged.programs < judged.pack_programs) {
+    text += fmt::format("{}:{}: program {} is missing; {} of {} programs have results\n", printable(file),
+                        judged.missing_line, judged.first_missing + 1, judged.programs, judged.pack_programs);
+  }
   text += fmt::format("{} fragments of {} programs: {} agree, {} differ\n", verdict.fragments, judged.programs,
                       verdict.fragments - verdict.differ, verdict.differ);
   if (verdict.differ == 0) return text;
@@ -329,12 +342,19 @@ Json json_of(const JudgedResults& judged, const VectorResultsFlags& flags) {
                     {"shown", one.shown_values},
                     {"expected", one.expected_values}});
   }
+  Json missing;
+  if (judged.programs < judged.pack_programs) {
+    missing = {{"programs", judged.pack_programs - judged.programs},
+               {"first", judged.first_missing + 1},
+               {"line", judged.missing_line}};
+  }
   return {{"command", "verify"},
           {"version", NINEBIT_VERSION},
           {"profile", judged.profile},
           {"table", flags.results},
           {"pack", judged.id},
           {"programs", judged.programs},
+          {"missing", std::move(missing)},
           {"count", verdict.fragments},
           {"agree", verdict.fragments - verdict.differ},
           {"differ", verdict.differ},
