@@ -45,6 +45,7 @@ test('pass, tests, fog, scene and picture are edited by controls, with the nativ
   const { effect } = await stateOf(page);
   assert.equal('stencil' in effect.passes[0], false, 'an object whose last key goes, goes');
   assert.deepEqual(effect.size, [64, 32]);
+  assert.equal(effect.depth_stencil, 'w16');
   for (const key of ['pass.cull', 'pass.polygon_mode', 'pass.line_width', 'pass.color_mask', 'pass.depth', 'pass.blend.source', 'pass.blend.destination', 'pass.clear.depth', 'pass.clear.color',
     'scene.fov', 'scene.look_at', 'effect.color_format', 'effect.depth_stencil', 'texture0.lod_bias', 'texture0.border_color', 'pass.depth.function']) await set(page, key, '');
   await set(page, 'effect.size', '256, 256');

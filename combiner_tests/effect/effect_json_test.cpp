@@ -27,7 +27,7 @@ TEST(EffectJson, ReadsAllOfAPass) {
     "textures": {"a": {"source": "normals:h.png", "steepness": 2, "filter": "linear", "wrap": "clamp"},
                  "c": {"source": "k.png", "filter": "nearest", "wrap": "clamp-to-border", "border_color": [1, 0, 0.5, 1],
                        "border_texels": true, "color_key": "kill:00fF00FF"},
-                 "b": {"source": "target:m"}, "d": {"source": "gradient", "cylinder_wrap": "t"}},
+                 "b": {"source": "target:m"}, "d": {"source": "k.png", "cylinder_wrap": "t"}},
     "targets": {"m": {"size": 16, "cube": true, "format": "rgb8", "color_format": "x1a7r8g8b8_o"},
                 "s": {"size": 8, "samples": "square_offset_4"}},
     "passes": [{"target": "m", "primary": "index:la,3", "polygon_mode": "point", "point_size": 3.5,
@@ -159,7 +159,7 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
        "expected s, t or st"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"wrap\": \"clamp\", \"cylinder_wrap\": \"s\"}}, "
        "\"passes\": [{}]",
-       2, "a cylinder wrap needs the wrap mode repeat"},
+       2, "a cylinder wrap has no effect with this wrap mode; expected repeat"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"border_color\": [2, 0, 0, 0]}}, \"passes\": [{}]", 2,
        "from 0"},
       {"\n\"textures\": {\"t\": {\"source\": \"gradient\", \"color_key\": \"kill:FF00FF\"}}, \"passes\": [{}]", 2,

@@ -199,10 +199,10 @@ class Draw(Folder):
         for component, bits in enumerate((5, 6, 5)):
             kept = picture[..., component] >> (8 - bits)
             np.testing.assert_array_equal(drawn[..., component], kept << (8 - bits) | kept >> (2 * bits - 8))
-        # A W buffer of whole numbers holds 2 or 3 for nearly all of a small mesh.
-        by_z, by_w = (ninebit.draw(program, tex0=picture, mesh="torus:24", size=(64, 64), depth_stencil=name).color
-                      for name in ("d24s8", "w16"))
-        self.assertGreater((by_z != by_w).any(axis=2).sum(), 100)
+        # Twelve bits of mantissa do not tell the sides of a cube apart in all pixels of its edges.
+        exact, short = (ninebit.draw(program, tex0=picture, mesh="cube", camera=(0, 2, 3), size=(64, 64), depth_stencil=name).color
+                        for name in ("d24s8", "f16"))
+        self.assertTrue(0 < (exact != short).any(axis=2).sum() < 20)
         with self.assertRaisesRegex(ninebit.Error, "d32.*expected.*d24s8"):
             ninebit.draw(program, tex0=picture, depth_stencil="d32")
 

@@ -216,7 +216,7 @@ TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
   EXPECT_GE(seen.border, seen.fragments / 50);
   EXPECT_GE(seen.coarse, seen.fragments / 5);
   EXPECT_GE(seen.stored_border, seen.fragments / 200);
-  EXPECT_GE(seen.killed, seen.fragments / 2000);
+  EXPECT_GE(seen.killed, seen.fragments / 4000);
   EXPECT_LE(seen.ambiguous, seen.fragments / 1000);
   RecordProperty("fragments", seen.fragments);
 }

@@ -136,7 +136,7 @@ TEST(RulesPage, WhatIsOpenHasItsPictures) {
     }
   }
   for (const TableRow& row : rows_of(text_of(docs / "numerics.md"), "## What is open", "A card can")) {
-    open.insert(row.first);
+    EXPECT_TRUE(open.insert(row.first).second) << row.first << " occurs twice";
   }
   EXPECT_GE(open.size(), 40U);
   EXPECT_EQ(answered, open) << "the last table of wanted.md and numerics.md's list of what is open";

@@ -199,7 +199,8 @@ TEST(Draw, FlagsOfASamplerChangeThePicture) {
   expect_error(fails({"--border-texels0"}), 3, {"border texels need a 2D image of 16 texels a side"});
   expect_error(fails({"--color-key0", "kill"}), 2, {"--color-key0", "eight hexadecimal digits"});
   expect_error(fails({"--cylinder-wrap0", "q"}), 2, {"--cylinder-wrap0", "expected s, t or st"});
-  expect_error(fails({"--cylinder-wrap0", "s", "--wrap0", "clamp"}), 2, {"a cylinder wrap needs the wrap mode repeat"});
+  expect_error(fails({"--cylinder-wrap0", "s", "--wrap0", "clamp"}), 2,
+               {"a cylinder wrap has no effect with this wrap mode; expected repeat"});
   expect_error(fails({"--border-color0", "1,1,1"}), 2, {"--border-color0", "R,G,B,A"});
   expect_error(fails({"--border-color1", "1,1,1,1"}), 2, {"--border-color1 requires --tex1"});
   expect_error(fails({"--polygon-stipple", "2"}), 2, {"--polygon-stipple", "not a stipple pattern"});

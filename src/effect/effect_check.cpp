@@ -112,7 +112,7 @@ class Checker {
     if (texture_of(texture.name) != &texture) complain("is defined twice");
     constexpr std::array<bool, 2> kStraight{};
     if (texture.sampler.cylinder_wrap != kStraight && cylinder_of(texture.sampler) == kStraight) {
-      complain("a cylinder wrap needs the wrap mode repeat; with others it changes nothing");
+      complain("a cylinder wrap has no effect with this wrap mode; expected repeat");
     }
     if (!reads_target(texture)) return;
     if (!is_target(texture.target))
