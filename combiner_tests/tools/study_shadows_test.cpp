@@ -132,11 +132,12 @@ TEST(StudyDepthPacking, NamesWherePackingsAndStoragesAreFound) {
   EXPECT_EQ(rows[1]["storage"], "half");
   EXPECT_NE(rows[0]["max_error"], rows[1]["max_error"]);
   const std::string help = ninebit({"study", "depth-packing", "--help"}).out;
-  for (const DepthPacking& packing : depth_packings()) {
+  for (const ninebit::DepthPacking& packing : ninebit::depth_packings()) {
     EXPECT_NE(help.find(std::string(packing.name) + ' '), std::string::npos) << packing.name;
     EXPECT_NE(help.find(packing.source), std::string::npos) << packing.name;
   }
-  for (const StorageRule& rule : storage_rules()) EXPECT_NE(help.find(rule.formula), std::string::npos) << rule.name;
+  for (const ninebit::StorageRule& rule : ninebit::storage_rules())
+    EXPECT_NE(help.find(rule.formula), std::string::npos) << rule.name;
 }
 
 TEST(StudyDepthPacking, WrongGrids) {
