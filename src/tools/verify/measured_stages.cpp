@@ -9,6 +9,7 @@
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texel_words.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/tools/verify/measured_rows.h"
 
 namespace ninebit::tools {
@@ -167,13 +168,14 @@ const Texture& checkered_cube() {
 }
 
 // The intensity of a texel of the gradient texture, as the program that drew the pictures computed it: black in the
-// middle of a face, brighter to its corners, steeper in the first quarter of the way; dimmed to 3/4 at the left and top.
+// middle of a face, brighter to its corners, steeper in the first quarter of the way; dimmed to 3/4 at the left and
+// top.
 std::uint8_t gradient_value(std::size_t column, std::size_t row) {
-  constexpr double kMiddle = 31.5, kDimmest = 0.75, kBend = 0.25, kSide = kCubeSide;
+  constexpr double kMiddle = 31.5, kDimmest = 0.75, kBend = 0.25, kWidth = kCubeSide;
   const double x = static_cast<double>(column), y = static_cast<double>(row);
   const double way = std::hypot(x - kMiddle, y - kMiddle) / (kMiddle * std::sqrt(2.0));
   const double bright = way < kBend ? 2.0 * way : 0.5 + 0.5 * (way - kBend) / (1.0 - kBend);
-  return static_cast<std::uint8_t>(255.0 * std::max({x / kSide, y / kSide, kDimmest}) * bright);
+  return static_cast<std::uint8_t>(255.0 * std::max({x / kWidth, y / kWidth, kDimmest}) * bright);
 }
 
 // The texel of the cube map with gradients in a direction.
@@ -353,8 +355,7 @@ std::vector<int> run_texel_word(const MeasuredRow& row, const HardwareProfile&) 
 }
 
 std::string wrong_stages(const MeasuredRow&, const HardwareProfile& profile) {
-  if (profile.texture_shaders) return "";
-  return fmt::format("profile {} has no texture shaders (NV_texture_shader); use --profile nv2a", profile.name);
+  return profile.texture_shaders ? "" : no_texture_shaders(profile);
 }
 
 std::string wrong_dot_cube(const MeasuredRow& row, const HardwareProfile& profile) {
