@@ -67,7 +67,7 @@ TEST(TraceEffect, TextureShaders) {
   EXPECT_EQ(shell["passes"][0]["fragments"][0]["fate"], "culled by the texture shader");
   const Outcome text = ninebit({"trace", "--effect", kFolder + "depth_balls.json", "--pixel", "130,130", "--quiet"});
   EXPECT_NE(text.out.find("(replaced)"), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("  stage 1: s, t, r, q = ("), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("  texture stage 1: s, t, r, q = ("), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("dot product "), std::string::npos) << text.out;
   EXPECT_EQ(replaced["stages"][3]["coordinates"].size(), 4U);
   EXPECT_NE(replaced["stages"][3]["text"].get<std::string>().find("texture read at ("), std::string::npos);

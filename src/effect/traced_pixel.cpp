@@ -1,8 +1,6 @@
 #include "src/effect/traced_pixel.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <utility>
 
 #include "ninebit/language/trace_json.h"
@@ -37,55 +35,6 @@ bool has_written_fragment(const TracedPixel& pixel) {
   });
 }
 
-std::string text_of(float number) {
-  std::array<char, 32> digits{};
-  (void)std::snprintf(digits.data(), digits.size(), "%.6g", static_cast<double>(number));
-  return digits.data();
-}
-
-// "(1, 2, 3)".
-template <class T, std::size_t N>
-std::string listed(const std::array<T, N>& numbers) {
-  std::string text;
-  for (const T number : numbers) text += (text.empty() ? "(" : ", ") + text_of(static_cast<float>(number));
-  return text + ')';
-}
-
-}  // namespace
-
-std::string stage_text(const StageValues& stage) {
-  std::string text;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (stage.coordinates != std::array<float, 4>{}) add("s, t, r, q = " + listed(stage.coordinates));
-  if (stage.dot) add("dot product " + text_of(*stage.dot) + " with " + listed(*stage.normal));
-  if (stage.at) add("texture read at " + listed(*stage.at));
-  if (stage.at && stage.fetched != stage.texel)
-    add("texel " + listed(stage.fetched) + " becomes " + listed(stage.texel));
-  if (!stage.at || stage.fetched == stage.texel) add("texel " + listed(stage.texel));
-  const bool same = std::equal(stage.codes.begin(), stage.codes.end(), stage.texel.begin());
-  return same ? text : text + ", codes " + listed(stage.codes);
-}
-
-namespace {
-
-// The texture-shader stages of a fragment, in the order of the units; keys without a value are left out.
-AnswerJson stages_answer(const TextureShaderResult& result) {
-  AnswerJson stages = AnswerJson::array();
-  for (const StageValues& stage : result.stage) {
-    AnswerJson one{{"text", stage_text(stage)}, {"coordinates", stage.coordinates}};
-    if (stage.normal) one["normal"] = *stage.normal;
-    if (stage.dot) one["dot"] = *stage.dot;
-    if (stage.at) {
-      one["at"] = *stage.at;
-      one["fetched"] = stage.fetched;
-    }
-    one["texel"] = stage.texel;
-    one["codes"] = stage.codes;
-    stages.push_back(std::move(one));
-  }
-  return stages;
-}
-
 AnswerJson pixel_answer(const TracedPixel& pixel) {
   AnswerJson passes = AnswerJson::array();
   for (const ProbedPass& pass : pixel.passes) {
@@ -103,7 +52,7 @@ AnswerJson pixel_answer(const TracedPixel& pixel) {
                            {"color", f.color}});
       if (!f.stages) continue;
       fragments.back()["depth_replaced"] = f.stages->depth.has_value();
-      fragments.back()["stages"] = stages_answer(*f.stages);
+      fragments.back()["stages"] = AnswerJson::parse(print_json_stages(*f.stages))["stages"];
     }
     passes.push_back({{"name", pass.name}, {"has_program", pass.program.has_value()}, {"fragments", fragments}});
   }
@@ -166,6 +115,7 @@ AnswerJson trace_answer(const TraceHeading& heading, const Program* program, con
   if (heading.pixel != nullptr) {
     out[heading.pixel->technique.empty() ? "effect" : "scene"] = pixel_answer(*heading.pixel);
   }
+  if (heading.stages != nullptr) out["texture_shader"] = AnswerJson::parse(print_json_stages(*heading.stages));
   if (program != nullptr && traced != nullptr) out.update(AnswerJson::parse(print_json_trace(*program, *traced)));
   return out;
 }
