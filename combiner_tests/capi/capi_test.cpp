@@ -124,6 +124,52 @@ TEST(Capi, StagesGoThroughStates) {
   ninebit_free_text(error);
 }
 
+TEST(Capi, StagesReadTexelsByACallback) {
+  const std::string text =
+      "!!TS1.0\ntexture_2d();\noffset_2d(tex0, 0.5, 0, 0, 1);\n"
+      "cull_fragment(GEQUAL_TO_ZERO, GEQUAL_TO_ZERO, GEQUAL_TO_ZERO, GEQUAL_TO_ZERO);\n!!RC1.0\nout.rgb = tex1;\n";
+  const auto program_of = [](const std::string& source) {
+    ninebit_state* made = nullptr;
+    EXPECT_EQ(ninebit_state_parse("nv2a", NINEBIT_FORM_RC10, source.data(), source.size(), &made, nullptr), NINEBIT_OK);
+    const StateHandle state(made);
+    ninebit_program* program = nullptr;
+    EXPECT_EQ(ninebit_compile(state.get(), &program, nullptr), NINEBIT_OK);
+    return ProgramHandle(program);
+  };
+  const auto program = program_of(text);
+  // Unit 0 has ds = 0.5 and dt = -0.25; unit 1 shows where it is read, in sixteenths.
+  const auto read = [](void* data, int unit, const float place[3], std::uint8_t texel[4]) {
+    ++*static_cast<int*>(data);
+    const std::array<std::uint8_t, 4> offset{0, 224, 64, 9};
+    for (std::size_t k = 0; k < 4; ++k) {
+      texel[k] = unit == 0 ? offset[k] : k < 2 ? static_cast<std::uint8_t>(16 * place[k]) : std::uint8_t{7};
+    }
+  };
+  std::array<float, 16> at{0, 0, 0, 1, 0.5F, 0.5F, 0, 1, 0, 0, 0, -1, 0, 0, 0, 1};
+  ninebit_registers registers{.struct_size = sizeof(registers), .code = {}};
+  ninebit_fate fate{.struct_size = sizeof(fate), .culled = 5, .depth_is_set = 5, .depth = 5};
+  int calls = 0;
+  ASSERT_EQ(ninebit_run_stages(program.get(), at.data(), read, &calls, &registers, &fate, nullptr), NINEBIT_OK);
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(registers.code[NINEBIT_TEXTURE0 + 1][0], 12);
+  EXPECT_EQ(registers.code[NINEBIT_TEXTURE0 + 1][1], 4);
+  EXPECT_EQ(registers.code[NINEBIT_SPARE0][3], registers.code[NINEBIT_TEXTURE0][3]);
+  EXPECT_EQ(fate.culled, 1);
+  EXPECT_EQ(fate.depth_is_set, 0);
+  EXPECT_EQ(fate.depth, 0);
+  at[11] = 1;
+  ASSERT_EQ(ninebit_run_stages(program.get(), at.data(), read, &calls, &registers, &fate, nullptr), NINEBIT_OK);
+  EXPECT_EQ(fate.culled, 0);
+  EXPECT_EQ(ninebit_run_stages(program.get(), at.data(), nullptr, &calls, &registers, &fate, nullptr),
+            NINEBIT_WRONG_ARGUMENT);
+  fate.struct_size = 1;
+  EXPECT_EQ(ninebit_run_stages(program.get(), at.data(), read, &calls, &registers, &fate, nullptr),
+            NINEBIT_WRONG_ARGUMENT);
+  EXPECT_EQ(ninebit_run_stages(program_of("!!RC1.0\nout.rgb = tex1;\n").get(), at.data(), read, &calls, &registers,
+                               nullptr, nullptr),
+            NINEBIT_INVALID_INPUT);
+}
+
 TEST(Capi, WordsByName) {
   const std::array<ninebit_word, 2> words{{{"RC_IN_RGB[0]", 0x04200000}, {"RC_OUT_RGB[0]", 0x00000C00}}};
   ninebit_state* made = nullptr;

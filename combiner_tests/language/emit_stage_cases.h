@@ -80,8 +80,14 @@ inline StageCase random_stage_case(Random& random, TextureOperation wanted) {
     c.state.converts_yuv = false;
   }
   if (random.one_in(2)) c.profile.stage_byte.value = StageByte::nearest;
-  if (random.one_in(2)) c.profile.dot_divisors.value = DotDivisors::even;
-  if (random.one_in(2)) c.profile.dependent_divisor.value = 256;
+  if (random.one_in(2)) {
+    c.profile.dot_divisors.value = DotDivisors::even;
+    c.profile.negative_stage_number.value = NegativeNumber::size;
+  }
+  if (random.one_in(2)) {
+    c.profile.dependent_divisor.value = 256;
+    c.profile.cull_zero.value = CullZero::by_sign;
+  }
   if (random.one_in(3)) {
     c.profile.byte_shift.value = 3;
     c.profile.one.value = 31;

@@ -82,6 +82,20 @@ TEST(GlCallsDump, FaultsKeepTheirPlaces) {
   EXPECT_NE(read.faults()[2].message.find("did you mean 'GL_SPARE0_NV'?"), std::string::npos);
 }
 
+// A chip without texture shaders refuses to enable them; without that their calls have no effect.
+TEST(GlCallsDump, StagesOfAnotherChip) {
+  const std::string set =
+      "1 glCombinerParameteriNV(pname = GL_NUM_GENERAL_COMBINERS_NV, param = 2)\n"
+      "2 glTexEnvi(target = GL_TEXTURE_SHADER_NV, pname = GL_SHADER_OPERATION_NV, param = GL_NONE)\n";
+  TextureShaderState stages;
+  EXPECT_TRUE(parse_gl_calls({set, "dump"}, profiles::geforce2, &stages));
+  const auto enabled =
+      parse_gl_calls({set + "3 glEnable(cap = GL_TEXTURE_SHADER_NV)\n", "dump"}, profiles::geforce2, &stages);
+  ASSERT_EQ(enabled.faults().size(), 1U);
+  EXPECT_EQ(enabled.faults()[0].gl_error, GlError::invalid_enum);
+  EXPECT_EQ(enabled.faults()[0].line, 3);
+}
+
 TEST(GlCallsDump, OthersAreFaults) {
   for (const char* const text : {
            "1 glBegin(mode = GL_POINTS)\n2 glEnd()\n",          // sets no combiners

@@ -11,6 +11,7 @@ namespace {
 
 struct ReadSource {
   std::string faults, notes;
+  GlError gl_error = GlError::no_error;  // of the first fault
   CombinerState state;
   TextureShaderState stages;
 };
@@ -25,6 +26,7 @@ ReadSource read_source(const std::string& body, const SourceSelection& selection
     read.state = *parsed;
     return read;
   }
+  read.gl_error = parsed.faults()[0].gl_error;
   for (const TextFault& fault : parsed.faults())
     read.faults += std::to_string(fault.line) + ": " + fault.message + '\n';
   return read;
@@ -133,13 +135,39 @@ TEST(SourceStages, WrongCallsAreFaults) {
       std::string::npos);
 }
 
-TEST(SourceStages, AProfileWithoutTextureShadersSkipsThemWithANote) {
-  const ReadSource read =
-      read_source("glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);\n" + kEnable + kCombiners,
-                  {}, profiles::geforce2);
-  EXPECT_EQ(read.faults, "");
-  EXPECT_FALSE(read.stages.enabled);
-  EXPECT_NE(read.notes.find("glTexEnvi"), std::string::npos) << read.notes;
+// Enabled stages are a part of the program, which a chip without them does not run.
+TEST(SourceStages, AProfileWithoutTextureShadersRefusesThemWhereTheyAreEnabled) {
+  const std::string
+      set =
+          "glActiveTexture(GL_TEXTURE3);\n"
+          "glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, mode);\n",
+      load = "nvparse(\"!!TS1.0\\ntexture_2d();\\n\");\n",
+      both = "nvparse(\"!!TS1.0\\ntexture_2d();\\n!!RC1.0\\n{ rgb { spare0 = col0; } }\\nout.rgb = spare0;\\n\");\n";
+  const auto read = [](const std::string& body) { return read_source(body, {}, profiles::geforce2); };
+  for (const std::string& stages : {std::string(), set, load, both}) {
+    const ReadSource refused = read(kCombiners + stages + kEnable);
+    EXPECT_NE(refused.faults.find("profile geforce2 has no texture shaders"), std::string::npos) << refused.faults;
+    EXPECT_EQ(refused.gl_error, GlError::invalid_enum);
+    EXPECT_NE(refused.faults.find("such as nv2a"), std::string::npos) << refused.faults;
+    // Without that they have no effect, and that is said.
+    for (const std::string disable : {"", "glDisable(GL_TEXTURE_SHADER_NV);\n"}) {
+      const ReadSource kept = read(kCombiners + stages + disable);
+      EXPECT_EQ(kept.faults, "");
+      EXPECT_FALSE(kept.stages.enabled);
+      EXPECT_EQ(kept.state.num_general_combiners, stages == both ? 1 : 2);
+      EXPECT_EQ(kept.notes.find("not for combiners"), std::string::npos) << kept.notes;
+      EXPECT_EQ(kept.notes.find("left out; profile geforce2 has none") != std::string::npos, !stages.empty())
+          << kept.notes;
+    }
+  }
+  // Stages alone are no program for this chip.
+  EXPECT_NE(read(load).faults.find("2: profile geforce2 has no texture shaders"), std::string::npos)
+      << read(load).faults;
+  EXPECT_NE(read(set).faults.find("3: profile geforce2 has no texture shaders"), std::string::npos) << read(set).faults;
+  // The extension is not there.
+  EXPECT_EQ(read("if (isSupported(\"GL_NV_texture_shader\")) {\n" + kEnable + "}\n" + kCombiners).faults, "");
+  EXPECT_TRUE(
+      read_source("if (isSupported(\"GL_NV_texture_shader\")) {\n" + kEnable + "}\n" + kCombiners).stages.enabled);
 }
 
 // A program that is drawn with has the stages of that moment.

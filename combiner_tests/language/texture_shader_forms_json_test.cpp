@@ -120,7 +120,8 @@ TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
             "1:11: 'GL_TEXTURE_ENV' is another target; glTexEnvi is read with GL_TEXTURE_SHADER_NV alone\n");
   EXPECT_EQ(gl_faults("glActiveTexture(GL_TEXTURE4);"), "1:1: GL_INVALID_ENUM: profile nv2a has 4 texture units\n");
   EXPECT_EQ(gl_faults("glEnable(GL_TEXTURE_SHADER_NV);", profiles::geforce2),
-            "1:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader)\n");
+            "1:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader); expected a profile "
+            "that has, such as nv2a\n");
 }
 
 TEST(StageCalls, AreReadInDumps) {
@@ -231,6 +232,9 @@ TEST(ShaderTextures, RulesOfDirect3D) {
   }
   EXPECT_EQ(faults("tex t0\ntexm3x3pad t1, t0\ntexm3x3pad t2, t0\ntexm3x3 t3, t0"),
             "5:1: 'texm3x3' is beyond the texture shaders of the GeForce3, which have no such operation\n");
+  EXPECT_EQ(read_shader("xps.1.1\ntex t0\ntexbrdf t3, t1\nmov r0, t3\n").faults,
+            "3:1: GL_INVALID_ENUM: texture stage 3: brdf is not modelled: no picture of the NV2A decides what it "
+            "computes\n");
   EXPECT_EQ(read_shader("ps.1.4\ntexkill t0\ntexld r0, t1\nmov r0, r0\n").faults,
             "3:1: 'r0' needs texture stage 0, which 'texkill' has; a stage has one instruction\n");
   EXPECT_EQ(read_shader("ps.1.4\ntexld r0, t0\nphase\ntexkill r0\nmov r0, v0\n").faults,
@@ -241,7 +245,21 @@ TEST(ShaderTextures, RulesOfDirect3D) {
   EXPECT_EQ(last.stages.stage[0].operation, TextureOperation::pass_through);
   EXPECT_EQ(last.stages.stage[1].operation, TextureOperation::texture_2d);
   EXPECT_EQ(read_shader("ps.1.1\ntexcoord t0\nmov r0, t0\n", profiles::geforce2).faults,
-            "2:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader)\n");
+            "2:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader); expected a profile "
+            "that has, such as nv2a\n");
+}
+
+// HLSL is written for the combiners alone.
+TEST(ShaderTextures, HlslRefusesStages) {
+  TextProgram program;
+  program.texture_shader.enabled = true;
+  program.texture_shader.stage[0].operation = TextureOperation::texture_2d;
+  const auto print = [&] { return find_form("hlsl")->print(program, ChipClass::nv20, profiles::nv2a); };
+  EXPECT_TRUE(print()) << "they only read their textures";
+  program.texture_shader.stage[1].operation = TextureOperation::offset_2d;
+  ASSERT_FALSE(print());
+  EXPECT_EQ(print().error().message,
+            "it has the combiners alone, and these texture-shader stages do more than read their textures");
 }
 
 // The eye vector is a plain constant, with all digits of its name.

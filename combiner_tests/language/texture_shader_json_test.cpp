@@ -97,8 +97,9 @@ TEST(TextureShaderJson, FaultsHaveTheirPlaces) {
   // What GL refuses, at the stage.
   EXPECT_EQ(stage_fault(R"({"stages": [{}, {"operation": "dot_product_3d"}]})"),
             "2:35 texture stage 1: dot_product_3d is for stage 3 only");
-  EXPECT_EQ(stage_fault(R"({"stages": [{"operation": "texture_2d"}]})", profiles::geforce2),
-            "2:19 profile geforce2 has no texture shaders (NV_texture_shader)");
+  EXPECT_EQ(
+      stage_fault(R"({"stages": [{"operation": "texture_2d"}]})", profiles::geforce2),
+      "2:19 profile geforce2 has no texture shaders (NV_texture_shader); expected a profile that has, such as nv2a");
 }
 
 TEST(TextureShaderJson, FormsWithoutStagesRefuseThem) {

@@ -107,7 +107,8 @@ TEST(StageWords, AnOlderChipRefusesThem) {
   const auto refused = validate(*program, profiles::geforce2);
   ASSERT_EQ(refused.size(), 1U);
   EXPECT_EQ(refused[0].gl_error, GlError::invalid_enum);
-  EXPECT_EQ(refused[0].message, "profile geforce2 has no texture shaders (NV_texture_shader)");
+  EXPECT_EQ(refused[0].message,
+            "profile geforce2 has no texture shaders (NV_texture_shader); expected a profile that has, such as nv2a");
 }
 
 TEST(StageWords, WhatTheyCannotExpressIsNamed) {

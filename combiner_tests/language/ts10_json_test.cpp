@@ -167,7 +167,8 @@ TEST(Ts10, FaultsHaveTheirPlaces) {
   EXPECT_EQ(ts10_faults("texture_2d();\nnop();\n!!TS1.0 nop();"),
             "4:1: there is a part !!TS1.0 already; expected one\n");
   EXPECT_EQ(ts10_faults("texture_2d();", profiles::geforce2),
-            "1:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader)\n");
+            "1:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader); expected a profile "
+            "that has, such as nv2a\n");
 }
 
 TEST(Ts10, BrokenTextsEndInStagesOrInFaults) {

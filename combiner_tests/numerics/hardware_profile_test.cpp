@@ -107,16 +107,16 @@ TEST(Profiles, WhatEvidenceCarriesTheTwoChips) {
   EXPECT_EQ(fields_with(card, seed), "general_narrowing narrowing_point ");
   EXPECT_EQ(fields_with(card, measured), "one byte_shift ");
   EXPECT_EQ(fields_with(card, assumed),
-            "multisampling spare0_alpha_without_texture0 coverage_narrowing stage_byte dot_divisors dependent_divisor "
-            "ahead_mapping "
-            "replaced_depth_narrowing ");
+            "multisampling spare0_alpha_without_texture0 coverage_narrowing stage_byte negative_stage_number cull_zero "
+            "dot_divisors dependent_divisor ahead_mapping replaced_depth_narrowing ");
   EXPECT_EQ(fields_with(card, specified),
             "arithmetic lowest_output general_combiners texture_units per_stage_constants blue_to_alpha "
             "mux_by_lowest_bit color_sum_inverts texture_shaders point_sprites fog_alpha_without_fog ");
   const HardwareProfile& xbox = profiles::nv2a;
   EXPECT_EQ(fields_with(xbox, seed), "");
   EXPECT_EQ(fields_with(xbox, assumed),
-            "spare0_alpha_without_texture0 coverage_narrowing dot_divisors dependent_divisor ahead_mapping ");
+            "spare0_alpha_without_texture0 coverage_narrowing negative_stage_number cull_zero dot_divisors "
+            "dependent_divisor ahead_mapping ");
   EXPECT_EQ(fields_with(xbox, inferred), "expand_offset general_narrowing narrowing_point polygon_offset_slope ");
   EXPECT_EQ(fields_with(xbox, specified),
             "arithmetic lowest lowest_output general_combiners texture_units per_stage_constants texture_shaders "

@@ -137,6 +137,7 @@ class Stages {
 
   int byte_of(float c) const {
     if (std::isnan(c)) return 0;
+    if (q_.profile.negative_stage_number.value == NegativeNumber::size && c < 0) c = -c;
     if (q_.profile.stage_byte.value == StageByte::nearest) {
       if (c <= 0) return 0;
       return c >= 1 ? 255 : static_cast<int>(c * 255.0F + 0.5F);
@@ -237,7 +238,9 @@ class Stages {
       case Op::cull_fragment:
         for (std::size_t k = 0; k < 4; ++k) {
           const bool negative_dies = stage(i).cull[k] == CullMode::kills_negative;
-          if (negative_dies ? c[k] < 0 : c[k] >= 0) answer_.culled = true;
+          const bool by_sign = q_.profile.cull_zero.value == CullZero::by_sign;
+          const bool negative = by_sign && c[k] == 0 ? std::signbit(c[k]) : c[k] < 0;
+          if (!std::isnan(c[k]) && negative == negative_dies) answer_.culled = true;
         }
         return;
       default:

@@ -135,7 +135,7 @@ ninebit.study("datapath", profile="geforce2", program=invert, over=["tex0.r"], s
 """
 
 # Types that only the stub has; pybind11's metaclass; overloads whose positional argument mypy 1.0 takes for a keyword.
-ALLOWED_BY_STUBTEST = [r"ninebit\.(ReadForm|Form|Chip|Codes|IntArray|Diagnostic|_Picture)",
+ALLOWED_BY_STUBTEST = [r"ninebit\.(ReadForm|Form|Chip|Codes|Coordinates|Inputs|IntArray|Diagnostic|_Picture)",
                        r"ninebit\._(calls|pictures|questions)\.(Path|AnyProgram|Picture|AnyPicture|Pair|Point|Color|Values|List|Progress"
                        r"|Technique|LightType|Faces)",
                        r"ninebit(\._programs)?\.(Program|State)", r"ninebit\.Program\.evaluate(_real)?"]

@@ -255,6 +255,45 @@ class Programs(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "tex0.r is float"):
             p.trace({"tex0.r": 0.5})
 
+    def test_stages_run_on_coordinates_and_texels(self):
+        text = ("!!TS1.0\ntexture_2d();\ndot_product_2d_1of2(tex0);\ndot_product_2d_2of2(tex0);\n"
+                "cull_fragment(GEQUAL_TO_ZERO, GEQUAL_TO_ZERO, GEQUAL_TO_ZERO, GEQUAL_TO_ZERO);\n!!RC1.0\nout.rgb = tex2;\nout.a = tex0.a;")
+        p = program(text, profile="nv2a")
+        across = np.linspace(-1, 1, 5)
+        found = p.evaluate({"texel0": (255, 51, 0, 9), "at1.s": 0.5, "at2.t": 2, "at3.s": across, "texel2": (1, 2, 3, 4)},
+                           registers=True)
+        self.assertEqual(found["out"][:, 0].tolist(), [1, 2, 3, 9])
+        self.assertEqual(found["tex2"].shape, (4, 5))
+        self.assertEqual(found["culled"].tolist(), [True, True, False, False, False])
+        self.assertTrue(np.isnan(found["depth"]).all())
+        # Pictures of texels, and coordinates along an axis.
+        texels = np.zeros((3, 2, 4), np.uint8)
+        texels[..., 3] = 7
+        self.assertEqual(p.evaluate(texel0=texels)[2, 1].tolist(), [0, 0, 0, 7])
+        self.assertEqual(p.evaluate(at1=np.zeros((3, 2, 4)), texel0=texels).shape, (3, 2, 4))
+        np.testing.assert_array_equal(p.evaluate_real({"texel2": (255, 0, 51, 0), "at3.s": [0.5, 1]})[:, 1], [1, 0, 0.2, 0])
+        trace = p.trace({"texel0": (255, 51, 0, 9), "at1": (0.5, 0), "at2": (0, 2), "texel2": (1, 2, 3, 4)})
+        stages = trace["texture_shader"]["stages"]
+        np.testing.assert_allclose(stages[2]["at"], [0.5, 0.4, 0])
+        self.assertEqual(trace["out"]["codes"], [1, 2, 3, 9])
+        self.assertIn("texture_shader", p.trace())
+        self.assertNotIn("texture_shader", p.trace(tex2=9))
+        self.assertIn("texture stage 2: ", trace._repr_html_())
+        depth = program("!!TS1.0\ntexture_2d();\ndot_product_depth_replace_1of2(tex0);\ndot_product_depth_replace_2of2(tex0);\n",
+                        profile="nv2a")
+        self.assertEqual(depth.evaluate({"texel0.r": 255, "at1.s": [1, 3], "at2.s": 4}, registers=True)["depth"].tolist(), [0.25, 0.75])
+        for inputs, message in (({"at1.s": 0, "tex0.r": 1}, "tex0.r is what the texture-shader stages give"),
+                                ({"texel0.r": 256}, "texel0.r has the (code|byte) 256"), ({"texel0.r": -1}, "texel0.r has the"),
+                                ({"at1": 3}, "expected two to four coordinates"), ({"at1": (1, 2), "at1.s": 3}, "at1.s is given twice")):
+            with self.subTest(inputs=inputs), self.assertRaisesRegex(ninebit.Error, message):
+                p.evaluate(inputs)
+        for value in (True, "x", None):
+            with self.subTest(value=value), self.assertRaisesRegex(TypeError, "expected numbers"):
+                p.evaluate({"at1.s": value})
+        for call in (program(double).evaluate, program(double).trace):
+            with self.assertRaisesRegex(ninebit.Error, "at1.s is for texture-shader stages, and the program has none"):
+                call({"at1.s": 0})
+
     def test_threads(self):
         p = program(compare, "gl")
         codes = np.arange(256, dtype=np.int16).repeat(40)

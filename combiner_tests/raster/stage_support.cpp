@@ -108,6 +108,8 @@ std::unique_ptr<StageCase> random_stages(Random& random, TextureOperation operat
   c.state.converts_yuv = random.one_in(8);
   if (random.one_in(3)) {
     c.profile.stage_byte.value = StageByte::nearest;
+    c.profile.negative_stage_number.value = NegativeNumber::size;
+    c.profile.cull_zero.value = CullZero::by_sign;
     c.profile.dot_divisors.value = DotDivisors::even;
     c.profile.dependent_divisor.value = 256;
     c.profile.ahead_mapping.value = AheadMapping::of_diffuse;

@@ -56,6 +56,34 @@ TEST(TextureShaderEvaluate, NanIsNotCulled) {
   EXPECT_TRUE(run(state, {std::array{-1.0F, -1.0F, -0.0F, -1.0F}}, {}).is_culled);
 }
 
+// Nobody has seen numbers below 0, nor exactly 0 and -0; each has its rival.
+TEST(TextureShaderEvaluate, FieldsThatNoPictureDecides) {
+  HardwareProfile rival = profiles::nv2a;
+  rival.negative_stage_number.value = NegativeNumber::size;
+  rival.cull_zero.value = CullZero::by_sign;
+  EXPECT_EQ(run(nv2a_state(Op::pass_through), {std::array{-1.0F, -0.5F, 0.5F, -kInfinite}}, {}, rival).stage[0].texel,
+            (Bytes4{255, 127, 127, 255}));
+  TextureShaderState scaled = nv2a_state(Op::texture_2d, Op::offset_2d_scale);
+  scaled.stage[1].scale = 0.0F;
+  scaled.stage[1].bias = -1.0F;
+  EXPECT_EQ(run(scaled, {}, {10, 20, 30, 40}).stage[1].texel, (Bytes4{0, 0, 0, 40}));
+  EXPECT_EQ(run(scaled, {}, {10, 20, 30, 40}, rival).stage[1].texel, (Bytes4{10, 20, 30, 40}));
+  for (const CullMode mode : {CullMode::kills_negative, CullMode::kills_not_negative}) {
+    TextureShaderState state = nv2a_state(Op::cull_fragment);
+    state.stage[0].cull.fill(mode);
+    const bool kills_negative = mode == CullMode::kills_negative;
+    const auto is_culled = [&](float component, const HardwareProfile& profile) {
+      std::array<float, 4> at{};
+      at.fill(component);
+      return run(state, {at}, {}, profile).is_culled;
+    };
+    EXPECT_EQ(is_culled(0.0F, rival), !kills_negative);
+    EXPECT_EQ(is_culled(-0.0F, rival), kills_negative);
+    EXPECT_EQ(is_culled(-0.0F, profiles::nv2a), !kills_negative);
+    EXPECT_FALSE(is_culled(kNotANumber, rival));
+  }
+}
+
 // Rule 39.
 TEST(TextureShaderEvaluate, DepthsAreCutAndClamped) {
   const TextureShaderState state = nv2a_state(Op::texture_2d, Op::dot_product, Op::dot_product_depth_replace);

@@ -52,6 +52,61 @@ TEST_F(EvalStagesTable, JsonHasNullForWhatThereIsNot) {
   EXPECT_TRUE(answer["rows"][0]["depth"].is_null());
 }
 
+// `trace` runs the stages on what --set gives, and has their values in all its forms.
+TEST_F(EvalStagesTable, TraceRunsThem) {
+  (void)eval("at1.s\n0\n");  // writes the program
+  const auto trace = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"trace", folder_ / "dot.ts", "--profile", "nv2a"});
+    return ninebit(more);
+  };
+  const std::vector<std::string> set{"--set", "texel0=255,51,0,0", "--set", "at1.s=0.5",
+                                     "--set", "at2=0,2",           "--set", "texel2=1,2,3,4"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), set.begin(), set.end());
+    return trace(more);
+  };
+  const Outcome text = with({});
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("  texture stage 1: dot_product by stage 0, s, t, r, q = (0.5, 0, 0, 1), dot product 0.5 with (1, 0.2,"),
+            std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("texture read at (0.5, 0.4, 0)"), std::string::npos) << text.out;
+  EXPECT_EQ(text.out.find("culled"), std::string::npos);
+  EXPECT_EQ(text.err.find("not run"), std::string::npos) << text.err;
+  const Json json = Json::parse(with({"--json"}).out);
+  EXPECT_EQ(json["out"]["codes"], Json({1, 2, 3, 4}));
+  ASSERT_EQ(json["texture_shader"]["stages"].size(), 4U);
+  EXPECT_EQ(json["texture_shader"]["stages"][2]["codes"], Json({1, 2, 3, 4}));
+  EXPECT_EQ(json["texture_shader"]["stages"][1]["dot"], 0.5);
+  EXPECT_EQ(json["texture_shader"]["culled"], false);
+  EXPECT_TRUE(json["texture_shader"]["depth"].is_null());
+  ASSERT_EQ(with({"-o", folder_ / "t.html"}).code, 0);
+  EXPECT_NE(read_bytes(folder_ / "t.html").find("texture stage 2: "), std::string::npos);
+  ASSERT_EQ(with({"-o", folder_ / "t.svg"}).code, 0);
+  EXPECT_NE(read_bytes(folder_ / "t.svg").find("texture stage 2: "), std::string::npos);
+  // Without --set all is 0; a culled fragment; registers of textures in the stages' place, with a note.
+  EXPECT_NE(trace({}).out.find("texture stage 3: "), std::string::npos);
+  EXPECT_NE(trace({"--set", "at3.q=-1"}).out.find("the fragment is culled"), std::string::npos);
+  const Outcome registers = trace({"--set", "tex2.r=9", "--json"});
+  EXPECT_FALSE(Json::parse(registers.out).contains("texture_shader"));
+  EXPECT_NE(registers.err.find("the texture-shader stages are not run, as --set tex2.r gives"), std::string::npos)
+      << registers.err;
+  const auto expect_wrong = [&](std::vector<std::string> more, const std::string& message) {
+    const Outcome outcome = trace(std::move(more));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  };
+  expect_wrong({"--set", "at1.s=0", "--set", "tex0.r=1"}, "--set tex0.r: the texture-shader stages give it");
+  expect_wrong({"--set", "at1.s=x"}, "--set: at1.s takes a number, not 'x'");
+  expect_wrong({"--set", "at1=1"}, "--set: at1 takes two to four numbers S,T,R,Q, not '1'");
+  expect_wrong({"--set", "texel0=1,2,3"}, "--set: texel0 takes four whole numbers R,G,B,A, each from 0 to 255");
+  expect_wrong({"--set", "texel0.g=256"}, "--set: texel0.g takes a whole number from 0 to 255, not '256'");
+  expect_wrong({"--set", "at1.s=1", "--set", "at1=2,3"}, "--set: at1.s is set twice");
+  const std::string plain = write_bytes(folder_ / "plain.rc", "!!RC1.0\nout.rgb = tex0;\n");
+  expect_error(ninebit({"trace", plain, "--set", "at1.s=1"}), 2,
+               {"--set at1.s: the program has no texture-shader stages"});
+}
+
 TEST_F(EvalStagesTable, BadTablesAreNamed) {
   const auto expect_fault = [&](const std::string& table, const std::string& message) {
     const Outcome outcome = eval(table);

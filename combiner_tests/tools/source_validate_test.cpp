@@ -107,18 +107,26 @@ TEST_F(SourceValidate, CodeWithoutCombiners) {
        "this is code for ATI_fragment_shader, which register combiners cannot run"},
       {"glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB_ARB, GL_DOT3_RGB_ARB);",
        "this is code for texture environments, which register combiners cannot run"},
-      {"glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);",
-       "this is code for NV_texture_shader, which register combiners cannot run"},
   };
   for (const auto& [call, message] : texts) {
     expect_error(validate("void f(void)\n{\n  " + call + "\n}\n"), 3, {message});
-    // Calls alone are read as texture-shader stages.
-    const bool is_read = message.find("NV_texture_shader") != std::string::npos;
-    if (message.starts_with("this") && !is_read) expect_error(validate(call + "\n"), 3, {message});
-    if (is_read) {
-      EXPECT_EQ(validate(call + "\n").code, 1);
-    }
+    if (message.starts_with("this")) expect_error(validate(call + "\n"), 3, {message});
   }
+}
+
+// Stages alone, and stages that are enabled, are refused by a chip that has none.
+TEST_F(SourceValidate, StagesOfAnotherChip) {
+  const std::string set = "glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);",
+                    enable = "glEnable(GL_TEXTURE_SHADER_NV);";
+  for (const std::string& body : {set, set + enable, kGood + enable}) {
+    const Outcome refused = validate("void f(void)\n{\n  " + body + "\n}\n");
+    EXPECT_EQ(refused.code, 1) << refused.out;
+    EXPECT_NE((refused.out + refused.err).find("GL_INVALID_ENUM: profile geforce2 has no texture shaders"),
+              std::string::npos)
+        << refused.out << refused.err;
+    EXPECT_EQ(validate("void f(void)\n{\n  " + body + "\n}\n", {"--profile", "nv2a"}).code, 0);
+  }
+  EXPECT_EQ(validate("void f(void)\n{\n  " + kGood + set + "\n}\n").code, 0);
 }
 
 }  // namespace

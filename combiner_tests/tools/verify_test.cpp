@@ -106,25 +106,6 @@ TEST_F(Verify, PolygonOffsetsOfAnNv2a) {
   expect_error(said("Q,V0,bias16,16:1,9000:1,5:1"), 3, {"at most 8192"});
 }
 
-TEST_F(Verify, TextureShaderStagesOfAnNv2a) {
-  const std::map<std::string, std::string> tables{
-      {"passthru", "1300 rows: 1300 agree, 0 differ\n"},     {"bumpenvmap", "1500 rows: 1500 agree, 0 differ\n"},
-      {"bumpenv_lum", "4000 rows: 4000 agree, 0 differ\n"},  {"dot_cube", "1920 rows: 1920 agree, 0 differ\n"},
-      {"hilo_dot_st", "1000 rows: 1000 agree, 0 differ\n"},  {"cubemap", "1000 rows: 1000 agree, 0 differ\n"},
-      {"clipplane", "900 rows: 900 agree, 0 differ\n"},      {"yuv", "4500 rows: 4500 agree, 0 differ\n"},
-      {"texel_formats", "1700 rows: 1700 agree, 0 differ\n"}};
-  const std::string folder = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_";
-  for (const auto& [name, answer] : tables) {
-    const Outcome nv2a = ninebit({"verify", folder + name + ".csv", "--profile", "nv2a"});
-    EXPECT_EQ(nv2a.code, 0) << name << nv2a.err;
-    EXPECT_EQ(nv2a.out, answer) << name;
-  }
-  // The chip's quotients are not exact: two depths of a thousand are one off.
-  const Outcome depths = ninebit({"verify", folder + "dot_zw.csv", "--profile", "nv2a", "--json"});
-  EXPECT_EQ(depths.code, 1);
-  EXPECT_EQ(Json::parse(depths.out)["differ"], 2);
-}
-
 TEST_F(Verify, SurfacesAndSamplesOfAnNv2a) {
   const std::map<std::string, std::string> tables{
       {"surface_blend", "900 rows: 900 agree, 0 differ\n"}, {"surface_store", "1000 rows: 1000 agree, 0 differ\n"},
@@ -157,57 +138,6 @@ TEST_F(Verify, WrongTablesOfSurfacesAndSamples) {
   fault("mode,sample,y,first,last\nQUINCUNX,1,9,1,2\n", "nv2a", "mode must be one of CENTER_1 or CENTER_CORNER_2");
   fault("mode,sample,y,first,last\nCENTER_CORNER_2,1,9,1,2\n", "geforce2", "no surfaces with several samples");
   fault("column,row,covered\n1,1,0\n", "geforce2", "no surfaces with several samples");
-}
-
-TEST_F(Verify, WrongTablesOfTextureShaderStages) {
-  const std::string lum = "scale,offset,L,T,out\n1,0,255,255,255\n";
-  EXPECT_EQ(verify(lum, {"--profile", "nv2a"}).code, 0);
-  expect_error(verify(lum, {"--profile", "geforce2"}), 3,
-               {"rows.csv:2:1", "geforce2 has no texture shaders", "use --profile nv2a"});
-  for (const std::string number : {"nan", "inf", "1e308", "-1e39"}) {
-    expect_error(verify("scale,offset,L,T,out\n1," + number + ",255,255,255\n", {"--profile", "nv2a"}), 3,
-                 {"rows.csv:2:3", "offset must be a number within ±3.4e38, not '" + number + "'"});
-  }
-  const std::string offsets = "picture,Bs,Gs,i,j,b_first,g_first,b_last,g_last,b,g,m00,m01,m11,m10,class\n";
-  expect_error(verify(offsets + "p,0,0,1,1,0,0,0,0,0,0,1,nan,1,0,0\n", {"--profile", "nv2a"}), 3,
-               {"rows.csv:2:25", "m01 must be a number within ±3.4e38, not 'nan'"});
-  const std::string cube = "mode,mapping,eye,cube,R,G,B,A,face,tx,ty,pic_r,pic_g,pic_b,tex\n";
-  expect_error(verify(cube), 3, {"the comments do not state rows of cube 0", "# rows of cube 0: 1 0 1"});
-  const std::string rows = "# rows of cube 0: 1 0 0; 0 1 0; 0 0 1\n# rows of cube 1: 1 0 0; 0 1 0; 0 0 1\n";
-  const auto one = [&](const std::string& row) { return verify(rows + cube + row, {"--profile", "nv2a"}); };
-  EXPECT_EQ(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,255,119,119,C\n").code, 0);
-  EXPECT_EQ(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,255,119,118,C\n").code, 1);
-  expect_error(one("SPEC,0to1,0 0,0,255,0,0,255,0,32,32,1,2,3,C\n"), 3, {"eye must be three whole numbers", "'0 0'"});
-  expect_error(one("SPEC,0to1,0 0 x 1,0,255,0,0,255,0,32,32,1,2,3,C\n"), 3,
-               {"eye must be three whole numbers", "'0 0 x 1'"});
-  expect_error(one("STR,0to1,,0,255,0,0,255,0,32,32,1,2,3,C\n"), 3, {"mode must be one of STR_CUBE", "'STR'"});
-  expect_error(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,1,2,3,R\n"), 3,
-               {"tex R is in nv2a_cube_radial.csv", "there is none"});
-  const std::string radial = folder_ / "nv2a_cube_radial.csv";
-  for (const std::string number : {"nan", "inf", "-1", "256", "1e300", "1.5"}) {
-    write_bytes(radial, "1,255\n0," + number + "\n");
-    expect_error(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,1,2,3,R\n"), 3,
-                 {"nv2a_cube_radial.csv:2:3", "expected a whole number from 0 to 255, not '" + number + "'"});
-  }
-  write_bytes(radial, "1,255\n");
-  expect_error(one("STR_CUBE,0to1,,0,255,0,0,255,0,32,32,1,2,3,R\n"), 3, {"64 rows of 64 numbers; it has 2 numbers"});
-  const std::string cull = "modes,s0,t0,r0,q0,s1,t1,r1,q1,s2,t2,r2,q2,visible\n";
-  expect_error(verify(cull + "012,0,0,0,0,0,0,0,0,0,0,0,0,3\n", {"--profile", "nv2a"}), 3,
-               {"modes must be four digits 0 or 1", "'012'"});
-  const std::string words = "# over (32,32,32,254)\nformat,word,pic_r,pic_g,pic_b,pic_a\n";
-  expect_error(verify(words + "A8,0x100,1,2,3,4\n", {"--profile", "nv2a"}), 3,
-               {"word must have at most 8 bits, not '0x100'"});
-  expect_error(verify(words + "P8,0x1,1,2,3,4\n", {"--profile", "nv2a"}), 3, {"such as A8R8G8B8", "'P8'"});
-}
-
-// Colours to nearest, as OpenGL has them, are not what the chip gives.
-TEST_F(Verify, ARuleOfStagesIsFound) {
-  const std::string file = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_passthru.csv";
-  const Outcome outcome = ninebit({"verify", file, "--profile", "ideal", "--json"});
-  EXPECT_EQ(outcome.code, 1);
-  const Json object = Json::parse(outcome.out);
-  EXPECT_EQ(object["rules"][0]["field"], "stage_byte");
-  EXPECT_EQ(object["rules"][0]["value"], "12-bits");
 }
 
 // The GeForce 2 kept 16 bits of DXT1 without a dither.

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_nv.h"
 #include "ninebit/numerics/profile_words.h"
+#include "ninebit/texture_shader/stage_program.h"
 
 struct ninebit_state {
   ninebit::gl::Context context;
@@ -23,6 +25,7 @@ struct ninebit_program {
   const ninebit::HardwareProfile* profile;  // a shipped profile, which lives as long as the process
   ninebit::Program program;
   ninebit::BatchProgram batch;
+  std::optional<ninebit::TextureShaderProgram> stages{};  // before the combiners; empty: not enabled
 };
 
 struct ninebit_report {
@@ -78,6 +81,7 @@ inline constexpr std::size_t kRegistersSize = sizeof(ninebit_registers);
 inline constexpr std::size_t kInputsSize = sizeof(ninebit_inputs);
 inline constexpr std::size_t kPlanesSize = sizeof(ninebit_planes);
 inline constexpr std::size_t kDiagnosticSize = sizeof(ninebit_diagnostic);
+inline constexpr std::size_t kFateSize = sizeof(ninebit_fate);
 
 // Reads a fragment's registers; NINEBIT_WRONG_ARGUMENT for NULL, a structure that is too short and a code out of range.
 [[nodiscard]] ninebit_result read_registers(const ninebit_program& program, const ninebit_registers* from,

@@ -1,6 +1,7 @@
 // Programs: compile, evaluate for one fragment or many, trace, emit GLSL.
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 
 #include "ninebit/combiner/evaluate_arrays.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -9,6 +10,7 @@
 #include "ninebit/language/trace_json.h"
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/capi/handles.h"
+#include "src/texture_shader/given_stages.h"
 
 static_assert(NINEBIT_REGISTERS == ninebit::kRegisterCount);
 static_assert(NINEBIT_TEXTURE3 == static_cast<int>(ninebit::Register::texture3));
@@ -79,7 +81,12 @@ ninebit_result ninebit_compile(const ninebit_state* state, ninebit_program** pro
     }
     const auto compiled = ninebit::compile(state->context.state(), *profile);
     if (!compiled) return invalid_input(compiled.error().text(), error);
-    *program = new ninebit_program{profile, *compiled, ninebit::BatchProgram(*compiled)};
+    std::unique_ptr<ninebit_program> made(
+        new ninebit_program{.profile = profile, .program = *compiled, .batch = ninebit::BatchProgram(*compiled)});
+    if (state->context.texture_shader().enabled) {
+      made->stages = ninebit::compile_for_given(state->context.texture_shader(), *profile).value();
+    }
+    *program = made.release();
     return NINEBIT_OK;
   });
 }
@@ -134,6 +141,40 @@ ninebit_result ninebit_evaluate(const ninebit_program* program, const ninebit_re
     const ninebit::EvaluatedFragment done = ninebit::evaluate_fragment(program->program, file);
     std::copy(done.color.begin(), done.color.end(), color);
     if (after != nullptr) write_registers(done.registers, *after);
+    return NINEBIT_OK;
+  });
+}
+
+ninebit_result ninebit_run_stages(const ninebit_program* program, const float at[16], ninebit_read_texel read_texel,
+                                  void* data, ninebit_registers* registers, ninebit_fate* fate, char** error) {
+  return guarded(error, [&] {
+    if (program == nullptr) return wrong_argument("program is NULL", error);
+    if (at == nullptr || read_texel == nullptr) return wrong_argument("at or read_texel is NULL", error);
+    if (registers == nullptr || registers->struct_size < kRegistersSize) {
+      return wrong_argument("registers is NULL, or its struct_size is not set", error);
+    }
+    if (fate != nullptr && fate->struct_size < kFateSize) {
+      return wrong_argument("the struct_size of fate is not set", error);
+    }
+    if (!program->stages) return invalid_input("the program has no texture-shader stages", error);
+    ninebit::StageInputs inputs;
+    for (std::size_t unit = 0; unit < inputs.at.size(); ++unit) std::copy_n(at + 4 * unit, 4, inputs.at[unit].begin());
+    inputs.right = inputs.above = inputs.at;
+    const auto result = ninebit::evaluate(*program->stages, *program->profile, inputs,
+                                          [&](int unit, const ninebit::TexturePlace& place) {
+                                            ninebit::Bytes4 texel{};
+                                            read_texel(data, unit, place.at.data(), texel.data());
+                                            return texel;
+                                          });
+    for (std::size_t unit = 0; unit < result.stage.size(); ++unit) {
+      const ninebit::Rgba9& codes = result.stage[unit].codes;
+      std::copy(codes.begin(), codes.end(), registers->code[NINEBIT_TEXTURE0 + unit]);
+    }
+    registers->code[NINEBIT_SPARE0][3] = registers->code[NINEBIT_TEXTURE0][3];
+    if (fate == nullptr) return NINEBIT_OK;
+    fate->culled = result.is_culled ? 1 : 0;
+    fate->depth_is_set = result.depth ? 1 : 0;
+    fate->depth = result.depth.value_or(0.0F);
     return NINEBIT_OK;
   });
 }

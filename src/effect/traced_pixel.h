@@ -42,15 +42,12 @@ bool choose_pass(TracedPixel& pixel, std::size_t pass);
 // "written", "depth test failed", …
 [[nodiscard]] std::string_view text_of_fate(FragmentFate fate);
 
-// The values of a texture-shader stage in a line: "s, t, r, q = (0.5, 0.25, 0, 1), texture read at (0.5, 0.25, 0),
-// texel (255, 0, 0, 255)". Coordinates that the stage does not read are 0.
-[[nodiscard]] std::string stage_text(const StageValues& stage);
-
 // The pixel to trace.
 struct TraceHeading {
-  std::string profile{};               // its name
-  std::string program{};               // the file's name; empty: none
-  const TracedPixel* pixel = nullptr;  // of a picture
+  std::string profile{};                        // its name
+  std::string program{};                        // the file's name; empty: none
+  const TracedPixel* pixel = nullptr;           // of a picture
+  const TextureShaderResult* stages = nullptr;  // of a fragment that somebody gives; nullptr: they did not run
 };
 
 // The object that is printed; without a trace only the pixel.

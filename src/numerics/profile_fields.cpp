@@ -68,6 +68,8 @@ constexpr std::array kPointShapes{FieldWord{"whole-pixels", "whole pixels"}, Fie
 constexpr std::array kPalettes{FieldWord{"rgb565", "5, 6, 5 bits"}, FieldWord{"rgb888", "8, 8, 8 bits"},
                                FieldWord{"dithered565", "5, 6, 5 bits, dithered"}};
 constexpr std::array kStageBytes{FieldWord{"12-bits", "cut to 12 bits"}, FieldWord{"nearest", "to nearest"}};
+constexpr std::array kNegativeNumbers{FieldWord{"zero", "0"}, FieldWord{"size", "without its sign"}};
+constexpr std::array kCullZeros{FieldWord{"none", "neither 0 nor -0"}, FieldWord{"by-sign", "-0"}};
 constexpr std::array kDotDivisors{FieldWord{"odd", "127, 255, 127"}, FieldWord{"even", "128, 256, 128"}};
 constexpr std::array kAheadMappings{FieldWord{"own", "its own"}, FieldWord{"of-diffuse", "the diffuse stage's"}};
 
@@ -174,6 +176,10 @@ constexpr std::array kFields{
     word<&P::dxt1_palette>("dxt1_palette", rasterizer, kPalettes, "24", "How the colours of a DXT1 texture are kept."),
     word<&P::stage_byte>("stage_byte", texture_shader, kStageBytes, "33",
                          "How a texture-shader stage's number from 0 to 1 becomes a byte."),
+    word<&P::negative_stage_number>("negative_stage_number", texture_shader, kNegativeNumbers, "33",
+                                    "What a texture-shader stage's number below 0 is, before it becomes a byte."),
+    word<&P::cull_zero>("cull_zero", texture_shader, kCullZeros, "42",
+                        "Which of CULL_FRAGMENT's coordinates at zero count as negative."),
     word<&P::dot_divisors>("dot_divisors", texture_shader, kDotDivisors, "36",
                            "What the signed mappings of dot products divide by: Direct3D's, OpenGL's, the plain one."),
     number<&P::dependent_divisor>("dependent_divisor", texture_shader, numbers_of<255, 256>, numbers_of<255, 256>, "37",

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <future>
+#include <limits>
 #include <optional>
 #include <string>
 #include <thread>
@@ -20,6 +21,7 @@
 #include "ninebit/language/trace_json.h"
 #include "src/combiner/given_registers.h"
 #include "src/python/waiting.h"
+#include "src/texture_shader/given_stages.h"
 
 namespace py = pybind11;
 
@@ -253,11 +255,80 @@ void evaluate_real(const RunnableProgram& program, const py::dict& planes, std::
   });
 }
 
-py::object traced(const RunnableProgram& program, const py::dict& registers) {
+namespace {
+
+GivenComponent given_component(const std::string& key) {
+  const auto components = given_components(key);
+  if (components.size() == 1) return components[0];
+  throw Error{"'" + key + "' is not a coordinate or a byte of a texel; expected a name such as at0.s or texel0.r"};
+}
+
+TextureShaderProgram stages_of(const RunnableProgram& program) {
+  auto stages = compile_for_given(program.state.texture_shader, *program.state.profile.profile);
+  if (!stages) throw Error{stages.error().text()};
+  return *std::move(stages);
+}
+
+// An array of one component, which is read in place.
+struct GivenPlane {
+  GivenComponent to{};
+  const std::byte* first = nullptr;
+  std::ptrdiff_t stride = 0;
+  [[nodiscard]] float at(std::size_t i) const {
+    const std::byte* const here = first + static_cast<std::ptrdiff_t>(i) * stride;
+    return to.is_texel ? static_cast<float>(*here) : *reinterpret_cast<const float*>(here);
+  }
+};
+
+}  // namespace
+
+py::tuple run_stages(const RunnableProgram& program, const py::dict& planes, std::size_t count) {
+  const TextureShaderProgram stages = stages_of(program);
+  std::vector<GivenPlane> given;
+  std::vector<py::array> arrays;  // as other threads may change the dictionary
+  for (const auto& [key_object, value] : planes) {
+    const std::string key = key_of(key_object);
+    const GivenComponent to = given_component(key);
+    const bool fits =
+        to.is_texel ? py::isinstance<py::array_t<std::uint8_t>>(value) : py::isinstance<py::array_t<float>>(value);
+    if (!fits) throw py::type_error(key + " must be an array of " + (to.is_texel ? "uint8" : "float32"));
+    const py::array& array = arrays.emplace_back(py::reinterpret_borrow<py::array>(value));
+    const bool aligned = (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
+    const auto size = static_cast<std::size_t>(array.size());
+    if (!aligned || array.ndim() != 1 || (size != 1 && size != count)) {
+      throw py::value_error(key + " must be an aligned array with one dimension, of one number or one per fragment");
+    }
+    given.push_back({to, static_cast<const std::byte*>(array.data()),
+                     size == 1 ? 0 : static_cast<std::ptrdiff_t>(array.strides(0))});
+  }
+  constexpr std::size_t kCodes = 4 * kTextureStages;
+  const auto length = static_cast<py::ssize_t>(count);
+  py::array_t<s9> codes({static_cast<py::ssize_t>(kCodes), length});
+  py::array_t<bool> culled(length);
+  py::array_t<float> depth(length);
+  s9* const to_codes = codes.mutable_data();
+  bool* const to_culled = culled.mutable_data();
+  float* const to_depth = depth.mutable_data();
+  run_on(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      GivenFragment fragment;
+      for (const GivenPlane& one : given) give(fragment, one.to, one.at(i));
+      RegisterFile registers;
+      const TextureShaderResult result =
+          evaluate_given(stages, *program.state.profile.profile, fragment, true, registers);
+      for (std::size_t k = 0; k < kCodes; ++k) to_codes[k * count + i] = result.stage[k / 4].codes[k % 4];
+      to_culled[i] = result.is_culled;
+      to_depth[i] = result.depth.value_or(std::numeric_limits<float>::quiet_NaN());
+    }
+  });
+  return py::make_tuple(codes, culled, depth, stages.warnings());
+}
+
+py::object traced(const RunnableProgram& program, const py::dict& registers, const py::dict& given) {
   const HardwareProfile& profile = *program.state.profile.profile;
   RegisterFile file = default_codes(program);
   Program traced_program = program.program;
-  bool has_spare0_alpha = false;
+  bool has_spare0_alpha = false, has_textures = false;
   for (const auto& [key_object, value] : registers) {
     const std::string key = key_of(key_object);
     const Component at = component_of(key);
@@ -266,13 +337,30 @@ py::object traced(const RunnableProgram& program, const py::dict& registers) {
     if (!is_code(program.program, code)) refuse_code(program.program, code, key);
     file.value[at.reg][at.component] = static_cast<s9>(code);
     has_spare0_alpha = has_spare0_alpha || (reg == Register::spare0 && at.component == kAlpha);
+    has_textures = has_textures || is_texture(reg);
     if (reg == Register::constant0 || reg == Register::constant1) {
       replace_constant(traced_program, reg, static_cast<int>(at.component), static_cast<s9>(code));
     }
   }
   if (!has_spare0_alpha) file[Register::spare0][kAlpha] = file[Register::texture0][kAlpha];
-  const std::string json = print_json_trace(traced_program, trace(traced_program, profile, file));
-  return py::module_::import("json").attr("loads")(json);
+  const auto loaded = [](const std::string& json) -> py::dict {
+    return py::module_::import("json").attr("loads")(json);
+  };
+  py::dict out;
+  if (runs_stages(program.state.texture_shader, !given.empty(), has_textures)) {
+    GivenFragment fragment;
+    for (const auto& [key_object, value] : given) {
+      const std::string key = key_of(key_object);
+      const GivenComponent to = given_component(key);
+      const auto number = value.cast<float>();
+      if (to.is_texel && !(number >= 0.0F && number <= 255.0F)) throw Error{key + " is not a byte; expected 0 to 255"};
+      give(fragment, to, number);
+    }
+    out["texture_shader"] =
+        loaded(print_json_stages(evaluate_given(stages_of(program), profile, fragment, has_spare0_alpha, file)));
+  }
+  out.attr("update")(loaded(print_json_trace(traced_program, trace(traced_program, profile, file))));
+  return out;
 }
 
 }  // namespace ninebit::python

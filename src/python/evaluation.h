@@ -23,10 +23,19 @@ void evaluate(const RunnableProgram& program, const pybind11::dict& planes, std:
 void evaluate_real(const RunnableProgram& program, const pybind11::dict& planes, std::size_t count,
                    pybind11::array_t<double>& color, std::vector<pybind11::array_t<double>>& after);
 
+// Runs texture-shader stages on `count` fragments. `planes` has one-dimensional arrays of float32 by coordinate,
+// 'at0.s', and of uint8 by byte of a texel, 'texel0.r', with `count` numbers or one for all. Gives what the combiners
+// read, an array of the shape (16, count) from tex0.r to tex3.a; which fragments are culled; the depths that replace
+// theirs, or NaN; and why stages are inconsistent, a list of texts.
+[[nodiscard]] pybind11::tuple run_stages(const RunnableProgram& program, const pybind11::dict& planes,
+                                         std::size_t count);
+
 // The registers that may be given, by their short names: const0, const1, fog, primary, …
 [[nodiscard]] std::vector<std::string> register_names();
 
-// Every step of one fragment as a dictionary. `registers` has whole numbers by component.
-[[nodiscard]] pybind11::object traced(const RunnableProgram& program, const pybind11::dict& registers);
+// Every step of one fragment as a dictionary. `registers` has whole numbers by component, `given` coordinates and bytes
+// of texels. Stages that do more than read their textures run first, unless a texture's register is given.
+[[nodiscard]] pybind11::object traced(const RunnableProgram& program, const pybind11::dict& registers,
+                                      const pybind11::dict& given);
 
 }  // namespace ninebit::python

@@ -174,7 +174,9 @@ void add_programs(py::module_& module) {
            py::arg("after").noconvert().none(true))
       .def("_evaluate_real", &evaluate_real, py::arg("planes"), py::arg("count"), py::arg("color").noconvert(),
            py::arg("after").noconvert())
-      .def("_trace", &traced, py::arg("registers"))
+      .def("_run_stages", &run_stages, py::arg("planes"), py::arg("count"))
+      .def_property_readonly("_has_stages", [](const RunnableProgram& p) { return p.state.texture_shader.enabled; })
+      .def("_trace", &traced, py::arg("registers"), py::arg("given"))
       .def("explain", &explained, "The program as equations.")
       .def("glsl", &glsl, py::arg("function") = "ninebit_combine", py::arg("es") = false,
            "The program as a GLSL function of integers, for OpenGL 3.3 or OpenGL ES 3.0.");

@@ -116,14 +116,15 @@ class Fragment {
       const int luminance = values(i).input[kRed];
       byte = static_cast<std::uint8_t>(
           program_.choices.byte == StageByte::nearest
-              ? scaled_byte<StageByte::nearest>(byte, luminance, stage.scale, stage.bias)
-              : scaled_byte<StageByte::twelve_bits>(byte, luminance, stage.scale, stage.bias));
+              ? scaled_byte<StageByte::nearest>(program_.choices.negative, byte, luminance, stage.scale, stage.bias)
+              : scaled_byte<StageByte::twelve_bits>(program_.choices.negative, byte, luminance, stage.scale,
+                                                    stage.bias));
     }
   }
 
   void pass(int i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const float c = given(0, i)[k];
+      const float c = byte_number(program_.choices.negative, given(0, i)[k]);
       values(i).texel[k] = static_cast<std::uint8_t>(program_.choices.byte == StageByte::nearest
                                                          ? stage_byte<StageByte::nearest>(c)
                                                          : stage_byte<StageByte::twelve_bits>(c));
@@ -132,8 +133,7 @@ class Fragment {
 
   void cull(int i, const TextureStage& stage) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const float c = given(0, i)[k];
-      const bool is_killed = stage.cull[k] == CullMode::kills_negative ? c < 0.0F : c >= 0.0F;
+      const bool is_killed = is_killing(stage.cull[k], program_.choices.cull_zero, given(0, i)[k]);
       result_.is_culled = result_.is_culled || is_killed;
     }
   }

@@ -20,12 +20,15 @@ void divide(const float* a, const float* b, std::size_t count, float* to) {
   for (std::size_t i = 0; i < count; ++i) to[i] = a[i] / b[i];
 }
 
-void bytes_of(StageByte how, const float* from, std::size_t count, s9* to) {
-  if (how == StageByte::nearest) {
-    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(stage_byte<StageByte::nearest>(from[i]));
-  } else {
-    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(stage_byte<StageByte::twelve_bits>(from[i]));
-  }
+template <StageByte kHow>
+HWY_INLINE void bytes_by(NegativeNumber negative, const float* from, std::size_t count, s9* to) {
+  for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<s9>(stage_byte<kHow>(byte_number(negative, from[i])));
+}
+
+void bytes_of(const StageChoices& choices, const float* from, std::size_t count, s9* to) {
+  const NegativeNumber negative = choices.negative;
+  if (choices.byte == StageByte::nearest) return bytes_by<StageByte::nearest>(negative, from, count, to);
+  bytes_by<StageByte::twelve_bits>(negative, from, count, to);
 }
 
 void offset(const float* at, const OffsetBy& by, std::size_t count, float* to) {
@@ -35,17 +38,19 @@ void offset(const float* at, const OffsetBy& by, std::size_t count, float* to) {
 }
 
 template <StageByte kHow>
-HWY_INLINE void scale_by(const s9* luminance, float scale, float bias, std::size_t count, s9* texel) {
+HWY_INLINE void scale_by(NegativeNumber negative, const s9* luminance, float scale, float bias, std::size_t count,
+                         s9* texel) {
   for (std::size_t i = 0; i < count; ++i) {
-    texel[i] = static_cast<s9>(scaled_byte<kHow>(texel[i], luminance[i], scale, bias));
+    texel[i] = static_cast<s9>(scaled_byte<kHow>(negative, texel[i], luminance[i], scale, bias));
   }
 }
 
-void scale(StageByte how, const s9* luminance, float scale, float bias, std::size_t count, s9* texel) {
-  if (how == StageByte::nearest) {
-    scale_by<StageByte::nearest>(luminance, scale, bias, count, texel);
+void scale(const StageChoices& choices, const s9* luminance, float scale, float bias, std::size_t count, s9* texel) {
+  const NegativeNumber negative = choices.negative;
+  if (choices.byte == StageByte::nearest) {
+    scale_by<StageByte::nearest>(negative, luminance, scale, bias, count, texel);
   } else {
-    scale_by<StageByte::twelve_bits>(luminance, scale, bias, count, texel);
+    scale_by<StageByte::twelve_bits>(negative, luminance, scale, bias, count, texel);
   }
 }
 
@@ -95,12 +100,16 @@ void reflect(const Three& dots, const Three& eye, std::size_t count, const std::
   for (std::size_t i = 0; i < count; ++i) z[i] = at(i).z;
 }
 
-void cull(CullMode mode, const float* at, std::size_t count, std::uint8_t* killed) {
-  if (mode == CullMode::kills_negative) {
-    for (std::size_t i = 0; i < count; ++i) killed[i] = static_cast<std::uint8_t>(killed[i] | (at[i] < 0.0F ? 1 : 0));
-  } else {
-    for (std::size_t i = 0; i < count; ++i) killed[i] = static_cast<std::uint8_t>(killed[i] | (at[i] >= 0.0F ? 1 : 0));
+template <CullMode kMode>
+HWY_INLINE void cull_by(CullZero zero, const float* at, std::size_t count, std::uint8_t* killed) {
+  for (std::size_t i = 0; i < count; ++i) {
+    killed[i] = static_cast<std::uint8_t>(killed[i] | (is_killing(kMode, zero, at[i]) ? 1 : 0));
   }
+}
+
+void cull(CullMode mode, CullZero zero, const float* at, std::size_t count, std::uint8_t* killed) {
+  if (mode == CullMode::kills_negative) return cull_by<CullMode::kills_negative>(zero, at, count, killed);
+  cull_by<CullMode::kills_not_negative>(zero, at, count, killed);
 }
 
 void convert_yuv(std::size_t count, const std::array<s9*, 3>& color) {
@@ -132,14 +141,14 @@ HWY_EXPORT(convert_yuv);
 void divide(const float* a, const float* b, std::size_t count, float* to) {
   HWY_DYNAMIC_DISPATCH(divide)(a, b, count, to);
 }
-void bytes_of(StageByte how, const float* from, std::size_t count, s9* to) {
-  HWY_DYNAMIC_DISPATCH(bytes_of)(how, from, count, to);
+void bytes_of(const StageChoices& choices, const float* from, std::size_t count, s9* to) {
+  HWY_DYNAMIC_DISPATCH(bytes_of)(choices, from, count, to);
 }
 void offset(const float* at, const OffsetBy& by, std::size_t count, float* to) {
   HWY_DYNAMIC_DISPATCH(offset)(at, by, count, to);
 }
-void scale(StageByte how, const s9* luminance, float scale, float bias, std::size_t count, s9* texel) {
-  HWY_DYNAMIC_DISPATCH(scale)(how, luminance, scale, bias, count, texel);
+void scale(const StageChoices& choices, const s9* luminance, float scale, float bias, std::size_t count, s9* texel) {
+  HWY_DYNAMIC_DISPATCH(scale)(choices, luminance, scale, bias, count, texel);
 }
 void dot(DotMapping mapping, DotDivisors divisors, const Three& at, const Texels& texels, std::size_t count,
          float* to) {
@@ -151,8 +160,8 @@ void dependent(const s9* bytes, float divisor, std::size_t count, float* to) {
 void reflect(const Three& dots, const Three& eye, std::size_t count, const std::array<float*, 3>& to) {
   HWY_DYNAMIC_DISPATCH(reflect)(dots, eye, count, to);
 }
-void cull(CullMode mode, const float* at, std::size_t count, std::uint8_t* killed) {
-  HWY_DYNAMIC_DISPATCH(cull)(mode, at, count, killed);
+void cull(CullMode mode, CullZero zero, const float* at, std::size_t count, std::uint8_t* killed) {
+  HWY_DYNAMIC_DISPATCH(cull)(mode, zero, at, count, killed);
 }
 void convert_yuv(std::size_t count, const std::array<s9*, 3>& color) {
   HWY_DYNAMIC_DISPATCH(convert_yuv)(count, color);

@@ -10,7 +10,7 @@
 #include "ninebit/numerics/codes.h"
 #include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/visibility.h"
-#include "ninebit/texture_shader/stage_state.h"
+#include "ninebit/texture_shader/stage_program.h"
 
 namespace ninebit {
 namespace NINEBIT_PUBLIC stage_lanes {  // the library of the rasterizer calls it
@@ -23,7 +23,7 @@ using Texels = std::array<const s9*, 4>;  // bytes
 void divide(const float* a, const float* b, std::size_t count, float* to);
 
 // Rule 33.
-void bytes_of(StageByte how, const float* from, std::size_t count, s9* to);
+void bytes_of(const StageChoices& choices, const float* from, std::size_t count, s9* to);
 
 // Rule 34: `at` moved by ds and dt, with their factors.
 struct OffsetBy {
@@ -33,7 +33,7 @@ struct OffsetBy {
 void offset(const float* at, const OffsetBy& by, std::size_t count, float* to);
 
 // Rule 35, in place.
-void scale(StageByte how, const s9* luminance, float scale, float bias, std::size_t count, s9* texel);
+void scale(const StageChoices& choices, const s9* luminance, float scale, float bias, std::size_t count, s9* texel);
 
 // Rule 36: the dot products of `at` and the mapped texels.
 void dot(DotMapping mapping, DotDivisors divisors, const Three& at, const Texels& texels, std::size_t count, float* to);
@@ -44,8 +44,8 @@ void dependent(const s9* bytes, float divisor, std::size_t count, float* to);
 // Rule 38: one eye for each fragment.
 void reflect(const Three& dots, const Three& eye, std::size_t count, const std::array<float*, 3>& to);
 
-// Sets `killed` to 1 where a coordinate is.
-void cull(CullMode mode, const float* at, std::size_t count, std::uint8_t* killed);
+// Rule 42: sets `killed` to 1 where a coordinate kills.
+void cull(CullMode mode, CullZero zero, const float* at, std::size_t count, std::uint8_t* killed);
 
 // Rule 40, in place.
 void convert_yuv(std::size_t count, const std::array<s9*, 3>& color);

@@ -58,7 +58,7 @@ constexpr std::array<TextureOperationInfo, 24> kOperations{{
     {dot_product_const_eye_reflect_cube_map, "dot_product_const_eye_reflect_cube_map",
      "DOT_PRODUCT_CONST_EYE_REFLECT_CUBE_MAP_NV", 0x86F3, "dot_product_reflect_cube_map_const_eye_3of3", "texm3x3spec",
      "DOT_RFLCT_SPEC_CONST", 0x12, Target::cube_map, Input::normal, 3, 3, 2},
-    {brdf, "brdf", "", 0, "", "", "BRDF", 0x08, Target::three_dimensional, Input::none, 3, 3, 0},
+    {brdf, "brdf", "", 0, "", "texbrdf", "BRDF", 0x08, Target::three_dimensional, Input::none, 2, 3, 0},
 }};
 
 static_assert([] {

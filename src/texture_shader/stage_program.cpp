@@ -212,8 +212,8 @@ Result<TextureShaderProgram> compile(const TextureShaderState& state, const Stag
   }
   if (!message.empty()) return Diagnostic{.message = message};
   TextureShaderProgram program;
-  program.choices = {profile.stage_byte, profile.dot_divisors, profile.dependent_divisor, profile.ahead_mapping,
-                     profile.replaced_depth_narrowing,
+  program.choices = {profile.stage_byte, profile.negative_stage_number, profile.cull_zero, profile.dot_divisors,
+                     profile.dependent_divisor, profile.ahead_mapping, profile.replaced_depth_narrowing,
                      // OpenGL: GL_NONE gives (0, 0, 0, 0).
                      static_cast<std::uint8_t>(state.rules == StageRules::nv2a ? profile.disabled_texture_alpha : 0)};
   program.depth_unit = state.depth_unit;

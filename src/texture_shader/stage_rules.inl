@@ -19,6 +19,18 @@ NINEBIT_STAGE_RULE std::int32_t stage_byte(float c) {
   }
 }
 
+// The number that becomes the byte.
+NINEBIT_STAGE_RULE float byte_number(NegativeNumber negative, float c) {
+  return negative == NegativeNumber::size ? std::fabs(c) : c;
+}
+
+// Rule 42: whether a coordinate kills the fragment. NaN does not.
+NINEBIT_STAGE_RULE bool is_killing(CullMode mode, CullZero zero, float c) {
+  const bool is_minus_zero = c == 0.0F && std::signbit(c);
+  const bool is_negative = c < 0.0F || (zero == CullZero::by_sign && is_minus_zero);
+  return mode == CullMode::kills_negative ? is_negative : c >= 0.0F && !is_negative;
+}
+
 // A byte, or a word of 16 bits, as two's complement.
 NINEBIT_STAGE_RULE std::int32_t s8(std::int32_t byte) {
   return (byte ^ 0x80) - 0x80;
@@ -36,9 +48,10 @@ NINEBIT_STAGE_RULE float offset_coordinate(float at, float by_ds, std::int32_t d
 
 // Rule 35: a component of the texel, times the luminance.
 template <StageByte kHow>
-NINEBIT_STAGE_RULE std::int32_t scaled_byte(std::int32_t texel, std::int32_t luminance, float scale, float bias) {
+NINEBIT_STAGE_RULE std::int32_t scaled_byte(NegativeNumber negative, std::int32_t texel, std::int32_t luminance,
+                                            float scale, float bias) {
   const float factor = scale * (static_cast<float>(luminance) / 255.0F) + bias;
-  return stage_byte<kHow>(static_cast<float>(texel) / 255.0F * factor);
+  return stage_byte<kHow>(byte_number(negative, static_cast<float>(texel) / 255.0F * factor));
 }
 
 // Three numbers: a direction, or the whole numbers that a texel stands for.

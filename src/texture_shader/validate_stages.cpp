@@ -85,12 +85,16 @@ void check_stage(int place, const TextureStage& stage, Findings& findings) {
 
 }  // namespace
 
+std::string no_texture_shaders(const HardwareProfile& profile) {
+  return "profile " + std::string(profile.name) +
+         " has no texture shaders (NV_texture_shader); expected a profile that has, such as nv2a";
+}
+
 std::vector<TextureShaderDiagnostic> validate(const TextureShaderState& state, const HardwareProfile& profile) {
   Findings findings;
   if (!state.enabled) return {};
   if (!profile.texture_shaders) {
-    findings.add(GlError::invalid_enum,
-                 "profile " + std::string(profile.name) + " has no texture shaders (NV_texture_shader)");
+    findings.add(GlError::invalid_enum, no_texture_shaders(profile));
   }
   if (state.rules > StageRules::nv2a) {
     findings.add(GlError::invalid_enum, "unknown rules of consistency; expected an enumerator of StageRules");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -48,7 +49,8 @@ struct TraceFlags {
 struct Drawn {
   const TracedPixel* pixel = nullptr;
   const HardwareProfile* profile = nullptr;
-  const JudgedPixel* truth = nullptr;  // of --ground-truth
+  const JudgedPixel* truth = nullptr;           // of --ground-truth
+  const TextureShaderResult* stages = nullptr;  // of a fragment from --set, if its stages ran
 };
 
 // The texts for people: the pixel, then the traced fragment.
@@ -59,6 +61,7 @@ std::string text_of(const TraceFacts& facts, const Program* program, const Trace
     if (!facts.program.empty()) lines += fmt::format("program {}, ", printable(facts.program));
     lines += fmt::format("profile {}\n", printable(facts.profile));
   }
+  if (facts.stages != nullptr) lines += stages_text(*facts.stages);
   lines = wrapped(printable_lines(lines), layout.columns);
   // The trace itself contains no foreign names, but may contain colour escapes.
   return traced != nullptr ? lines + trace_text(*program, *traced, layout) : lines;
@@ -84,8 +87,10 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
                          .truth = drawn.truth,
                          .hardware = drawn.profile,
                          .given = flags.program.file.empty() ? nullptr : program,
-                         .registers = registers};
-  const TraceHeading heading{.profile = profile, .program = flags.program.file, .pixel = drawn.pixel};
+                         .registers = registers,
+                         .stages = drawn.stages};
+  const TraceHeading heading{
+      .profile = profile, .program = flags.program.file, .pixel = drawn.pixel, .stages = drawn.stages};
   Json object = trace_answer(heading, program, shown);
   if (drawn.truth != nullptr) object["truth"] = truth_json(*drawn.truth);
   if (!flags.output.empty() || host() != nullptr) {
@@ -108,14 +113,49 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
   return answer_exactly(text_of(facts, program, shown, layout));
 }
 
-int trace_set(const TraceFlags& flags, std::optional<Program> program) {
-  const auto inputs = parse_register_settings(flags.set, profile_of(flags.common));
+void note_stages(const TraceFlags& flags, const std::string& note) {
+  if (!flags.common.quiet) say(fmt::format("ninebit: note: {}: {}\n", printable(flags.program.file), note));
+}
+
+int trace_set(const TraceFlags& flags, const TextProgram& text) {
+  const HardwareProfile& profile = profile_of(flags.common);
+  std::vector<std::string> set = flags.set;
+  const auto given = take_stage_settings(set);
+  if (!given) return wrong_usage("trace", given.error().message);
+  auto inputs = parse_register_settings(set, profile);
   if (!inputs) return wrong_usage("trace", inputs.error().message);
-  std::vector<EvalColumn> given;
-  for (const auto& [column, code] : inputs->constants) given.push_back(column);
-  if (!flags.common.quiet) say_assumed_constants(flags.program.file, *program, given);
-  for (const auto& [column, code] : inputs->constants) replace_constant(*program, column.reg, column.component, code);
-  return print(flags, {.profile = &profile_of(flags.common)}, &*program, inputs->registers);
+  const TextureShaderState& state = text.texture_shader;
+  const auto texture = std::find_if(inputs->set.begin(), inputs->set.end(),
+                                    [](const EvalColumn& column) { return is_texture(column.reg); });
+  const bool gives_components = !given->set.empty(), gives_textures = texture != inputs->set.end();
+  if (gives_components && !state.enabled) {
+    return wrong_usage("trace",
+                       fmt::format("--set {}: the program has no texture-shader stages", name_of(given->set[0])));
+  }
+  if (gives_components && gives_textures) {
+    return wrong_usage("trace",
+                       fmt::format("--set {}: the texture-shader stages give it, as --set {} runs them; expected "
+                                   "texels, such as texel0",
+                                   texture->name(), name_of(given->set[0])));
+  }
+  std::optional<TextureShaderResult> stages;
+  if (runs_stages(state, gives_components, gives_textures)) {
+    const auto compiled = compile_for_given(state, profile);
+    if (!compiled) return report(compiled.error());
+    for (const std::string& warning : compiled->warnings()) note_stages(flags, warning);
+    const bool gives_spare0_alpha =
+        std::find(inputs->set.begin(), inputs->set.end(), EvalColumn{Register::spare0, kAlpha}) != inputs->set.end();
+    stages = evaluate_given(*compiled, profile, given->fragment, gives_spare0_alpha, inputs->registers);
+  } else if (!only_reads_textures(state)) {
+    note_stages(flags, fmt::format("the texture-shader stages are not run, as --set {} gives what they would",
+                                   texture->name()));
+  }
+  Program program = normalize(text.state, profile);
+  std::vector<EvalColumn> constants;
+  for (const auto& [column, code] : inputs->constants) constants.push_back(column);
+  if (!flags.common.quiet) say_assumed_constants(flags.program.file, program, constants);
+  for (const auto& [column, code] : inputs->constants) replace_constant(program, column.reg, column.component, code);
+  return print(flags, {.profile = &profile, .stages = stages ? &*stages : nullptr}, &program, inputs->registers);
 }
 
 int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) {
@@ -184,11 +224,15 @@ int run(const TraceFlags& flags) {
     int exit_code = kDone;
     ProgramFlags named = flags.program;
     named.allow_outside = flags.scene.allow_outside;
-    const auto state = load_program(named, profile, flags.common.quiet, exit_code);
-    if (!state) return exit_code;
-    program = normalize(*state, profile);
+    const auto text = load_text_program(named, profile, flags.common.quiet, exit_code);
+    if (!text) return exit_code;
+    if (flags.scene.file.empty()) return trace_set(flags, *text);
+    if (!only_reads_textures(text->texture_shader)) {
+      note_stages(flags, "the texture-shader stages are not run here; tex0 to tex3 are inputs");
+    }
+    program = normalize(text->state, profile);
   }
-  return flags.scene.file.empty() ? trace_set(flags, program) : trace_pixel(flags, program);
+  return trace_pixel(flags, program);
 }
 
 }  // namespace
@@ -198,14 +242,17 @@ void add_trace(CLI::App& app, int& exit_code) {
   verb->footer(
       "--set gives the registers of the fragment; --scene or --effect, and --pixel, take them from a picture. "
       "Registers that\n"
-      "are not set have the defaults of `ninebit eval` (see its --help). With --scene, the program of the pass that\n"
-      "decided the pixel's shadow is traced; a PROGRAM given with it is traced instead.\n"
+      "are not set have the defaults of `ninebit eval` (see its --help). Texture-shader stages of PROGRAM run first, "
+      "on\n"
+      "coordinates and texels that --set gives, as in at1.s=0.5 and texel0=128,64,0,255. With --scene, the program of\n"
+      "the pass that decided the pixel's shadow is traced; a PROGRAM given with it is traced instead.\n"
       "Examples:\n"
       "  ninebit trace compare.gl --set primary=102,0,0,0 --set tex0=100,0,0,255\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 --profile nv2a --json\n"
       "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256\n"
       "  ninebit trace --scene scenes/index_room.gltf --pixel 400,300 --map-size 256 --ground-truth\n"
       "  ninebit trace --effect scenes/effects/dot3_specular.json --pixel 128,80\n"
+      "  ninebit trace bumps.ts --profile nv2a --set texel0=0,64,192,255 --set at1=0.25,0.75\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 -o compare.html\n"
       "  ninebit trace compare.gl --set primary.r=102 --set tex0.r=101 -o compare.svg");
   auto flags = std::make_shared<TraceFlags>();
@@ -214,7 +261,10 @@ void add_trace(CLI::App& app, int& exit_code) {
   add_program_flags(*verb, flags->program);
   verb->get_option("program")->required(false);
   CLI::Option* const set =
-      verb->add_option("--set", flags->set, "Set a register, or one component as in tex0.a=12; repeatable")
+      verb->add_option(
+              "--set", flags->set,
+              "Set a register, a unit's coordinates at0 to at3, its texel texel0 to texel3, or one component as in "
+              "tex0.a=12; repeatable")
           ->type_name("REGISTER=R,G,B,A")
           ->allow_extra_args(false);
   CLI::Option* const scene = add_scene_file(*verb, "--scene", flags->scene)->excludes(set);

@@ -11,6 +11,7 @@
 #include "ninebit/image/staged_files.h"
 #include "ninebit/language/json.h"
 #include "ninebit/study/stage_vectors.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/system/lines.h"
 #include "src/tools/common/output_file.h"
 #include "src/tools/common/scene_flags.h"
@@ -163,9 +164,7 @@ std::string wrong_seed(const std::string& text) {
 
 int run(const VectorsFlags& flags) {
   if (flags.texture_shader && !profile_of(flags.common).texture_shaders) {
-    throw CLI::ValidationError(
-        "--texture-shader",
-        fmt::format("profile {} has no texture shaders; expected one that has, such as nv2a", flags.common.profile));
+    throw CLI::ValidationError("--texture-shader", no_texture_shaders(profile_of(flags.common)));
   }
   const int least =
       flags.texture_shader ? least_stage_vector_programs() : least_vector_programs(profile_of(flags.common));

@@ -202,6 +202,26 @@ NINEBIT_PUBLIC ninebit_result ninebit_initial_registers(const ninebit_program* p
 NINEBIT_PUBLIC ninebit_result ninebit_evaluate(const ninebit_program* program, const ninebit_registers* registers,
                                                int16_t color[4], ninebit_registers* after, char** error);
 
+/* Reads the texture of a unit, 0 to 3, at s, t, r: the filtered texel's red, green, blue, alpha, signed ones in two's
+   complement. `data` is the caller's. It must not throw. */
+typedef void (*ninebit_read_texel)(void* data, int unit, const float place[3], uint8_t texel[4]);
+
+/* What the texture-shader stages do to a fragment, beside their texels. */
+typedef struct ninebit_fate {
+  size_t struct_size;   /* set by the caller */
+  int32_t culled;       /* 0 or 1 */
+  int32_t depth_is_set; /* 1: `depth` replaces the fragment's, in [0, 1], or in the buffer's codes as the state says */
+  float depth;          /* not rounded or clamped; 0 if it is not set */
+} ninebit_fate;
+
+/* Runs the texture-shader stages of a program for one fragment. `at` has s, t, r, q of unit 0, not divided by q, then
+   those of units 1 to 3. The textures are of the kinds that the operations read, RGBA, or DSDT_MAG where an offset
+   texture reads one. `registers` receives the textures' registers, and texture 0's alpha as spare 0's; the others stay.
+   `fate` may be NULL. NINEBIT_INVALID_INPUT: the state has no texture shaders enabled. */
+NINEBIT_PUBLIC ninebit_result ninebit_run_stages(const ninebit_program* program, const float at[16],
+                                                 ninebit_read_texel read_texel, void* data,
+                                                 ninebit_registers* registers, ninebit_fate* fate, char** error);
+
 /* Many fragments: a plane holds one component of one register, or of the colour, for `count` fragments. */
 typedef struct ninebit_planes {
   size_t struct_size;                         /* set by the caller */

@@ -82,11 +82,13 @@ struct HardwareProfile {
   Choice<Dxt1Palette> dxt1_palette;                // of DXT1 textures
 
   // Texture-shader stages, where the chip has them.
-  Choice<StageByte> stage_byte;                // of pass_through and of scaled offset textures
-  Choice<DotDivisors> dot_divisors;            // of signed mappings of dot products
-  Choice<int> dependent_divisor;               // a byte over this is a coordinate of a dependent texture
-  Choice<AheadMapping> ahead_mapping;          // of the third dot product of a diffuse cube map
-  Choice<Narrowing> replaced_depth_narrowing;  // of a replaced depth, to a depth code
+  Choice<StageByte> stage_byte;                  // of pass_through and of scaled offset textures
+  Choice<NegativeNumber> negative_stage_number;  // of pass_through and of scaled offset textures
+  Choice<CullZero> cull_zero;                    // of cull_fragment
+  Choice<DotDivisors> dot_divisors;              // of signed mappings of dot products
+  Choice<int> dependent_divisor;                 // a byte over this is a coordinate of a dependent texture
+  Choice<AheadMapping> ahead_mapping;            // of the third dot product of a diffuse cube map
+  Choice<Narrowing> replaced_depth_narrowing;    // of a replaced depth, to a depth code
 };
 
 // Returns the fields of a profile that the arithmetic reads.
@@ -165,6 +167,8 @@ inline constexpr HardwareProfile geforce2{
     .dxt1_palette = {Dxt1Palette::rgb565, Evidence::inferred,
                      "banding of DXT1 skies in reviews of 2001; how the chip rounds is assumed"},
     .stage_byte = {StageByte::twelve_bits, Evidence::assumed, "the chip has no such stage; as nv2a"},
+    .negative_stage_number = {NegativeNumber::zero, Evidence::assumed, "the chip has no such stage; as nv2a"},
+    .cull_zero = {CullZero::none, Evidence::assumed, "the chip has no such stage; as nv2a"},
     .dot_divisors = {DotDivisors::odd, Evidence::assumed, "the chip has no such stage; as nv2a"},
     .dependent_divisor = {255, Evidence::assumed, "the chip has no such stage; as nv2a"},
     .ahead_mapping = {AheadMapping::own, Evidence::assumed, "the chip has no such stage; as nv2a"},
@@ -235,6 +239,10 @@ consteval HardwareProfile xbox() {
   p.texture_bias_narrowing = {Narrowing::toward_zero, Evidence::measured, "rule 26: the bias is s4.8"};
   p.dxt1_palette = {Dxt1Palette::dithered565, Evidence::measured, "rule 24: 788,736 values of textures in pictures"};
   p.stage_byte = {StageByte::twelve_bits, Evidence::measured, "rule 33: 557,056 values"};
+  p.negative_stage_number = {NegativeNumber::zero, Evidence::assumed,
+                             "rule 33: no picture has one; rival: without its sign"};
+  p.cull_zero = {CullZero::none, Evidence::assumed,
+                 "rule 42: pixels within 1e-6 of 0 are left out; rival: -0 is negative"};
   p.dot_divisors = {DotDivisors::odd, Evidence::assumed,
                     "rule 36: cube maps show directions alone; rival: 128, 256, 128"};
   p.dependent_divisor = {255, Evidence::assumed, "rule 37: 131,072 pixels show no difference; rival: 256"};
@@ -294,6 +302,8 @@ consteval HardwareProfile real_numbers(std::string_view name, std::string_view c
   p.dxt1_palette = {Dxt1Palette::rgb888, Evidence::specified,
                     "EXT_texture_compression_s3tc: real numbers between the colours"};
   p.stage_byte = {StageByte::nearest, Evidence::specified, "OpenGL: colours are rounded to nearest"};
+  p.negative_stage_number = {NegativeNumber::zero, Evidence::specified, "OpenGL: colours are clamped to 0 to 1"};
+  p.cull_zero = {CullZero::none, Evidence::specified, "NV_texture_shader: comparisons with 0.0, which -0.0 equals"};
   p.dot_divisors = {DotDivisors::odd, Evidence::assumed, as_nv2a};
   p.dependent_divisor = {255, Evidence::specified, "OpenGL: a byte n stands for n / 255"};
   p.ahead_mapping = {AheadMapping::own, Evidence::assumed, as_nv2a};

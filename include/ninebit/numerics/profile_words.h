@@ -91,6 +91,16 @@ enum class DotDivisors : std::uint8_t {
 };
 // Whose mapping the dot product has that DOT_PRODUCT_DIFFUSE_CUBE_MAP reads ahead of its stage.
 enum class AheadMapping : std::uint8_t { own, of_diffuse };
+// What a texture-shader stage's number below 0 is, before it becomes a byte.
+enum class NegativeNumber : std::uint8_t {
+  zero,  // 0
+  size   // itself without its sign
+};
+// Which of CULL_FRAGMENT's coordinates count as negative at zero.
+enum class CullZero : std::uint8_t {
+  none,    // neither 0 nor -0
+  by_sign  // -0
+};
 // How the colours of a DXT1 texture are kept.
 enum class Dxt1Palette : std::uint8_t {
   rgb565,      // the palette in 5, 6 and 5 bits, then widened

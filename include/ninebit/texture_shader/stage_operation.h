@@ -66,7 +66,7 @@ struct TextureOperationInfo {
   std::string_view gl;         // OpenGL's enumerant, without GL_
   std::uint16_t gl_value;      // its number; 0: none
   std::string_view ts10;       // the line of !!TS1.0; of a chain of dot products its last line
-  std::string_view direct3d;   // the instruction of ps.1.0 to 1.3
+  std::string_view direct3d;   // the instruction of ps.1.0 to 1.3 and xps.1.1
   std::string_view xbox;       // of PSTextureModes, without PS_TEXTUREMODES_
   std::uint8_t word;           // the NV2A's stage program, five bits of NV097_SET_SHADER_STAGE_PROGRAM
   StageTarget target;          // of the texture that it reads

@@ -28,6 +28,8 @@ using StageTextures = std::array<std::optional<StageTexture>, kTextureStages>;
 // The fields of a profile that the stage rules read.
 struct StageChoices {
   StageByte byte = StageByte::twelve_bits;             // HardwareProfile::stage_byte
+  NegativeNumber negative = NegativeNumber::zero;      // HardwareProfile::negative_stage_number
+  CullZero cull_zero = CullZero::none;                 // HardwareProfile::cull_zero
   DotDivisors divisors = DotDivisors::odd;             // HardwareProfile::dot_divisors
   int dependent_divisor = 255;                         // HardwareProfile::dependent_divisor
   AheadMapping ahead_mapping = AheadMapping::own;      // HardwareProfile::ahead_mapping

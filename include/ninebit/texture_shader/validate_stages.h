@@ -19,6 +19,10 @@ struct TextureShaderDiagnostic {
   std::string message;                   // one sentence: what is wrong and what is allowed
 };
 
+// The fault of stages that are enabled on a profile without texture shaders: one sentence, with profiles that have
+// them.
+[[nodiscard]] std::string no_texture_shaders(const HardwareProfile& profile);
+
 // Returns the diagnostics of all stages, stage by stage: GL_INVALID_ENUM first, then other errors of OpenGL, then what
 // only the NV2A or this library refuses. Empty: valid. A state that is not enabled is valid with every profile. Whether
 // a stage is consistent depends on the textures, too: see compile(). Rules: NV_texture_shader and NV_texture_shader2,

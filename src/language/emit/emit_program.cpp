@@ -221,6 +221,13 @@ std::optional<Diagnostic> refusal(const Program& program, std::string_view funct
   return refused_name(function);
 }
 
+std::string byte_helper(std::string_view text, NegativeNumber negative, std::string_view size) {
+  std::string made(text);
+  if (negative != NegativeNumber::size) return made;
+  constexpr std::string_view kHead = "(float c) {\n";
+  return made.insert(made.find(kHead) + kHead.size(), "  c = " + std::string(size) + ";\n");
+}
+
 std::string called_helpers(std::span<const Helper> all, const std::string& function, const std::string& lines) {
   std::string text;
   for (std::size_t i = all.size(); i-- > 0;) {

@@ -11,6 +11,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
+#include "ninebit/numerics/profile_words.h"
 #include "ninebit/numerics/result.h"
 #include "src/language/emit/emit_expression.h"
 
@@ -58,6 +59,9 @@ std::optional<Diagnostic> refused_name(std::string_view function);
 struct Helper {
   std::string_view name, text;  // "_dot("
 };
+// The text of the helper that makes a number c a byte, for the numbers below 0 that a profile has; `size` is c without
+// its sign.
+std::string byte_helper(std::string_view text, NegativeNumber negative, std::string_view size);
 // The texts of the helpers that `lines` call, each after those that it calls; these stand before it in `all`.
 std::string called_helpers(std::span<const Helper> all, const std::string& function, const std::string& lines);
 

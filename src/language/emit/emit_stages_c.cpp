@@ -164,7 +164,11 @@ class CStages {
     std::string kills;
     for (int k = 0; k < 4; ++k) {
       const bool negative = stage.cull[static_cast<std::size_t>(k)] == CullMode::kills_negative;
-      kills += (k == 0 ? "" : " || ") + at(i, k) + (negative ? " < 0.0F" : " >= 0.0F");
+      const std::string c = at(i, k), compared = c + (negative ? " < 0.0F" : " >= 0.0F");
+      const std::string minus_zero = "(" + c + " == 0.0F && 1.0F / " + c + " < 0.0F)";
+      const bool by_sign = program_.choices.cull_zero == CullZero::by_sign;
+      kills += k == 0 ? "" : " || ";
+      kills += by_sign ? "(" + compared + (negative ? " || " : " && !") + minus_zero + ")" : compared;
     }
     line("culled = culled || " + kills);
   }
@@ -290,17 +294,18 @@ class CStages {
 
   // Those that are called, each after those that it calls.
   [[nodiscard]] std::string helpers() const {
-    const std::string code = code_helper();
-    const std::array<emit::Helper, 9> all{
-        {{"_byte(", program_.choices.byte == StageByte::nearest ? kCNearest : kCTwelveBits},
-         {"_s8(", kCSigned8},
-         {"_code(", code},
-         {"_moved(", kCMoved},
-         {"_scaled(", kCScaled},
-         {"_dot(", kCDot},
-         {"_hemisphere(", kCHemisphere},
-         {"_reflected(", kCReflected},
-         {"_rgb(", kCYuv}}};
+    const std::string code = code_helper(),
+                      byte = emit::byte_helper(program_.choices.byte == StageByte::nearest ? kCNearest : kCTwelveBits,
+                                               program_.choices.negative, "c < 0.0F ? -c : c");
+    const std::array<emit::Helper, 9> all{{{"_byte(", byte},
+                                           {"_s8(", kCSigned8},
+                                           {"_code(", code},
+                                           {"_moved(", kCMoved},
+                                           {"_scaled(", kCScaled},
+                                           {"_dot(", kCDot},
+                                           {"_hemisphere(", kCHemisphere},
+                                           {"_reflected(", kCReflected},
+                                           {"_rgb(", kCYuv}}};
     return emit::called_helpers(all, function_, lines_);
   }
 

@@ -151,8 +151,12 @@ class GlslStages {
   void cull(int i, const TextureStage& stage) {
     std::string kills;
     for (std::size_t k = 0; k < 4; ++k) {
-      kills += (kills.empty() ? "" : " || ") + indexed("at", i) + '.' + "xyzw"[k] +
-               (stage.cull[k] == CullMode::kills_negative ? " < 0.0" : " >= 0.0");
+      const bool negative = stage.cull[k] == CullMode::kills_negative;
+      const std::string c = indexed("at", i) + '.' + "xyzw"[k], compared = c + (negative ? " < 0.0" : " >= 0.0");
+      const std::string minus_zero = "(floatBitsToInt(" + c + ") == int(0x80000000u))";
+      const bool by_sign = program_.choices.cull_zero == CullZero::by_sign;
+      kills += kills.empty() ? "" : " || ";
+      kills += by_sign ? "(" + compared + (negative ? " || " : " && !") + minus_zero + ")" : compared;
     }
     line("culled = culled || " + kills);
   }
@@ -258,16 +262,17 @@ class GlslStages {
 
   // Those that are called, each after those that it calls.
   [[nodiscard]] std::string helpers() const {
-    const std::array<emit::Helper, 9> all{
-        {{"_byte(", program_.choices.byte == StageByte::nearest ? kNearest : kTwelveBits},
-         {"_s8(", kSigned8},
-         {"_s16(", kSigned16},
-         {"_offset(", kOffset},
-         {"_scaled(", kScaled},
-         {"_dot(", kDot},
-         {"_hemisphere(", kHemisphere},
-         {"_reflected(", kReflected},
-         {"_rgb(", kYuv}}};
+    const std::string byte = emit::byte_helper(program_.choices.byte == StageByte::nearest ? kNearest : kTwelveBits,
+                                               program_.choices.negative, "abs(c)");
+    const std::array<emit::Helper, 9> all{{{"_byte(", byte},
+                                           {"_s8(", kSigned8},
+                                           {"_s16(", kSigned16},
+                                           {"_offset(", kOffset},
+                                           {"_scaled(", kScaled},
+                                           {"_dot(", kDot},
+                                           {"_hemisphere(", kHemisphere},
+                                           {"_reflected(", kReflected},
+                                           {"_rgb(", kYuv}}};
     return emit::called_helpers(all, function_, lines_);
   }
 

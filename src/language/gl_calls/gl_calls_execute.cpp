@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/gl_nv/gl_nv_access.h"
 
 namespace ninebit::detail {
@@ -87,7 +88,7 @@ class Call {
       return "profile " + std::string(profile.name) + " has " +
              std::to_string(std::min(profile.texture_units.value, kTextureStages)) + " texture units";
     }
-    if (!profile.texture_shaders) return no_texture_shaders();
+    if (!profile.texture_shaders) return no_texture_shaders(profile);
     const bool is_scalar = call_.command == GlCommand::tex_env_i || call_.command == GlCommand::tex_env_f;
     const GLenum pname = converted_.e[1];
     if (is_scalar && values_of_stage(pname) > 1) return "this parameter needs an array; expected one of a single value";
@@ -112,10 +113,6 @@ class Call {
         return "expected a parameter of texture shaders, such as GL_SHADER_OPERATION_NV, not " +
                quoted(arguments_[1].text);
     }
-  }
-
-  [[nodiscard]] std::string no_texture_shaders() const {
-    return "profile " + std::string(context_.profile().name) + " has no texture shaders (NV_texture_shader)";
   }
 
   bool refuse(const GlArgument& argument, const std::string& expected) {
@@ -319,7 +316,7 @@ class Call {
         return "expected GL_CONSTANT_COLOR0_NV or GL_CONSTANT_COLOR1_NV, not " + quoted(arguments_[1].text);
       default:
         if (pname == gl::GL_PER_STAGE_CONSTANTS_NV) return no_stage_constants;
-        if (pname == gl::GL_TEXTURE_SHADER_NV) return no_texture_shaders();
+        if (pname == gl::GL_TEXTURE_SHADER_NV) return no_texture_shaders(profile);
         return "expected GL_REGISTER_COMBINERS_NV or GL_PER_STAGE_CONSTANTS_NV, not " + quoted(arguments_[0].text);
     }
   }

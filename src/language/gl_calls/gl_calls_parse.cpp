@@ -120,14 +120,17 @@ class GlParser {
   }
 
   // The call of a line of a dump that sets texture shaders; nullptr: it does not. Units are followed where there may be
-  // stages.
+  // stages; elsewhere enabling them is refused, and the other calls have no effect.
   [[nodiscard]] const GlSignature* stage_call_of(const detail::GlDumpLine& line) const {
-    if (!context_.profile().texture_shaders) return nullptr;
     const GlSignature* const call = named_call(line.name);
     const std::string_view text = text_.substr(line.call, line.end - line.call);
     const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
     const bool names_stages = has("TEXTURE_SHADER_NV") || has("0x86de") || has("0x86DE");
     const bool is_unit = call != nullptr && call->command == detail::GlCommand::active_texture;
+    if (!context_.profile().texture_shaders) {
+      const bool enables = call != nullptr && call->command == detail::GlCommand::enable;
+      return enables && names_stages ? call : nullptr;
+    }
     return is_unit || names_stages ? call : nullptr;
   }
 

@@ -151,14 +151,18 @@ Result<TextureShaderProgram> compile_for_text(TextureShaderState state, const Ha
   return warnings.empty() ? program : Diagnostic{.message = warnings.front()};
 }
 
+// The fault of a form for the combiners alone, if the stages do more than it can leave out.
+Status check_combiners_alone(const TextProgram& program) {
+  if (only_reads_textures(program.texture_shader)) return {};
+  return Diagnostic{.message =
+                        "it has the combiners alone, and these texture-shader stages do more than read their textures"};
+}
+
 // Register words of NV10, which has no texture shaders.
 template <Result<std::string> (*printer)(const CombinerState&, ChipClass, const HardwareProfile&,
                                          std::span<const RegisterWord>)>
 Result<std::string> words_without_stages(const TextProgram& program, const HardwareProfile& profile) {
-  if (!only_reads_textures(program.texture_shader)) {
-    return Diagnostic{
-        .message = "it has the combiners alone, and these texture-shader stages do more than read their textures"};
-  }
+  if (Status alone = check_combiners_alone(program); !alone) return alone.error();
   return printer(program.state, ChipClass::nv10, profile, program.other_words);
 }
 
@@ -184,9 +188,7 @@ template <PixelLanguage language>
 Result<std::string> print_pixel(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
   auto text = emit_pixel_shader(normalize(program.state, profile), language);
   if constexpr (language == PixelLanguage::hlsl) {
-    if (text && !only_reads_textures(program.texture_shader)) {
-      return "// The texture-shader stages of the program are not in this text.\n" + *text;
-    }
+    if (Status alone = check_combiners_alone(program); !alone) return alone.error();
     return text;
   } else {
     return with_stages(std::move(text), program, profile,

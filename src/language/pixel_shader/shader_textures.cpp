@@ -94,7 +94,7 @@ class ShaderTextures {
     }
     const auto place = static_cast<std::size_t>(to.index);
     const auto operation = operation_named(one.row->name);
-    if (!operation || *operation == brdf) {
+    if (!operation) {
       return faults_.add(
           one.offset,
           quoted(one.row->name) + " is beyond the texture shaders of the GeForce3, which have no such operation");
@@ -263,7 +263,9 @@ Result<std::string> print_textures(const TextureShaderState& state, const std::s
     if (operation_named(name) != stage.operation) {
       return why(i, std::string(info_of(stage.operation).name) + "; " + name + " reads a texture of another kind");
     }
-    if (stage.operation == dot_product_diffuse_cube_map) return why(i, "texm3x3diff; only xps.1.1 has it");
+    if (stage.operation == dot_product_diffuse_cube_map || stage.operation == brdf) {
+      return why(i, name + "; only xps.1.1 has it");
+    }
     if (stage.operation == dot_product_depth_replace) return why(i, "texm3x2depth; it begins with ps.1.3");
     const TextureStage fresh;
     if (stage.matrix != fresh.matrix || stage.scale != fresh.scale || stage.bias != fresh.bias) {

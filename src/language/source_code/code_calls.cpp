@@ -294,7 +294,14 @@ void Machine::call_combiner(const detail::GlSignature& signature, const Expressi
     if (!is_ours) return;
   }
   const auto given = arguments(signature, e, false);
+  const bool is_stages = switches && given && !given->empty() && given->front().integer == gl::GL_TEXTURE_SHADER_NV;
+  // What a chip does not have is disabled anyway.
+  if (is_stages && signature.command == GlCommand::disable && !context_.profile().texture_shaders) {
+    sites_[e.offset].is_read = true;
+    return;
+  }
   need_guards(e);
+  switches_stages_ = switches_stages_ || is_stages;
   if (!switches) {
     ++calls_made_;
     ++calls_made_on_context_;
@@ -315,9 +322,6 @@ void Machine::execute_call(const detail::GlSignature& signature, const Expressio
   detail::SourceFaults& faults = site.is_refused ? once : faults_;
   const std::size_t before = faults.count();
   detail::execute_gl_call(signature, *arguments, e.offset, context_, faults);
-  const bool switches =
-      enables(signature) && !arguments->empty() && arguments->front().integer == gl::GL_TEXTURE_SHADER_NV;
-  switches_stages_ = switches_stages_ || switches;
   site.is_read = true;
   site.is_refused = site.is_refused || faults.count() > before;
 }
@@ -340,6 +344,12 @@ bool Machine::call_stage(const detail::GlSignature& signature, const Expression&
     return true;
   }
   if (first.is_number() && first.number.integer != gl::GL_TEXTURE_SHADER_NV) return false;
+  // Stages of a chip that has none have no effect; enabling them is refused.
+  if (!context_.profile().texture_shaders) {
+    if (!first.is_number()) return false;
+    leave_out_stages(e.offset, e.offset);
+    return true;
+  }
   auto given = arguments(signature, e, true);
   need_guards(e);
   if (unknown_unit_ && unknown_unit_->is_number()) {

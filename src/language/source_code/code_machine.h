@@ -2,6 +2,7 @@
 // that it may have changed unknown.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -27,17 +28,18 @@ namespace ninebit::code {
 
 // How often a call of the source was executed, and how it went.
 struct CallSite {
-  bool is_read = false;     // with known arguments
-  bool is_unknown = false;  // with arguments that are not known
-  bool is_refused = false;  // GL raised an error
-  bool is_skipped = false;  // it loads a program that is not for combiners
+  bool is_read = false;      // with known arguments
+  bool is_unknown = false;   // with arguments that are not known
+  bool is_refused = false;   // GL raised an error
+  bool is_skipped = false;   // it loads a program that is not for combiners
+  bool is_left_out = false;  // it sets stages of texture shaders, which the profile does not have
 };
 
 // A source, parsed once for all that is executed of it.
 struct Program {
-  // Calls of texture shaders are read if the profile has some and the text names them.
-  Program(const SourceText& text, const SourceSelection& selection, const HardwareProfile& profile,
-          detail::SourceFaults& faults, detail::SourceFaults& notes);
+  // Calls of texture shaders are read if the text names them.
+  Program(const SourceText& text, const SourceSelection& selection, detail::SourceFaults& faults,
+          detail::SourceFaults& notes);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
@@ -75,7 +77,8 @@ struct Program {
 }
 [[nodiscard]] std::string lower_case(std::string_view name);
 [[nodiscard]] bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts);
-// Whether a name or a text says that an extension of the combiners is there; empty: it does not say.
+// Whether a name or a text says that an extension of the combiners or of texture shaders is there; empty: it does not
+// say.
 [[nodiscard]] std::optional<bool> says_extension(std::string_view name, const HardwareProfile& profile);
 // Whether a class without a declaration in the file seems to hold a few numbers: Vec4, Color, GLfloat4, …
 [[nodiscard]] bool names_vector(std::string_view word, std::size_t numbers);
@@ -134,6 +137,11 @@ class Machine {
   [[nodiscard]] bool is_out_of_steps() const { return out_of_steps_; }
   [[nodiscard]] std::string too_many_steps() const;
   [[nodiscard]] const std::map<std::uint32_t, CallSite>& sites() const { return sites_; }
+  // Whether all that was set are stages, which the profile does not have.
+  [[nodiscard]] bool has_left_out_all() const {
+    return !sites_.empty() &&
+           std::all_of(sites_.begin(), sites_.end(), [](const auto& one) { return one.second.is_left_out; });
+  }
   // Where the string literals begin that were loaded.
   [[nodiscard]] const std::set<std::uint32_t>& loaded() const { return loaded_; }
   // Whether a definition of the Xbox was filled, and the program that it is; reports what is wrong with it.
@@ -303,6 +311,11 @@ class Machine {
   void execute_call(const detail::GlSignature& signature, const Expression& e,
                     const std::optional<std::vector<detail::GlArgument>>& arguments);
   void select_unit(const Value& unit);
+  // A call, at `offset`, sets stages that the profile does not have; what sets them stands at `at`.
+  void leave_out_stages(std::uint32_t offset, std::uint32_t at) {
+    sites_[offset].is_read = sites_[offset].is_left_out = true;
+    if (!left_out_at_) left_out_at_ = at;
+  }
   Value call_nvparse(const Expression& e);
   std::optional<Value> call_known(std::string_view name, const Expression& e);
   std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
@@ -353,10 +366,11 @@ class Machine {
   std::map<std::string, bool> assumed_;  // conditions whose value was assumed
   std::size_t steps_ = 0, calls_made_ = 0, calls_made_on_context_ = 0;
   bool out_of_steps_ = false, set_since_drawing_ = false;
-  bool switches_stages_ = false;              // a call enables or disables texture shaders
-  std::optional<std::uint32_t> stages_at_{};  // of the last program in a literal that has stages
-  std::optional<Value> unknown_unit_;         // why it is not known which texture unit is active
-  bool is_thrown_ = false;                    // an exception leaves functions
+  bool switches_stages_ = false;                // a call enables or disables texture shaders
+  std::optional<std::uint32_t> stages_at_{};    // of the last program in a literal that has stages
+  std::optional<std::uint32_t> left_out_at_{};  // of the first stages, on a profile without texture shaders
+  std::optional<Value> unknown_unit_;           // why it is not known which texture unit is active
+  bool is_thrown_ = false;                      // an exception leaves functions
   int depth_ = 0, quiet_ = 0, tries_ = 0;
   std::string jump_label_;  // of Flow::jump
 };

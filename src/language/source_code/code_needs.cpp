@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/source/foreign_language.h"
 #include "src/language/source_code/code_machine.h"
 
@@ -236,6 +237,13 @@ void Machine::finish() {
   const bool only_skipped = !sites_.empty() && std::all_of(sites_.begin(), sites_.end(),
                                                            [](const auto& one) { return one.second.is_skipped; });
   if (only_skipped) faults_.add(sites_.begin()->first, cannot_run(skipped_language_));
+  if (has_left_out_all()) {
+    faults_.add(*left_out_at_, no_texture_shaders(context_.profile()), GlError::invalid_enum);
+  } else if (left_out_at_) {
+    notes_.add(*left_out_at_,
+               "texture shaders are set and not enabled by GL_TEXTURE_SHADER_NV: they are left out; profile " +
+                   std::string(context_.profile().name) + " has none");
+  }
   if (out_of_steps_) faults_.add(0, too_many_steps());
   for (const auto& [name, note] : assumptions_) {
     if (used_origins_.count(name) != 0) notes_.add(note.first, note.second);

@@ -39,9 +39,14 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   loaded_.insert(begin);
   // nvparse also loads programs for other units.
   const std::string_view language = foreign_language(literal.source().text);
-  const bool has_stages =
-      context_.profile().texture_shaders && literal.source().text.find("!!TS1.0") != std::string_view::npos;
+  const bool sets_stages = literal.source().text.find(detail::kTs10Header) != std::string_view::npos;
+  const bool has_stages = sets_stages && context_.profile().texture_shaders;
   const bool has_combiners = literal.source().text.find("!!RC1.0") != std::string_view::npos;
+  if (sets_stages && !has_stages) {
+    leave_out_stages(offset, begin);
+    if (!has_combiners) return;
+    sites_[offset].is_left_out = false;
+  }
   if (!language.empty() && !has_combiners && !has_stages) {
     notes_.add(begin, "skipped " + std::string(language) + ": it is not for combiners");
     skipped_language_ = language;
@@ -60,7 +65,8 @@ void Machine::load(std::uint32_t begin, std::uint32_t end, std::uint32_t offset,
   site.is_read = true;
   for (TextFault& fault : parsed.notes) {
     const bool is_half = has_stages && !has_combiners && fault.message == detail::kNoRegisterCombiners;
-    if (!is_half) notes_.add(std::move(fault));
+    const bool is_left_out = sets_stages && !has_stages && fault.message.find(detail::kTs10Header) != std::string::npos;
+    if (!is_half && !is_left_out) notes_.add(std::move(fault));
   }
   for (TextFault fault : parsed.faults()) {
     const TextPlace place = program_.source.place(begin);

@@ -20,10 +20,12 @@ bool may_qualify(const Expression& e) {
 
 }  // namespace
 
-// Whether a name or a text says that an extension of the combiners is there; empty: it does not say.
+// Whether a name or a text says that an extension of the combiners or of texture shaders is there; empty: it does not
+// say.
 std::optional<bool> says_extension(std::string_view name, const HardwareProfile& profile) {
   std::string plain = lower_case(name);
   plain.erase(std::remove(plain.begin(), plain.end(), '_'), plain.end());
+  if (plain.find("nvtextureshader") != std::string::npos) return profile.texture_shaders.value;
   const std::size_t at = plain.find("registercombiners");
   if (at == std::string::npos) return std::nullopt;
   const bool second = plain.substr(at).starts_with("registercombiners2");

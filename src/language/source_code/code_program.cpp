@@ -51,10 +51,10 @@ bool names_capability(const Expression& e) {
 
 }  // namespace
 
-Program::Program(const SourceText& text, const SourceSelection& selection, const HardwareProfile& profile,
-                 detail::SourceFaults& faults, detail::SourceFaults& notes)
+Program::Program(const SourceText& text, const SourceSelection& selection, detail::SourceFaults& faults,
+                 detail::SourceFaults& notes)
     : source(text) {
-  file.reads_stages = profile.texture_shaders && names_stages(text.text);
+  file.reads_stages = names_stages(text.text);
   read_file(file, text, selection, faults, notes);
   parser = std::make_unique<Parser>(file, outline);
   parser->read_outline();

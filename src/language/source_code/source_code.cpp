@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/foreign_language.h"
@@ -102,7 +103,7 @@ class Units {
         profile_(profile),
         faults_(text),
         notes_(text),
-        program_(text, selection, profile, faults_, notes_) {
+        program_(text, selection, faults_, notes_) {
     if (program_.sets(program_.outline.code)) {
       units_.push_back({.kind = UnitKind::code, .offset = program_.outline.code[0].offset, .is_root = true});
     }
@@ -246,6 +247,10 @@ class Units {
     for (const std::uint32_t offset : own) out.calls_not_read += machine.sites().count(offset) == 0 ? 1 : 0;
     out.needs = machine.needs();
     if (machine.is_out_of_steps()) faults.add(unit.offset, machine.too_many_steps());
+    if (machine.has_left_out_all()) {
+      faults.add(machine.sites().begin()->first, no_texture_shaders(profile_), GlError::invalid_enum);
+      std::swap(out.calls_read, out.calls_refused);
+    }
     out.faults = faults.take();
     if (!unit.is_part || out.faults.empty()) return out;
     // A fault of a part need not be one of the whole text, which is not read.

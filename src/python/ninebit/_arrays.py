@@ -4,6 +4,8 @@ import numpy as np
 from ._combiner import REGISTERS, Error, nearest_name, register_named
 
 _LETTERS = "rgba"
+# What texture-shader stages read of a fragment: coordinates and bytes of texels.
+STAGE_INPUTS = {**{f"at{unit}": "strq" for unit in range(4)}, **{f"texel{unit}": "rgba" for unit in range(4)}}
 _COMPONENTS = [f"{register}.{letter}" for register in REGISTERS for letter in _LETTERS]
 
 
@@ -12,9 +14,10 @@ def register_of(name, keyword=False):
     if not isinstance(name, str):
         raise TypeError(f"a register's name must be str, such as 'tex0' or 'tex0.r', not {type(name).__name__}")
     register, dot, letter = name.partition(".")
-    known = register_named(register)
-    if known and (not dot or (len(letter) == 1 and letter in _LETTERS)):
-        return known, _LETTERS.index(letter) if dot else None
+    known = register if register in STAGE_INPUTS else register_named(register)
+    letters = STAGE_INPUTS.get(register, _LETTERS)
+    if known and (not dot or (len(letter) == 1 and letter in letters)):
+        return known, letters.index(letter) if dot else None
     known = [*REGISTERS, *(["out", "axis", "registers"] if keyword else _COMPONENTS)]
     raise (TypeError if keyword else Error)(
         f"'{name}' is not a register{' or an option' if keyword else ''}; expected one of {', '.join(REGISTERS)}"
@@ -60,6 +63,27 @@ def codes_of(name, value, lowest, one):
     return array
 
 
+def coordinates_of(name, value):
+    """The value as an array of float32; TypeError for other types than numbers."""
+    array = np.asarray(value)
+    if isinstance(value, np.ma.MaskedArray) or array.dtype.kind not in "iuf":
+        found = f"an array of {array.dtype}" if isinstance(value, np.ndarray) else type(value).__name__
+        raise TypeError(f"{name} is {found}; expected numbers, in an array without a mask, a list or alone")
+    return array.astype(np.float32)
+
+
+def values_of(name, register, value, lowest, one):
+    """The value of a register as codes, of coordinates as float32, of texels as uint8."""
+    if register not in STAGE_INPUTS:
+        return codes_of(name, value, lowest, one)
+    if register.startswith("at"):
+        return coordinates_of(name, value)
+    codes = codes_of(name, value, 0, 255)
+    if codes.size and (codes.min() < 0 or codes.max() > 255):
+        raise Error(f"{name} has the byte {codes.min() if codes.min() < 0 else codes.max()}; expected 0 to 255")
+    return codes.astype(np.uint8, copy=False)
+
+
 def _component_axis(name, shape, axis):
     """Where a whole register has its components: 0 or -1. `axis` is where it has to have them, or None."""
     found = [a for a in (0, -1) if shape[a] in (3, 4)]
@@ -75,7 +99,7 @@ def _component_axis(name, shape, axis):
 
 
 class Fragments:
-    """The planes of all inputs, of one shape."""
+    """The planes of all inputs, of one shape: `planes` of registers, `given` of coordinates and texels."""
 
     def __init__(self, inputs, lowest, one, axis):
         if axis not in (None, 0, -1) or isinstance(axis, bool):
@@ -86,11 +110,11 @@ class Fragments:
         planes = {}
         for name, value in inputs.items():
             register, component = register_of(name)
-            codes = codes_of(name, value, lowest, one)
+            codes = values_of(name, register, value, lowest, one)
             if component is not None:
                 self._add(planes, register, component, name, codes)
                 continue
-            for c, plane in enumerate(self._split(name, codes)):
+            for c, plane in enumerate(self._split(name, register, codes)):
                 self._add(planes, register, c, name, plane)
         try:
             self.shape = np.broadcast_shapes(*(plane.shape for plane in planes.values()))
@@ -98,12 +122,20 @@ class Fragments:
             shapes = ", ".join(f"{name} {plane.shape}" for name, plane in planes.items())
             raise Error(f"the shapes of the inputs do not broadcast together: {shapes}") from None
         self.count = int(np.prod(self.shape, dtype=np.int64))
-        self.planes = {name: self._flat(plane) for name, plane in planes.items()}
+        flat = {name: self._flat(plane) for name, plane in planes.items()}
+        self.given = {name: plane for name, plane in flat.items() if name.partition(".")[0] in STAGE_INPUTS}
+        self.planes = {name: plane for name, plane in flat.items() if name not in self.given}
 
-    def _split(self, name, codes):
+    def _split(self, name, register, codes):
         """A whole register's components."""
-        if codes.ndim == 0:
+        coordinates = register.startswith("at")
+        if codes.ndim == 0 and not coordinates:
             return [codes] * 4
+        if codes.ndim < 2 and coordinates:
+            if codes.ndim == 0 or len(codes) not in (2, 3, 4):
+                raise Error(f"{name} has the shape {codes.shape}; expected two to four coordinates s, t, r, q, or an array of "
+                            f"three or four; one coordinate of n fragments is '{name}.s'")
+            return list(codes)
         if codes.ndim == 1:
             if len(codes) not in (3, 4):
                 raise Error(f"{name} has the shape {codes.shape}; expected one colour of 3 or 4 components, or an array of "
@@ -113,7 +145,7 @@ class Fragments:
         return list(np.moveaxis(codes, self.axis, 0))
 
     def _add(self, planes, register, component, name, plane):
-        key = f"{register}.{_LETTERS[component]}"
+        key = f"{register}.{STAGE_INPUTS.get(register, _LETTERS)[component]}"
         if key in planes:
             raise Error(f"{key} is given twice; expected a whole register or its components, not both ({name})")
         planes[key] = plane

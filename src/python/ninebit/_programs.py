@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 
 from . import _combiner
-from ._arrays import Fragments, check_out, codes_of, merged, register_of
+from ._arrays import STAGE_INPUTS, Fragments, check_out, merged, register_of, values_of
 from ._combiner import Error
 
 
@@ -119,11 +119,13 @@ class Program(_combiner.Program):
         components. All shapes broadcast. Codes are uint8 or any other integers; floats and bools are refused.
 
         What is not given is 0, except the alpha of textures and fog, which is 1.0, spare0.a, which is tex0.a, and the
-        constants, which are the program's. The result has its four components where whole registers have theirs, else
+        constants, which are the program's. Where coordinates, at0 to at3, or texels, texel0 to texel3, are given, the
+        program's texture-shader stages run first and give tex0 to tex3. The result has its four components where whole registers have theirs, else
         along the first axis. `out` is an array of integers that takes it. With registers=True, a dictionary has it as
-        'out', and every register after the last general combiner.
+        'out', and every register after the last general combiner; of stages that ran also whether each fragment is
+        'culled', and the 'depth' that replaces its own, or NaN.
         """
-        fragments = Fragments(merged(inputs, keywords), self.lowest, self.one, axis)
+        fragments, fates = self._fragments(inputs, keywords, axis)
         shape = (*fragments.shape, 4) if fragments.axis == -1 else (4, *fragments.shape)
         if out is not None:
             check_out(out, shape, self.one)
@@ -134,7 +136,27 @@ class Program(_combiner.Program):
         if out is not None and color is not out:
             np.copyto(out, color, casting="unsafe")  # check_out() has found that it fits
             color = out
-        return {"out": color, **after} if registers else color
+        return {"out": color, **after, **fates} if registers else color
+
+    def _fragments(self, inputs, keywords, axis):
+        """The inputs, after the stages where coordinates or texels are given; and what these do to the fragments."""
+        fragments = Fragments(merged(inputs, keywords), self.lowest, self.one, axis)
+        if not fragments.given:
+            return fragments, {}
+        self._check_stages(fragments.given, fragments.planes)
+        codes, culled, depth, notes = self._run_stages(fragments.given, fragments.count)
+        for note in notes:
+            warnings.warn(note, stacklevel=3)
+        fragments.planes.update((f"tex{at // 4}.{'rgba'[at % 4]}", plane) for at, plane in enumerate(codes))
+        return fragments, {"culled": culled.reshape(fragments.shape), "depth": depth.reshape(fragments.shape)}
+
+    def _check_stages(self, given, codes):
+        """Raises if coordinates and texels are given that no stages read, or what stages give."""
+        if given and not self._has_stages:
+            raise Error(f"{next(iter(given))} is for texture-shader stages, and the program has none")
+        for name in codes if given else ():
+            if name.startswith("tex"):
+                raise Error(f"{name} is what the texture-shader stages give; expected what they read, such as texel0 and at1")
 
     def evaluate_real(self, inputs=None, /, *, axis=None, registers=False, **keywords):
         """The colours of fragments in real numbers, as float64: 1.0 is full intensity.
@@ -143,32 +165,39 @@ class Program(_combiner.Program):
         integer profile's codes can be compared with these; a profile in 32-bit floats rounds each operation to one. With
         registers=True, a dictionary has the colours as 'out', and every register after the last general combiner.
         """
-        fragments = Fragments(merged(inputs, keywords), self.lowest, self.one, axis)
+        fragments, fates = self._fragments(inputs, keywords, axis)
         shape = (*fragments.shape, 4) if fragments.axis == -1 else (4, *fragments.shape)
         found = {name: np.empty(shape) for name in ("out", *(_combiner.REGISTERS if registers else ()))}
         planes = [fragments.component_planes(array) for array in found.values()]
         self._evaluate_real(fragments.planes, fragments.count, planes[0], planes[1:])
-        return found if registers else found["out"]
+        return {**found, **fates} if registers else found["out"]
 
     def trace(self, registers=None, /, **keywords):
         """Every step of one fragment, as `ninebit trace --json` prints it: a dictionary that Jupyter shows as a diagram.
 
-        Registers are given by name, 'tex0.r': 100 or 'tex0': (100, 0, 0, 255), or as keywords.
+        Registers are given by name, 'tex0.r': 100 or 'tex0': (100, 0, 0, 255), or as keywords. Texture-shader stages that
+        do more than read their textures run first, on coordinates, at1=(0.5, 0.25), and texels, texel0=(100, 0, 0,
+        255), unless the registers of textures are given; the key 'texture_shader' has their values.
         """
-        codes = {}
+        codes, given = {}, {}
         for name, value in merged(registers, keywords).items():
             register, component = register_of(name)
-            found = codes_of(name, value, self.lowest, self.one)
-            if found.shape not in (((),) if component is not None else ((), (3,), (4,))):
-                expected = "one whole number" if component is not None else "3 or 4 whole numbers"
+            found = values_of(name, register, value, self.lowest, self.one)
+            whole = ((2,), (3,), (4,)) if register.startswith("at") else ((), (3,), (4,))
+            if found.shape not in (((),) if component is not None else whole):
+                kind = "number" if register.startswith("at") else "whole number"
+                expected = f"one {kind}" if component is not None else f"{'2 to' if whole[0] else '3 or'} 4 {kind}s"
                 raise Error(f"{name} has the shape {found.shape}; expected {expected}: a trace is of one fragment")
-            letters = "rgba"[component] if component is not None else "rgba"[:found.size if found.ndim else 4]
-            for letter, code in zip(letters, np.broadcast_to(found, len(letters)).tolist()):
-                if f"{register}.{letter}" in codes:
+            letters = STAGE_INPUTS.get(register, "rgba")
+            letters = letters[component] if component is not None else letters[:found.size if found.ndim else 4]
+            into = given if register in STAGE_INPUTS else codes
+            for letter, number in zip(letters, np.broadcast_to(found, len(letters)).tolist()):
+                if f"{register}.{letter}" in into:
                     raise Error(f"{register}.{letter} is given twice; expected a whole register or its components, not both")
-                codes[f"{register}.{letter}"] = code
-        trace = Trace({"profile": self.profile, **self._trace(codes)})
-        trace._state, trace._codes = self.state, codes
+                into[f"{register}.{letter}"] = number
+        self._check_stages(given, codes)
+        trace = Trace({"profile": self.profile, **self._trace(codes, given)})
+        trace._state, trace._codes = self.state, {**codes, **given}
         return trace
 
     def __repr__(self):

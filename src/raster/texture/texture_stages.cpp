@@ -140,19 +140,20 @@ class TextureStages::Batch {
   void scale(int i, const TextureStage& stage) {
     const s9* const luminance = texel(stage.previous)[kRed].data();
     for (std::size_t k = 0; k < 3; ++k) {
-      stage_lanes::scale(stages_.program_.choices.byte, luminance, stage.scale, stage.bias, count_,
+      stage_lanes::scale(stages_.program_.choices, luminance, stage.scale, stage.bias, count_,
                          texel_[index(i)][k].data());
     }
   }
 
   void pass(int i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      stage_lanes::bytes_of(stages_.program_.choices.byte, given(0, i, k), count_, texel_[index(i)][k].data());
+      stage_lanes::bytes_of(stages_.program_.choices, given(0, i, k), count_, texel_[index(i)][k].data());
     }
   }
 
   void cull(int i, const TextureStage& stage) {
-    for (std::size_t k = 0; k < 4; ++k) stage_lanes::cull(stage.cull[k], given(0, i, k), count_, to_.killed);
+    const CullZero zero = stages_.program_.choices.cull_zero;
+    for (std::size_t k = 0; k < 4; ++k) stage_lanes::cull(stage.cull[k], zero, given(0, i, k), count_, to_.killed);
   }
 
   void replace_depth(int i) {

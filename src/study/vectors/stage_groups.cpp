@@ -33,7 +33,7 @@ void add_pictures(Maker& m, StageVectorProgram& p) {
 void set_numbers(Maker& m, TextureStage& stage) {
   for (float& entry : stage.matrix) entry = between(m.random, -0.5F, 0.5F);
   stage.scale = between(m.random, 0.0F, 2.0F);
-  stage.bias = between(m.random, -0.25F, 0.75F);
+  stage.bias = between(m.random, 0.0F, 0.75F);  // no picture decides numbers below 0
   for (float& component : stage.eye) component = between(m.random, -1.0F, 1.0F);
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/xbox/stage_words.h"
 #include "src/study/vectors/stage_groups.h"
@@ -148,7 +149,7 @@ int least_stage_vector_programs() {
 Result<StageVectorPack> make_stage_vector_pack(const HardwareProfile& profile, const VectorSettings& settings,
                                                const VectorProgress& go_on) {
   if (!profile.texture_shaders) {
-    return Diagnostic{.message = "profile " + std::string(profile.name) + " has no texture shaders"};
+    return Diagnostic{.message = no_texture_shaders(profile)};
   }
   const auto groups = vectors::stage_groups_of_packs();
   if (Status checked = vectors::check_settings(settings, groups.size(), profile); !checked) return checked.error();

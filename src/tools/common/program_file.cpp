@@ -227,17 +227,6 @@ Result<ProgramFile> read_program_file(ProgramSource source, const ProgramFlags& 
   return file;
 }
 
-std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile, bool quiet,
-                                          int& exit_code) {
-  const auto program = load_text_program(flags, profile, quiet, exit_code);
-  if (!program) return std::nullopt;
-  if (!only_reads_textures(program->texture_shader) && !quiet) {
-    say(fmt::format("ninebit: note: {}: the texture-shader stages are not run here; tex0 to tex3 are inputs\n",
-                    printable(flags.file)));
-  }
-  return program->state;
-}
-
 std::optional<TextProgram> load_text_program(const ProgramFlags& flags, const HardwareProfile& profile, bool quiet,
                                              int& exit_code) {
   auto source = open_program(flags);

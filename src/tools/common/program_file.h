@@ -98,9 +98,6 @@ struct ProgramFile {
 // The set-up `source.setup` of a log that was read from the source.
 [[nodiscard]] std::optional<TextProgram> load_setup(Parsed<RegisterLog> log, ProgramSource source,
                                                     const HardwareProfile& profile, bool quiet, int& exit_code);
-// Its state alone.
-[[nodiscard]] std::optional<CombinerState> load_program(const ProgramFlags& flags, const HardwareProfile& profile,
-                                                        bool quiet, int& exit_code);
 
 // Whether --function or --define was given for a file that does not take it, or --chip for one that has no register
 // words; says so.

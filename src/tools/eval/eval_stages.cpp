@@ -30,22 +30,14 @@ std::vector<std::string_view> fields_of(std::string_view text) {
 }
 
 // "at1.s" and "texel0.r"; empty: another column.
-std::optional<StageColumn> stage_column(std::string_view name) {
-  for (const auto& [word, components, kind] :
-       {std::tuple{std::string_view("at"), kCoordinates, StageColumn::Kind::coordinate},
-        {std::string_view("texel"), kComponents, StageColumn::Kind::texel}}) {
-    if (!name.starts_with(word) || name.size() != word.size() + 3 || name[word.size() + 1] != '.') continue;
-    const char unit = name[word.size()];
-    const std::size_t component = components.find(name.back());
-    if (unit < '0' || unit >= '0' + kTextureStages || component == std::string_view::npos) continue;
-    return StageColumn{.kind = kind, .unit = static_cast<std::size_t>(unit - '0'), .component = component};
-  }
-  return std::nullopt;
+std::optional<GivenComponent> given_column(std::string_view name) {
+  const auto components = given_components(name);
+  return components.size() == 1 ? std::optional(components[0]) : std::nullopt;
 }
 
 Result<StageColumn> column_called(std::string_view name, const CsvLine& header, const std::string& file,
                                   const HardwareProfile& profile) {
-  if (const auto column = stage_column(name)) return *column;
+  if (const auto given = given_column(name)) return StageColumn{.given = given};
   for (const EvalColumn& known : eval_columns(profile)) {
     const bool is_constant = known.reg == Register::constant0 || known.reg == Register::constant1;
     if (known.name() != name || is_texture(known.reg) || is_constant) continue;
@@ -59,24 +51,9 @@ Result<StageColumn> column_called(std::string_view name, const CsvLine& header, 
                   shown(name)));
 }
 
-StageTextures textures_of(const TextureShaderState& state) {
-  StageTextures textures;
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    const StageTarget target = info_of(state.stage[i].operation).target;
-    if (target != StageTarget::none) textures[i] = StageTexture{.target = target};
-  }
-  for (const TextureStage& stage : state.stage) {
-    const StageInput input = info_of(stage.operation).input;
-    auto& read = textures[static_cast<std::size_t>(stage.previous)];
-    if ((input == StageInput::offset || input == StageInput::luminance) && read) read->format = TextureFormat::dsdt_mag;
-  }
-  return textures;
-}
-
 // The values of a row.
 struct Row {
-  StageInputs inputs{};
-  std::array<Bytes4, kTextureStages> texel{};
+  GivenFragment given{};
   RegisterFile registers{};
 };
 
@@ -85,26 +62,24 @@ Status read_field(const StageColumn& column, const CsvLine& line, std::string_vi
   const auto fault = [&](const std::string& expected) {
     return csv_fault(file, line.number, column_of(line, field), fmt::format("{}, not '{}'", expected, shown(field)));
   };
-  if (column.kind == StageColumn::Kind::coordinate) {
+  if (column.given && !column.given->is_texel) {
     float value = 0.0F;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size()) {
-      return fault(fmt::format("at{}.{} must be a number", column.unit, kCoordinates[column.component]));
+      return fault(fmt::format("{} must be a number", name_of(*column.given)));
     }
-    row.inputs.at[column.unit][column.component] = value;
+    give(row.given, *column.given, value);
     return {};
   }
-  const bool is_texel = column.kind == StageColumn::Kind::texel;
-  const int least = is_texel ? 0 : profile.lowest.value, most = is_texel ? 255 : profile.one.value;
+  const int least = column.given ? 0 : profile.lowest.value, most = column.given ? 255 : profile.one.value;
   int value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || value < least || value > most) {
-    const std::string name =
-        is_texel ? fmt::format("texel{}.{}", column.unit, kComponents[column.component]) : column.code.name();
+    const std::string name = column.given ? name_of(*column.given) : column.code.name();
     return fault(fmt::format("{} must be a whole number from {} to {}", name, least, most));
   }
-  if (is_texel) {
-    row.texel[column.unit][column.component] = static_cast<std::uint8_t>(value);
+  if (column.given) {
+    give(row.given, *column.given, static_cast<float>(value));
   } else {
     row.registers[column.code.reg][static_cast<std::size_t>(column.code.component)] = static_cast<s9>(value);
   }
@@ -116,7 +91,7 @@ Status read_field(const StageColumn& column, const CsvLine& line, std::string_vi
 bool has_stage_columns(std::string_view header) {
   const auto fields = fields_of(header);
   return std::any_of(fields.begin(), fields.end(),
-                     [](std::string_view name) { return stage_column(name).has_value(); });
+                     [](std::string_view name) { return given_column(name).has_value(); });
 }
 
 Result<EvalStages> EvalStages::make(const TextProgram& program, const HardwareProfile& profile, const CsvLine& header,
@@ -134,7 +109,7 @@ Result<EvalStages> EvalStages::make(const TextProgram& program, const HardwarePr
     if (!column) return column.error();
     made.columns_.push_back(*column);
   }
-  auto stages = compile(program.texture_shader, textures_of(program.texture_shader), profile);
+  auto stages = compile_for_given(program.texture_shader, profile);
   if (!stages) return stages.error();
   made.stages_ = *std::move(stages);
   made.warnings_ = made.stages_.warnings();
@@ -157,7 +132,6 @@ std::vector<std::string> EvalStages::result_names() {
 Result<std::vector<std::string>> EvalStages::evaluate(const CsvLine& line, const std::string& file) const {
   Row row;
   row.registers = default_registers(profile_);
-  for (auto& unit : row.inputs.at) unit[3] = 1.0F;
   const auto fields = fields_of(line.text);
   if (fields.size() != columns_.size()) {
     return csv_fault(file, line.number, 1,
@@ -168,18 +142,9 @@ Result<std::vector<std::string>> EvalStages::evaluate(const CsvLine& line, const
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (Status read = read_field(columns_[i], line, fields[i], file, profile_, row); !read) return read.error();
     const EvalColumn spare0_alpha{Register::spare0, kAlpha};
-    gives_spare0_alpha =
-        gives_spare0_alpha || (columns_[i].kind == StageColumn::Kind::code && columns_[i].code == spare0_alpha);
+    gives_spare0_alpha = gives_spare0_alpha || (!columns_[i].given && columns_[i].code == spare0_alpha);
   }
-  row.inputs.right = row.inputs.above = row.inputs.at;
-  const TextureShaderResult result =
-      ninebit::evaluate(stages_, profile_, row.inputs,
-                        [&](int unit, const TexturePlace&) { return row.texel[static_cast<std::size_t>(unit)]; });
-  for (std::size_t unit = 0; unit < kTextureStages; ++unit) {
-    row.registers[static_cast<Register>(static_cast<std::size_t>(Register::texture0) + unit)] =
-        result.stage[unit].codes;
-  }
-  if (!gives_spare0_alpha) row.registers[Register::spare0][kAlpha] = row.registers[Register::texture0][kAlpha];
+  const TextureShaderResult result = evaluate_given(stages_, profile_, row.given, gives_spare0_alpha, row.registers);
   const Rgba9 color = ninebit::evaluate(program_, row.registers);
 
   std::vector<std::string> values;

@@ -12,17 +12,17 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
 #include "ninebit/texture_shader/stage_program.h"
+#include "src/texture_shader/given_stages.h"
 #include "src/tools/input/csv_lines.h"
 #include "src/tools/input/eval_table.h"
 
 namespace ninebit::tools {
 
-// A column of such a table: a coordinate "at1.s", a byte of a unit's texel "texel0.r", or a register's code. One of
-// the three is set.
+// A column of such a table: a coordinate or a byte of a texel; or a register's code, not of textures, which the stages
+// give.
 struct StageColumn {
-  enum class Kind : std::uint8_t { coordinate, texel, code } kind = Kind::code;
-  std::size_t unit = 0, component = 0;  // of coordinates and texels
-  EvalColumn code{};                    // of codes; not of textures, which the stages give
+  std::optional<GivenComponent> given{};  // empty: it is a code
+  EvalColumn code{};
 };
 
 // Whether a header has a column of texture-shader stages.

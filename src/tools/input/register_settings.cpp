@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -81,6 +82,43 @@ Result<RegisterSettings> parse_register_settings(const std::vector<std::string>&
   }
   inputs.set = std::move(set);
   return inputs;
+}
+
+Result<StageSettings> take_stage_settings(std::vector<std::string>& texts) {
+  StageSettings all;
+  const auto wrong = [](const std::string& why) { return Diagnostic{.message = "--set: " + why}; };
+  for (const std::string& text : texts) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals), value = text.substr(std::min(equals + 1, text.size()));
+    const auto components = given_components(name);
+    if (components.empty()) continue;
+    const bool is_texel = components[0].is_texel;
+    const auto values = numbers<float>(value, ',');
+    // s and t are enough of coordinates.
+    const std::size_t least = is_texel || components.size() == 1 ? components.size() : 2;
+    const bool fits = values && values->size() >= least && values->size() <= components.size() &&
+                      (!is_texel || std::all_of(values->begin(), values->end(),
+                                                [](float v) { return v >= 0 && v <= 255 && v == std::floor(v); }));
+    if (!fits) {
+      const char* const expected = is_texel                 ? components.size() == 1 ? "a whole number from 0 to 255"
+                                                                                     : "four whole numbers R,G,B,A, each from 0 to 255"
+                                   : components.size() == 1 ? "a number"
+                                                            : "two to four numbers S,T,R,Q";
+      return wrong(fmt::format("{} takes {}, not '{}'", name, expected, value));
+    }
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      const GivenComponent& one = components[i];
+      if (std::find(all.set.begin(), all.set.end(), one) != all.set.end()) {
+        return wrong(fmt::format("{} is set twice", name_of(one)));
+      }
+      all.set.push_back(one);
+      give(all.fragment, one, (*values)[i]);
+    }
+  }
+  std::erase_if(texts, [](const std::string& text) {
+    return !given_components(std::string_view(text).substr(0, text.find('='))).empty();
+  });
+  return all;
 }
 
 }  // namespace ninebit::tools

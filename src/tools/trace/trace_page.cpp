@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ninebit/language/explain.h"
+#include "src/system/lines.h"
 #include "src/tools/common/explanation.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/trace/trace_pixel.h"
@@ -17,7 +18,8 @@ namespace {
 // The trace of one fragment, and its program's equations.
 Json page_trace(const TraceFacts& facts, const TracedPixel* pixel, const Program& program,
                 const RegisterFile& registers) {
-  const TraceHeading heading{.profile = facts.profile, .program = facts.program, .pixel = pixel};
+  const TraceHeading heading{
+      .profile = facts.profile, .program = facts.program, .pixel = pixel, .stages = facts.stages};
   const Trace traced = trace(program, *facts.hardware, registers);
   return {{"trace", trace_answer(heading, &program, &traced)},
           {"explanation", explanation_json(explain(program, *facts.hardware), TextProgram{}, facts.profile)}};
@@ -33,6 +35,17 @@ Json pass_notes(const TracedPixel& pixel, const ProbedPass& pass, const Program*
                                 fragment_text(pixel, fragment), fmt::join(fragment.color, ", ")));
   }
   return notes;
+}
+
+// The lines of a text, without the blanks before them.
+Json lines_of(std::string_view text) {
+  Json lines = Json::array();
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(trimmed(text.substr(0, end)));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
 }
 
 Json drawn_passes(const TraceFacts& facts) {
@@ -86,6 +99,7 @@ DiagramPage trace_page(const TraceFacts& facts) {
   } else {
     Json only = page_trace(facts, nullptr, *facts.given, facts.registers);
     const auto bytes = only["trace"]["out"]["bytes"].get<std::array<int, 4>>();
+    if (facts.stages != nullptr) only["notes"] = lines_of(stages_text(*facts.stages));
     fact("Out", fmt::format("bytes {}", fmt::join(bytes, ", ")));
     drawn = {{"first", 0}, {"passes", Json::array({std::move(only)})}};
   }

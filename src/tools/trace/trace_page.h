@@ -12,13 +12,14 @@ namespace ninebit::tools {
 
 // The traced fragment.
 struct TraceFacts {
-  std::string program{};                      // file; empty: the program of the pixel's pass
-  std::string profile{};                      // its name for people
-  const TracedPixel* pixel = nullptr;         // nullptr: registers were given
-  const JudgedPixel* truth = nullptr;         // of the pixel; nullptr: not asked
-  const HardwareProfile* hardware = nullptr;  // that the fragments were drawn with
-  const Program* given = nullptr;             // the program of the file; nullptr: those of the passes
-  RegisterFile registers{};                   // without a pixel
+  std::string program{};                        // file; empty: the program of the pixel's pass
+  std::string profile{};                        // its name for people
+  const TracedPixel* pixel = nullptr;           // nullptr: registers were given
+  const JudgedPixel* truth = nullptr;           // of the pixel; nullptr: not asked
+  const HardwareProfile* hardware = nullptr;    // that the fragments were drawn with
+  const Program* given = nullptr;               // the program of the file; nullptr: those of the passes
+  RegisterFile registers{};                     // without a pixel
+  const TextureShaderResult* stages = nullptr;  // without a pixel, if stages ran
 };
 
 // The page with every pass that drew at the pixel, but without its text. A pass is traced at the fragment that decided

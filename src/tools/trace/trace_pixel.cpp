@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ninebit/effect/effect_json.h"
+#include "ninebit/language/trace_json.h"
 #include "src/tools/common/flag_values.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/draw/draw_files.h"
@@ -150,18 +151,15 @@ std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& f) {
                      f.stages && f.stages->depth ? " (replaced)" : "", f.stored_depth, text_of_fate(f.fate));
 }
 
-namespace {
-
-// A line for each texture-shader stage of the fragment.
-std::string stages_text(const ProbedFragment& f) {
+std::string stages_text(const TextureShaderResult& result) {
   std::string text;
-  for (std::size_t i = 0; f.stages && i < f.stages->stage.size(); ++i) {
-    text += fmt::format("  texture stage {}: {}\n", i, stage_text(f.stages->stage[i]));
+  for (std::size_t i = 0; i < result.stage.size(); ++i) {
+    text += fmt::format("  texture stage {}: {}\n", i, stage_text(result.stage[i]));
   }
+  if (result.is_culled) text += "  the fragment is culled\n";
+  if (result.depth) text += fmt::format("  its depth becomes {}\n", *result.depth);
   return text;
 }
-
-}  // namespace
 
 std::string pixel_text(const TracedPixel& pixel) {
   const std::string technique = pixel.technique.empty() ? "" : fmt::format("technique {}, ", pixel.technique);
@@ -177,7 +175,7 @@ std::string pixel_text(const TracedPixel& pixel) {
     const ProbedPass& pass = pixel.passes[*pixel.pass];
     const ProbedFragment& fragment = pass.fragments[*pixel.fragment];
     text += fmt::format("traced: pass {}, {}\n", pass.name, fragment_text(pixel, fragment));
-    return text + stages_text(fragment);
+    return fragment.stages ? text + stages_text(*fragment.stages) : text;
   }
   if (pixel.state == "background" || pixel.state == "not drawn") {
     return text + fmt::format("{}: no fragment to trace\n", pixel.state);

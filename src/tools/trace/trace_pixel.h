@@ -44,6 +44,9 @@ struct RenderedPixel {
 // One fragment of it: "polygon 3 of object 1 'torus': depth … against stored …, written".
 [[nodiscard]] std::string fragment_text(const TracedPixel& pixel, const ProbedFragment& fragment);
 
+// A line for each texture-shader stage of a fragment, and for what they do to it.
+[[nodiscard]] std::string stages_text(const TextureShaderResult& result);
+
 // The fragment of an effect's picture to trace.
 
 struct TracedEffect {

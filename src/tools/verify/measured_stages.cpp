@@ -9,6 +9,7 @@
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texel_words.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
+#include "ninebit/texture_shader/validate_stages.h"
 #include "src/tools/verify/measured_rows.h"
 
 namespace ninebit::tools {
@@ -166,15 +167,25 @@ const Texture& checkered_cube() {
   return made;
 }
 
-// The texel of the table beside that holds a gradient.
-ColorBytes gradient_color(const std::vector<double>& gradient, const std::array<float, 3>& at,
-                          const HardwareProfile& profile) {
+// The intensity of a texel of the gradient texture, as the program that drew the pictures computed it: black in the
+// middle of a face, brighter to its corners, steeper in the first quarter of the way; dimmed to 3/4 at the left and
+// top.
+std::uint8_t gradient_value(std::size_t column, std::size_t row) {
+  constexpr double kMiddle = 31.5, kDimmest = 0.75, kBend = 0.25, kWidth = kCubeSide;
+  const double x = static_cast<double>(column), y = static_cast<double>(row);
+  const double way = std::hypot(x - kMiddle, y - kMiddle) / (kMiddle * std::sqrt(2.0));
+  const double bright = way < kBend ? 2.0 * way : 0.5 + 0.5 * (way - kBend) / (1.0 - kBend);
+  return static_cast<std::uint8_t>(255.0 * std::max({x / kWidth, y / kWidth, kDimmest}) * bright);
+}
+
+// The texel of the cube map with gradients in a direction.
+ColorBytes gradient_color(const std::array<float, 3>& at, const HardwareProfile& profile) {
   static const Texture places = cube_map_of([](const FaceColors& face, std::size_t i) {
     const auto number = static_cast<std::uint8_t>(&face - kFaceColors.data());
     return ColorBytes{static_cast<std::uint8_t>(i % kCubeSide), static_cast<std::uint8_t>(i / kCubeSide), number, 0};
   });
   const Bytes4 place = texel_at(places, kNearestSampler, at, profile);
-  const auto value = static_cast<std::uint8_t>(gradient[kCubeSide * place[1] + place[0]]);
+  const std::uint8_t value = gradient_value(place[0], place[1]);
   ColorBytes color{0, 0, 0, 255};
   for (std::size_t k = 0; k < 3; ++k) color[k] = kFaceColors[place[2]].gradient[k] ? value : 0;
   return color;
@@ -257,7 +268,7 @@ std::vector<int> run_dot_cube(const MeasuredRow& row, const HardwareProfile& pro
   });
   const std::array<float, 3>& looks = *result.stage[is_diffuse ? 2 : 3].at;
   const Bytes4 color = *value_of(kCubeTextures, row.text("tex"))
-                           ? gradient_color(row.list("nv2a_cube_radial.csv"), looks, profile)
+                           ? gradient_color(looks, profile)
                            : texel_at(checkered_cube(), kNearestSampler, looks, profile);
   return {color[0], color[1], color[2]};
 }
@@ -344,8 +355,7 @@ std::vector<int> run_texel_word(const MeasuredRow& row, const HardwareProfile&) 
 }
 
 std::string wrong_stages(const MeasuredRow&, const HardwareProfile& profile) {
-  if (profile.texture_shaders) return "";
-  return fmt::format("profile {} has no texture shaders (NV_texture_shader); use --profile nv2a", profile.name);
+  return profile.texture_shaders ? "" : no_texture_shaders(profile);
 }
 
 std::string wrong_dot_cube(const MeasuredRow& row, const HardwareProfile& profile) {
@@ -354,12 +364,6 @@ std::string wrong_dot_cube(const MeasuredRow& row, const HardwareProfile& profil
     if (!wrong.empty()) return wrong;
   }
   const bool has_eye = row.text("mode").starts_with("SPEC");
-  constexpr std::string_view kGradient = "nv2a_cube_radial.csv";
-  const std::size_t numbers = row.has(kGradient) ? row.list(kGradient).size() : 0;
-  if (row.text("tex") == "R" && numbers != kCubeSide * kCubeSide) {
-    return fmt::format("tex R is in {}, which must lie beside this table and have 64 rows of 64 numbers; {}", kGradient,
-                       row.has(kGradient) ? fmt::format("it has {} numbers", numbers) : "there is none");
-  }
   if (has_eye && !eye_of(row.text("eye"))) {
     return fmt::format("eye must be three whole numbers, such as 0 0 1, not '{}'", shown(row.text("eye")));
   }
@@ -418,11 +422,7 @@ std::vector<MeasuredFormat> make_stage_formats() {
                 {"tex", word}}),
        run_dot_cube,
        wrong_dot_cube,
-       {kCube0, kCube1},
-       {},
-       {},
-       {},
-       "nv2a_cube_radial.csv"},
+       {kCube0, kCube1}},
       {"dot products of 16 bits",
        columns({{"picture", note},
                 {"As,Gs", flag},

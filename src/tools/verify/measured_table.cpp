@@ -240,28 +240,6 @@ Status read_measured(const std::vector<MeasuredColumn>& columns, const std::vect
   return {};
 }
 
-Result<MeasuredRow::Cell> read_bytes(const std::string& file) {
-  auto input = InputFile::open(file);
-  if (!input) return input.error();
-  CsvLines lines(std::move(*input));
-  MeasuredRow::Cell cell;
-  while (true) {
-    auto line = lines.next();
-    if (!line) return line.error();
-    if (!*line) return cell;
-    const std::string_view text = (*line)->text;
-    if (text.starts_with('#')) continue;
-    for (const std::string_view piece : pieces(text, ',')) {
-      const auto number = number_of(piece);
-      if (!number || *number < 0 || *number > 255) {
-        return csv_fault(file, (*line)->number, static_cast<std::size_t>(piece.data() - text.data()) + 1,
-                         fmt::format("expected a whole number from 0 to 255, not '{}'", shown(piece)));
-      }
-      cell.list.push_back(*number);
-    }
-  }
-}
-
 Result<std::map<std::string, MeasuredRow>> read_beside(const std::string& file, const MeasuredFormat& format) {
   auto input = InputFile::open(file);
   if (!input) return input.error();

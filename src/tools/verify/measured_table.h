@@ -119,8 +119,6 @@ struct MeasuredFormat {
   // Another table, in the same folder, that has more of each row's cells; empty: none. Both have the column `key`.
   std::string_view beside{}, key{};
   std::vector<MeasuredColumn> columns_beside{};
-  // A file of bytes in the same folder, all of which every row has under the file's name; empty: none.
-  std::string_view bytes_beside{};
   // By how much a row's values may differ, where the rule is known no better; null: not at all.
   int (*tolerance)(const MeasuredRow& row) = nullptr;
 };
@@ -146,9 +144,6 @@ struct MeasuredFormat {
 // The rows of the table beside another, by key. `columns` is its format.
 [[nodiscard]] Result<std::map<std::string, MeasuredRow>> read_beside(const std::string& file,
                                                                      const MeasuredFormat& format);
-
-// The numbers from 0 to 255 of a file, separated by commas and line ends, as a list.
-[[nodiscard]] Result<MeasuredRow::Cell> read_bytes(const std::string& file);
 
 // A text that is a whole number.
 [[nodiscard]] std::optional<int> number_of(std::string_view text);

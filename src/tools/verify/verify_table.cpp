@@ -118,12 +118,6 @@ Status VerifyTable::read_header(const CsvLine& line, const std::vector<std::stri
   if (format_ != nullptr) {
     if (!program_.file.empty()) return csv_fault(name(), line.number, 1, "--program is not for measured tables");
     if (Status read = read_stated(format_->stated, comments, name(), line.number, stated_); !read) return read;
-    // Only rows that need these numbers report their absence.
-    if (const auto file = folder_ / format_->bytes_beside; !format_->bytes_beside.empty() && exists(file)) {
-      auto numbers = read_bytes(file.string());
-      if (!numbers) return numbers.error();
-      stated_.set(format_->bytes_beside, std::move(*numbers));
-    }
     if (format_->beside.empty()) return {};
     auto beside = read_beside((folder_ / format_->beside).string(), *format_);
     if (!beside) return beside.error();
