@@ -44,7 +44,7 @@ export const kDiagramStyle = `
 .nb-note { position: absolute; color: var(--nb-quiet); font-style: italic; overflow-wrap: anywhere; }
 .nb-box { position: absolute; background: var(--nb-box); border: 1px solid var(--nb-rule); border-radius: 6px; overflow: hidden;
   transition: opacity .12s; }
-.nb-box > header { height: 39px; padding: 3px 8px; overflow: hidden; position: relative; }
+.nb-box > header { display: block; height: 39px; padding: 3px 8px; overflow: hidden; position: relative; }
 .nb-box > header b { display: block; font-weight: 600; font-size: 12.5px; line-height: 17px; white-space: nowrap;
   overflow: hidden; text-overflow: ellipsis; }
 .nb-box > header small { display: block; color: var(--nb-quiet); font-size: 11px; line-height: 15px; white-space: nowrap;
