@@ -17,7 +17,7 @@ if (!folder || (only && !['figures', 'pictures'].includes(only))) {
 }
 mkdirSync(folder, { recursive: true });
 const print = (line) => process.stdout.write(`${line}\n`);
-const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
+const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 const browser = await launch();
 
 /** The milliseconds to the first picture, in a new context each time. */

@@ -199,8 +199,8 @@ TEST(Validate, NamesOfErrors) {
   EXPECT_EQ(name_of(GlError::invalid_operation), "GL_INVALID_OPERATION");
 }
 
-// The oracles must not know what they judge: they include headers of plain data, and each other; those of the combiners only
-// each other.
+// The oracles must not know what they judge: they include headers of plain data, and each other; those of the combiners
+// only each other.
 TEST(Oracle, IncludesNothingButPlainHeaders) {
   const std::set<std::string> combiner{"ninebit/combiner/registers.h", "ninebit/combiner/state.h",
                                        "ninebit/numerics/hardware_profile.h"};
@@ -225,8 +225,7 @@ TEST(Oracle, IncludesNothingButPlainHeaders) {
       const std::string header = line.substr(begin, line.find_first_of(">\"", begin) - begin);
       const bool in_folder = header.rfind(folder, 0) == 0;
       const bool beside = in_folder && (&allowed == &others || of_combiner.count(header.substr(folder.size())) != 0);
-      if (beside || (line[begin - 1] == '<' && header.find("ninebit") == std::string::npos))
-        continue;
+      if (beside || (line[begin - 1] == '<' && header.find("ninebit") == std::string::npos)) continue;
       EXPECT_EQ(allowed.count(header), 1U) << name << ": " << header;
       ++ours;
     }

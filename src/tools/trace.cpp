@@ -180,13 +180,13 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
 
 int trace_effect(const TraceFlags& flags) {
   const HardwareProfile* const given = flags.profile->count() != 0 ? &profile_of(flags.common) : nullptr;
-  const auto traced =
+  auto traced =
       draw_pixel(flags.effect, flags.pixel, {.allow_outside = flags.scene.allow_outside, .moment = flags.moment},
                  flags.common, given, flags.program.defines);
   if (!traced) return report(traced.error());
   for (const std::string& warning : unused_moment(flags.moment_options, traced->moves, flags.effect))
     say_warning(warning);
-  TracedPixel pixel = traced->pixel;
+  TracedPixel& pixel = traced->pixel;
   if (!flags.pass.empty()) {
     if (Status chosen = choose_pass_named(flags.pass, false, pixel); !chosen) {
       return wrong_usage("trace", chosen.error().message);
@@ -276,7 +276,8 @@ void add_trace(CLI::App& app, int& exit_code) {
   for (CLI::Option* const option : flags->moment_options) option->needs("--effect");
   add_pixel_flag(*verb, "--pixel", flags->pixel, "Pixel to trace, counted from the top left of the picture");
   verb->add_option("--pass", flags->pass,
-                   "Pass to trace, by its name (default: the one that decided the shadow; of an effect the last one)")
+                   "Pass to trace, by its name (default: the one that decided the shadow; of an effect, the last that "
+                   "drew the pixel by a program)")
       ->type_name("NAME");
   verb->add_flag("--ground-truth", flags->ground_truth,
                  "Also say by ray casting whether the pixel is right, and why not (default: off)")
