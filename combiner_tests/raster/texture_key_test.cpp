@@ -70,6 +70,31 @@ TEST(ColorKeys, CompareAllBitsAndDoAsTheyAreTold) {
   EXPECT_EQ(row.color[0], (PlaneSamples<std::uint8_t>{9, 9, 0x10, 9}));
 }
 
+// color() and texel() are the same texel, with alpha and without it.
+TEST(ColorKeys, ColorsAreThoseOfTexels) {
+  for (const InternalFormat format : {InternalFormat::rgba8, InternalFormat::rgb8}) {
+    const Texture texture = key_texture(format);
+    for (const ColorKeyOperation operation : {ColorKeyOperation::alpha, ColorKeyOperation::rgba}) {
+      Sampler sampler = kNearestSampler;
+      sampler.color_key = {operation, 0x40102030};
+      const auto made = TextureSampler::make(profiles::nv2a, texture, sampler);
+      ASSERT_TRUE(made.has_value());
+      for (int x = 0; x < 4; ++x) {
+        const float s = (static_cast<float>(x) + 0.5F) / 4, t = 0.5F, r = 0;
+        const float none = 0;
+        const TextureCoordinates at{
+            .value = {&s, &t, &r}, .dx = {&none, &none, &none}, .dy = {&none, &none, &none}, .one_change = true};
+        const Bytes4 value = made->texel(at, 0).value;
+        const std::array<float, 4> color = made->color(at, 0);
+        for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(color[k], value[k] / 255.0F) << x << ' ' << k;
+        const int alpha = format == InternalFormat::rgba8 ? (x == 1 ? 0x41 : 0x40) : 255;
+        const bool is_keyed = x == 0 || x == 3 || (x == 1 && format == InternalFormat::rgb8);
+        EXPECT_EQ(value[3], is_keyed ? 0 : alpha) << x;
+      }
+    }
+  }
+}
+
 // A program that does not read the texel, and no program at all.
 TEST(ColorKeys, KillWhetherOrNotTheTexelIsRead) {
   Sampler sampler = kNearestSampler;

@@ -17,6 +17,11 @@ using Bytes = std::array<Plane<const std::uint8_t>, 4>;
 
 constexpr float kMaxLodBias = 15.0F;
 
+// Whether a texel that has the key gets an alpha of 0.
+bool clears(ColorKeyOperation operation) {
+  return operation == ColorKeyOperation::alpha || operation == ColorKeyOperation::rgba;
+}
+
 // A number from 0 to 1 as a code of 0 to `largest`, to nearest, halves up; NaN gives 0. A float times 24 bits is exact
 // in a double.
 std::uint32_t code_of(float value, std::uint32_t largest) {
@@ -98,9 +103,7 @@ std::optional<TextureSampler> TextureSampler::make(const HardwareProfile& profil
     made.format_ = TextureFormat::depth_comparison;
   }
   // Rule 54: a key makes an alpha 0 that such texels do not store.
-  const ColorKeyOperation key = sampler.color_key.operation;
-  const bool clears_alpha = key == ColorKeyOperation::alpha || key == ColorKeyOperation::rgba;
-  const bool adds_alpha = clears_alpha && made.format_ == TextureFormat::rgb;
+  const bool adds_alpha = clears(sampler.color_key.operation) && made.format_ == TextureFormat::rgb;
   if (adds_alpha) made.format_ = TextureFormat::rgba;
   made.cube_ = texture.target == TextureTarget::cube_map;
   made.volume_ = texture.target == TextureTarget::texture_3d;
@@ -405,8 +408,7 @@ Texel TextureSampler::texel(const TextureCoordinates& at, std::size_t i) const {
   }
   if (format_ == TextureFormat::rgba && texture_->format == InternalFormat::rgb8) result.value[kAlpha] = 255;
   const ColorKeyOperation operation = sampler_.color_key.operation;
-  const bool clears = operation == ColorKeyOperation::alpha || operation == ColorKeyOperation::rgba;
-  if (clears && is_keyed(result)) {
+  if (clears(operation) && is_keyed(result)) {
     if (operation == ColorKeyOperation::rgba) result.value = {};
     result.value[kAlpha] = 0;
   }
@@ -445,6 +447,10 @@ Status check_sampler(const Texture& texture, const Sampler& sampler) {
 }
 
 std::array<float, 4> TextureSampler::color(const TextureCoordinates& at, std::size_t i) const {
+  if (clears(sampler_.color_key.operation)) {  // keys are for texels of bytes
+    const Bytes4 value = texel(at, i).value;
+    return {value[0] / 255.0F, value[1] / 255.0F, value[2] / 255.0F, value[3] / 255.0F};
+  }
   const Filtered filtered = filter(at, i);
   const bool real = texture_->faces[0][0].planes.index() >= 2;
   const double largest = format_ == TextureFormat::depth ? max_depth_ : 255.0;
