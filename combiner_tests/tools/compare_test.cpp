@@ -161,7 +161,6 @@ TEST(Compare, OffsetsHaveSemicolons) {
   EXPECT_NE(object["rows"][0]["errors"]["wrong"], object["rows"][1]["errors"]["wrong"]);
 }
 
-// One page without other files, and the same figures beside it. Names are data: no markup comes from them.
 // The same chip with exact combiners: fewer indices are lost, as only the bytes for the alpha test are rounded; `ideal`
 // has nothing to be replaced. No flag of `trace` draws such a picture, so its pixels have no commands.
 TEST(Compare, ExactCombiners) {
@@ -181,6 +180,7 @@ TEST(Compare, ExactCombiners) {
   EXPECT_EQ(object["rows"][3]["hash"], object["rows"][2]["hash"]);
 }
 
+// One page without other files, and the same figures beside it. Names are data: no markup comes from them.
 TEST(Compare, ThePageHoldsAll) {
   const TempFolder folder;
   const std::string hostile = folder / "<img src=x onerror=alert(1)>.gltf";
