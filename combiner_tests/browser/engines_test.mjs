@@ -90,7 +90,7 @@ async function checkPage(context, { run, type, go }) {
   await context.test('New can be undone', async () => {
     const old = await hash();
     await run("document.getElementById('new-program').click()");
-    await patiently(async () => (await hash()) !== old);
+    await hasHash(nativeHash(newState()));
     await run("document.getElementById('undo').click()");
     await hasHash(old);
   });
@@ -118,7 +118,7 @@ async function checkPage(context, { run, type, go }) {
     await patiently(async () => JSON.stringify((await state()).effect.textures).includes(name), 20);
     await hasHash(nativeHash(await state(), { [name]: content }));
   });
-  await context.test('a frame of another page shows an effect', async () => {
+  await context.test('the embedded page shows an effect', async () => {
     await go(`${address}?embed&effect=emboss`);
     await ready();
     assert.equal(await hash(), expectedHashes().emboss);

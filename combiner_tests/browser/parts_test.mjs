@@ -70,7 +70,8 @@ test('what is wrong with an effect is one sentence', () => {
     assert.throws(() => checkedState(state), { message }, JSON.stringify(state));
   }
   const deep = (levels) => JSON.parse('{"a":'.repeat(levels) + '1' + '}'.repeat(levels));
-  assert.throws(() => checkedState({ effect: effect({}), files: {}, profile: deep(50_000) }), { message: 'the profile is nested more than 64 levels deep' });
+  assert.ok(checkedState({ effect: effect({}), files: {}, profile: deep(64) }));
+  for (const levels of [65, 50_000]) assert.throws(() => checkedState({ effect: effect({}), files: {}, profile: deep(levels) }), { message: 'the profile is nested more than 64 levels deep' });
   assert.throws(() => checkedEffect(effect({ scene: { floor: deep(50_000) } })), { message: 'the effect is nested more than 64 levels deep' });
   assert.equal(checkedState({ effect: effect({}), files: {}, profile: deep(60) }).profile.b, undefined);
 });

@@ -67,12 +67,13 @@ test('a newer request of a key takes the place of one that waits', async () => {
   assert.deepEqual(worker.sent.slice(1).map(({ request }) => request.do), ['a', 'd', 'c']);
 });
 
-test('the comparison of Flip and that of the panel do not replace each other', async () => {
+test('the comparison of Flip and that of the panel do not replace each other', async (context) => {
   const { made, worker } = engine();
   const store = { state: { effect: {}, files: {}, choices: {}, profile: 'nv2a', other: 'geforce2', pass: 0 } };
   const shelf = { async loadFor() {} }, shown = [];
   const live = new Live(store, made, shelf, {});
   const badge = {}, picture = { badge, show: (...planes) => shown.push(planes) };
+  context.after(() => delete globalThis.document);
   globalThis.document = { createElement: () => ({ setAttribute() {}, addEventListener() {}, append() {} }) };
   const flip = new Flip(store, live, picture, () => {});
   flip.on = true;

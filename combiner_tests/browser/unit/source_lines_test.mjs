@@ -89,6 +89,15 @@ test('instructions that take two stages light both, and where others take more, 
   assert.deepEqual(boxesOfLines(text, 4), [[], [], [], []]);
 });
 
+test('a shader with directives lights nothing, nor one with a test of unknown length', () => {
+  const none = (text, stages) => assert.ok(boxesOfLines(text, stages).every((boxes) => boxes.length === 0), text);
+  // The program has 3 stages: mov, one for the negative constant, mul.
+  none('ps.1.1\ndef c0, 0.5, -0.5, 0.25, 1\ntex t0\n#if SHADED\nmul r1, t0, v0\n#endif\nmov r0, v0\nmul r0, r0, c0\n', 3);
+  none('ps.1.2\ncmp r0, r0_bias.a, t0, t1\nmov r0, t0\n', 3);
+  none('ps.1.4\ncnd r0, r1, t0, t1\n', 1);
+  assert.ok(boxesOfLines('ps.1.1\ncnd r0, r0.a, t0, t1\n', 1)[1].length > 0);
+});
+
 test('other forms have none', () => {
   assert.deepEqual(boxesOfLines('{"ninebit": "program"}\n', 1), [[], []]);
 });

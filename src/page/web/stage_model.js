@@ -67,7 +67,9 @@ function addStageBox(model, trace, stage, number, parts, depth) {
     own.at = add('read at', numbers('str', stage.at), () => places);
     const same = stage.fetched.every((byte, i) => byte === stage.texel[i]);
     own.texel = from = add(same ? 'texel read' : 'fetched', bytes(stage.fetched), () => own.at);
-    if (!same) own.texel = from = add('texel', bytes(stage.texel), (i) => [from[i], ...parts[stage.previous]?.texel.slice(0, 1) ?? []]);
+    // The luminance scales red, green and blue.
+    const luminance = (i) => (i < 3 && operation.endsWith('_scale') ? parts[stage.previous].texel.slice(0, 1) : []);
+    if (!same) own.texel = from = add('texel', bytes(stage.texel), (i) => [from[i], ...luminance(i)]);
   } else {
     own.texel = add('texel', bytes(stage.texel), (i) => [from[i]]);
   }

@@ -119,8 +119,8 @@ export class ProfilesPanel {
     if (help) {
       const input = control.querySelector('select, input');
       input.setAttribute('aria-label', name);
-      input.setAttribute('aria-describedby', `help-${name}`);
-      control.append(element('small', { class: 'help quiet', id: `help-${name}` }, help));
+      input.setAttribute('aria-describedby', `help-profile-${name}`);
+      control.append(element('small', { class: 'help quiet', id: `help-profile-${name}` }, help));
     }
     return control;
   }

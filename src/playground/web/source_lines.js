@@ -78,6 +78,9 @@ function portionsOf(name, operands) {
   return [...masks.some((mask) => /[rgbxyz]/i.test(mask)) ? ['rgb'] : [], ...masks.some((mask) => /[aw]/i.test(mask)) ? ['alpha'] : []];
 }
 
+/** Directives, which may leave lines out, and tests whose number of stages depends on more than their line. */
+const uncertain = /^\s*#|\bcnd(?:_\w+)*\s+[^,\n]*,(?!\s*r0\.a\s*,)|\bcmp(?:_\w+)*\s+[^,\n]*,[^,\n]*_(?:bias|bx2)/im;
+
 /**
  * Each arithmetic instruction is a stage, and one with + is of the stage before it; cmp and dp4 are two.
  * @param {string} text
@@ -85,7 +88,9 @@ function portionsOf(name, operands) {
  */
 function ofPixelShader(text, stages) {
   let stage = -1;
-  const lines = byLine(without(text, /\/\*[^]*?\*\/|(\/\/|;).*|^\s*#.*/gm), arithmetic, ([, joined, word, operands]) => {
+  const code = without(text, /\/\*[^]*?\*\/|(\/\/|;).*/g);
+  if (uncertain.test(code)) return text.split('\n').map(() => []);
+  const lines = byLine(code, arithmetic, ([, joined, word, operands]) => {
     const name = word.toLowerCase();
     if (name === 'xfc') return [...finalBoxes(false), ...finalBoxes(true), ...earlyBoxes];
     const first = joined ? stage : stage + 1;

@@ -126,7 +126,9 @@ export function checkedState(found) {
   if (wrong) throw new Error(wrong.replace(/^the state[.]/, ''));
   const { effect, files, choices = {}, pass = 0, profile = 'nv2a', other = defaultOther } = found;
   checkedEffect(effect);
-  return bare({ effect, files, choices, pass: pass < effect.passes.length ? pass : 0, profile: bare(profile, 'the profile'), other });
+  bare(profile, 'the profile');
+  const state = { effect, files: bare(files), choices: bare(choices), pass: pass < effect.passes.length ? pass : 0, profile, other };
+  return Object.setPrototypeOf(state, null);
 }
 
 /** The pass that the panels are about. @param {State} state */
