@@ -26,8 +26,8 @@ void append_plain_script(std::string& script, std::string_view module) {
 std::string diagram_script() {
   std::string script;
   for (const std::string_view module :
-       {kDiagramStyleModule, kDiagramLayoutModule, kDiagramWordsModule, kDiagramPartsModule, kStageModelModule, kTraceModelModule,
-        kProgramModelModule, kTraceDiagramModule, kPassSwitchModule}) {
+       {kDiagramStyleModule, kDiagramLayoutModule, kDiagramWordsModule, kDiagramPartsModule, kStageModelModule,
+        kTraceModelModule, kProgramModelModule, kTraceDiagramModule, kPassSwitchModule}) {
     append_plain_script(script, module);
   }
   return script;

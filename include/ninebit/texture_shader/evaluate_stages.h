@@ -38,16 +38,16 @@ using FetchTexel = std::function<Bytes4(int unit, const TexturePlace& place)>;
 // The values of one stage.
 struct StageValues {
   TextureOperation operation = TextureOperation::none;  // the stage's
-  int previous = 0;             // the stage whose texel it reads, if its operation reads one
-  bool is_consistent = true;    // if not, the stage gives (0, 0, 0, 0)
-  std::array<float, 4> coordinates{};          // s, t, r, q of the unit, as given
-  Bytes4 input{};                              // the texel of the previous stage, if one is read
-  std::optional<std::array<float, 3>> normal;  // that texel as the factor of the dot product
-  std::optional<float> dot;                    // the dot product
-  std::optional<std::array<float, 3>> at;      // where the texture was read
-  Bytes4 fetched{};                            // what was read there
-  Bytes4 texel{};                              // the stage's texel, which later stages read
-  Rgba9 codes{};                               // what the combiners read
+  int previous = 0;                                     // the stage whose texel it reads, if its operation reads one
+  bool is_consistent = true;                            // if not, the stage gives (0, 0, 0, 0)
+  std::array<float, 4> coordinates{};                   // s, t, r, q of the unit, as given
+  Bytes4 input{};                                       // the texel of the previous stage, if one is read
+  std::optional<std::array<float, 3>> normal;           // that texel as the factor of the dot product
+  std::optional<float> dot;                             // the dot product
+  std::optional<std::array<float, 3>> at;               // where the texture was read
+  Bytes4 fetched{};                                     // what was read there
+  Bytes4 texel{};                                       // the stage's texel, which later stages read
+  Rgba9 codes{};                                        // what the combiners read
   friend bool operator==(const StageValues&, const StageValues&) = default;
 };
 

@@ -101,7 +101,8 @@ std::vector<std::string> stage_lines_of(SvgPart& fragment) {
 std::vector<SvgPart> texture_stages_of(SvgPart& fragment) {
   std::vector<SvgPart> stages;
   for (const std::string& line : stage_lines_of(fragment)) {
-    // "texture stage 1: dot_product by stage 0, s, t, r, q = (0, 0, 1, 0), dot product 1 with (0, 0, 1), texel (0, 0, 0, 0)".
+    // "texture stage 1: dot_product by stage 0, s, t, r, q = (0, 0, 1, 0), dot product 1 with (0, 0, 1), texel (0, 0,
+    // 0, 0)".
     std::string_view rest = line;
     SvgPart& stage = stages.emplace_back();
     const auto add = [&](std::string_view text) {
@@ -143,8 +144,8 @@ std::string arrow(int from, int to, int y) {
                      to - 10, y - 5, y + 5);
 }
 
-// Columns of parts, from left to right: the fragment and its registers, with its texture-shader stages between the two if
-// it has some; each combiner; the result below the last.
+// Columns of parts, from left to right: the fragment and its registers, with its texture-shader stages between the two
+// if it has some; each combiner; the result below the last.
 std::vector<std::vector<SvgPart>> columns_of(std::vector<SvgPart> parts, bool has_result) {
   constexpr std::size_t kRegisters = 1;
   std::vector<SvgPart> stages = texture_stages_of(parts[0]);
@@ -152,9 +153,9 @@ std::vector<std::vector<SvgPart>> columns_of(std::vector<SvgPart> parts, bool ha
   std::vector<std::vector<SvgPart>> columns(1);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool is_result = has_result && i + 1 == parts.size();
-    const bool is_beside = i == kRegisters ? has_stages
-                                           : i > kRegisters && !is_result &&
-                                                 combiner_of(parts[i]) != combiner_of(columns.back().back());
+    const bool is_beside =
+        i == kRegisters ? has_stages
+                        : i > kRegisters && !is_result && combiner_of(parts[i]) != combiner_of(columns.back().back());
     if (i == kRegisters && has_stages) columns.push_back(std::move(stages));
     if (is_beside) columns.emplace_back();
     columns.back().push_back(std::move(parts[i]));
