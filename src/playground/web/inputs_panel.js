@@ -222,7 +222,7 @@ export class InputsPanel {
         this.show();
       },
     }, 'reset');
-    return element('div', { class: 'constant' }, element('code', {}, name), well, element('label', {}, 'alpha ', alpha), shown, own);
+    return element('div', { class: 'constant' }, element('code', {}, name), well, element('label', {}, 'alpha ', alpha, shown), own);
   }
 }
 
