@@ -195,8 +195,8 @@ void run_attributes(std::uint64_t index, AttributesSeen& seen) {
           << c.sampler.border_texels << ", stages " << c.state.texture_shader.enabled;
       ++seen.drawn;
       seen.fog += c.reads_fog ? 1U : 0U;
-      seen.sprites +=
-          c.vertices.size() == 1 && at.coordinate[2] == 0 && c.state.point_sprite.coord_replace[0] ? 1U : 0U;
+      const PointSprite& sprite = c.state.point_sprite;
+      seen.sprites += c.vertices.size() == 1 && sprite.enabled && sprite.coord_replace[0] ? 1U : 0U;
       seen.border += c.sampler.border_texels ? 1U : 0U;
       const auto beside = oracle::attributes_at(c.state, straight.sampler, 0, c.vertices, x, y).coordinate;
       seen.turned += beside != at.coordinate ? 1U : 0U;
