@@ -3,7 +3,7 @@ for (const [number, { wrong, causes, command }] of data.pictures.entries()) {
   if (!wrong) continue;
   const figure = document.getElementById("picture-" + number), picture = figure.querySelector("img");
   await picture.decode();
-  const { width, height } = picture;
+  const { naturalWidth: width, naturalHeight: height } = picture;
   const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
   context.drawImage(picture, 0, 0, width, height);
   const { data: rgba } = context.getImageData(0, 0, width, height);
