@@ -18,8 +18,7 @@ HTML comments in prose:
   151<!-- value: EXPRESSION of ninebit ... -->   the figure before it, to the digits shown, is the value of a Python
       expression over the answer of the command with --json, such as errors.by_cause.joint, rows[0].cases or len(rows)
   <!-- picture: FILE -->   the picture behind it, or on the next line, looks like FILE, which a command above or below
-      writes: the means of its blocks are the same within a few codes, as it may have been made smaller. FILE,FILE are
-      side by side in it, FILE;FILE one below the other
+      writes: the means of its blocks are the same within a few codes, as it may have been made smaller
   <!-- picture: FILE of ninebit ... -->   the same of a command that the page does not show
 
 A word such as OPS_GLSL, which stands for a figure that is still to be put in, is a fault.
@@ -191,34 +190,24 @@ def unfiltered(kind, line, above):
     return out
 
 
-def means_of(picture, across, down, place=(0, 0, 1, 1)):
-    """The means of the blocks of a part of a picture, for red, green and blue: part (i, j) of (columns, lines) parts."""
+def means_of(picture, across, down):
+    """The means of a picture's blocks, for red, green and blue."""
     width, height, rows = picture
-    i, j, columns, lines = place
-    w, h = width // columns // across, height // lines // down
-    left, top = i * (width // columns), j * (height // lines)
-    return [sum(sum(rows[y][c][x:x + w]) for y in range(top + v * h, top + v * h + h)) / (w * h)
-            for c in range(3) for v in range(down) for x in range(left, left + across * w, w)]
+    w, h = width // across, height // down
+    return [sum(sum(rows[y][c][x * w:x * w + w]) for y in range(j * h, j * h + h)) / (w * h)
+            for c in range(3) for j in range(down) for x in range(across)]
 
 
-def wrong_picture(shown, files, folder):
-    """What is wrong with a picture of a page that has these files, or None."""
-    lines = [line.split(',') for line in files.split(';')]
-    whole = pixels_of(shown)
-    for j, line in enumerate(lines):
-        for i, name in enumerate(line):
-            if not os.path.exists(os.path.join(folder, name)):
-                return f'no command writes {name}'
-            made = pixels_of(os.path.join(folder, name))
-            size = (whole[0] // len(line), whole[1] // len(lines))
-            across, down = (math.gcd(a, b) // 4 for a, b in zip(size, made))
-            if min(across, down) < 6:
-                return f'sides of {size} and {made[:2]} pixels have no blocks in common'
-            worst = max(abs(a - b) for a, b in zip(means_of(whole, across, down, (i, j, len(line), len(lines))),
-                                                   means_of(made, across, down)))
-            if worst > LIKE:
-                return f'the means of blocks of {name} differ by up to {worst:.1f} codes'
-    return None
+def wrong_picture(shown, made):
+    """What is wrong with a picture of a page, or None."""
+    if not os.path.exists(made):
+        return f'no command writes {os.path.basename(made)}'
+    pictures = pixels_of(shown), pixels_of(made)
+    across, down = (math.gcd(a, b) // 4 for a, b in zip(pictures[0][:2], pictures[1]))
+    if min(across, down) < 6:
+        return f'sides of {pictures[0][:2]} and {pictures[1][:2]} pixels have no blocks in common'
+    worst = max(abs(a - b) for a, b in zip(*(means_of(picture, across, down) for picture in pictures)))
+    return None if worst <= LIKE else f'the means of blocks differ by up to {worst:.1f} codes'
 
 
 def check_prose(program, page, folder):
@@ -228,7 +217,8 @@ def check_prose(program, page, folder):
     answers, checked, failed = {}, 0, 0
     checks = [(found, lambda m: wrong_value(m[1], m[2], m[3], folder, program, answers)) for found in VALUE.finditer(text)]
     checks += [(found, lambda m: (m[2] and run_hidden(m[2], folder, program, answers)) or
-                wrong_picture(os.path.join(os.path.dirname(page), m[3]), m[1], folder)) for found in PICTURE.finditer(text)]
+                wrong_picture(os.path.join(os.path.dirname(page), m[3]), os.path.join(folder, m[1])))
+               for found in PICTURE.finditer(text)]
     if len(checks) != text.count('<!-- value:') + text.count('<!-- picture:'):
         checked, failed = 1, 1
         print(f'FAILED {os.path.relpath(page, ROOT)}: a comment is not "<!-- value: EXPRESSION of ninebit ... -->" behind a '
