@@ -56,8 +56,9 @@ TEST_F(StageVectors, RightStagesPassAndVerifyAgrees) {
   const std::string results = read_bytes(results_);
   write_bytes(results_, results.substr(0, results.find("\n300 ") + 1));
   EXPECT_EQ(ninebit({"verify", results_, "--vectors", folder}).out,
-            results_ + ":301: program 300 is missing; 299 of 300 programs have results\n"
-                       "1794 fragments of 299 programs: 1794 agree, 0 differ\n");
+            results_ +
+                ":301: program 300 is missing; 299 of 300 programs have results\n"
+                "1794 fragments of 299 programs: 1794 agree, 0 differ\n");
 }
 
 TEST_F(StageVectors, EachMistakeIsFoundInItsGroupAndNamed) {
