@@ -147,7 +147,7 @@ struct VectorVerdict {
   std::vector<VectorMistake> mistakes;  // that explain more fragments than they break; the best first
   // Mistakes that are made together, in the order in which to mend them: each explains most of what those before it
   // leave, and breaks at most one fragment for each eight that it explains. If that leaves more than a tenth of the
-  // fragments that differ, a mistake may break more before those after it are made, but not once all are.
+  // fragments that differ, a mistake may break more at its place in the order, but not once all are made.
   std::vector<Step> plan;
   std::size_t unexplained = 0;  // fragments that differ from what the mistakes of the plan give
 };

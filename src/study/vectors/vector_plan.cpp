@@ -6,7 +6,7 @@
 // Where two mistakes touch the same programs, the first of them alone breaks much: a mux that takes AB for CD, and
 // takes the threshold where the lowest bit should count, agrees by chance in half of the fragments with the lowest bit.
 // A lesser mistake that breaks nothing then bars the way. So, if much is left unexplained, a second plan is made in
-// which a mistake may break any number of fragments fewer than it explains. In its end, too, each mistake must break
+// which a mistake may break any number of fragments fewer than it explains. At its end each mistake must again break
 // next to none of the fragments that agree with all the others. The plan that explains more is kept.
 #include "src/study/vectors/vector_plan.h"
 
@@ -199,14 +199,15 @@ class Planner {
     }
   }
 
-  // Drops mistakes that break too many of the fragments that agree with all the others.
+  // Drops mistakes that explain nothing beside all the others, or break too many of the fragments that agree with
+  // those.
   void drop_breaking(std::vector<std::size_t>& accepted) {
     for (std::size_t i = 0; i < accepted.size();) {
       std::vector<std::size_t> fewer = without(accepted, i);
       const Agreement before = agreement(model_of(fewer), all_), after = agreement(model_of(accepted), all_);
       if (stopped_) return;
       const Count count = compare(before, after);
-      if (count.breaks * kGainOfABreak <= count.gains) {
+      if (count.gains > 0 && count.breaks * kGainOfABreak <= count.gains) {
         ++i;
         continue;
       }
