@@ -173,12 +173,10 @@ void FragmentBatch::fill_texture(std::size_t unit) {
     coordinates.dx[k] = coordinates_[1][k].data();
     coordinates.dy[k] = coordinates_[2][k].data();
   }
-  for (std::size_t i = 0; i < count_ && sampler.kills(); ++i) {
-    keyed_[i] = keyed_[i] || sampler.kills(coordinates, i);
-  }
   const Register reg = texture_register(static_cast<int>(unit));
   sampler.sample(coordinates, count_,
-                 {registers_(reg, kRed), registers_(reg, kGreen), registers_(reg, kBlue), registers_(reg, kAlpha)});
+                 {registers_(reg, kRed), registers_(reg, kGreen), registers_(reg, kBlue), registers_(reg, kAlpha)},
+                 keyed_.data());
 }
 
 void FragmentBatch::fill_stage_coordinate(std::size_t kind, std::size_t unit, std::size_t k) {
@@ -249,7 +247,7 @@ void FragmentBatch::fill_registers() {
   if (!context_.arrays.secondary_colors.empty()) fill_secondary();
   if (context_.state.fog.enabled && !context_.arrays.fog_factors.empty()) fill_fog();
   if (stages_) return run_stages();
-  keyed_.fill(false);
+  keyed_.fill(0);
   for (std::size_t unit = 0; unit < context_.samplers.size(); ++unit) {
     if (context_.reads_unit[unit]) fill_texture(unit);
   }

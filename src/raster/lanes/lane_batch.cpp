@@ -1,5 +1,8 @@
 #include "src/raster/lanes/lane_batch.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "src/numerics/simd_targets.h"
 #include "src/raster/lanes/lane_inputs.h"
 #include "src/raster/lanes/lane_pass.h"
@@ -76,10 +79,10 @@ struct BatchOperations {
   const LaneDraw<D>& draw;
   const LaneFragments& fragments;
   bool by_stencil;             // LanePass::draws_by_stencil
-  const std::uint8_t* culled;  // FragmentStages::culled, or null
+  const std::uint8_t* culled;  // culled_fragments()
 };
 
-// The fragments of `mask`, from i on, that the stages do not cull.
+// The fragments of `mask`, from i on, that are not culled.
 HWY_INLINE M not_culled(const std::uint8_t* culled, std::size_t i, M mask) {
   if (culled == nullptr) return mask;
   const hn::Rebind<std::uint8_t, D> d8;
@@ -129,8 +132,9 @@ HWY_INLINE V load_stored(const TilePlanes& tile, const SpanPart& part) {
   return hn::LoadU(kD, lanes_of(tile.depth_stencil.data()) + part.place);
 }
 
-// FragmentStages::culled, or null if no stage culls.
+// 1 for each fragment that a stage culls or a colour key kills, else 0; null if none does.
 HWY_INLINE const std::uint8_t* culled_fragments(const LanePass& pass) {
+  if (pass.context.kills_by_key) return pass.batch->keyed.data();
   const bool culls = pass.context.stages && pass.context.stages->culls();
   return culls ? pass.batch->stages->culled() : nullptr;
 }
@@ -239,16 +243,10 @@ HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawConte
   for (std::size_t i = 0; i < f.count && context.stages->replaces_depth(); ++i) f.depth[i] = stages.depth(i);
 }
 
-// Fills the registers that the program reads.
-HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
-  refill_constants(batch, context);
+// Samples the textures of units that have no stages.
+HWY_NOINLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   const VertexArrays& arrays = context.arrays;
-  fill_color_register(f, batch, context, {Register::primary, arrays.vertex_colors, 4});
-  if (!arrays.secondary_colors.empty()) {
-    const bool has_alpha = context.state.profile.secondary_alpha.value != SecondaryAlpha::one;
-    fill_color_register(f, batch, context, {Register::secondary, arrays.secondary_colors, has_alpha ? 4 : 3});
-  }
-  if (context.stages) return run_stages(f, batch, context);
+  if (context.kills_by_key) std::fill_n(batch.keyed.begin(), f.count, std::uint8_t{0});
   for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
     if (!context.reads_unit[unit]) continue;
     find_shares(f, batch, context);
@@ -268,6 +266,18 @@ HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawCon
   }
 }
 
+// Fills the registers that the program reads.
+HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  refill_constants(batch, context);
+  const VertexArrays& arrays = context.arrays;
+  fill_color_register(f, batch, context, {Register::primary, arrays.vertex_colors, 4});
+  if (!arrays.secondary_colors.empty()) {
+    const bool has_alpha = context.state.profile.secondary_alpha.value != SecondaryAlpha::one;
+    fill_color_register(f, batch, context, {Register::secondary, arrays.secondary_colors, has_alpha ? 4 : 3});
+  }
+  context.stages ? run_stages(f, batch, context) : fill_textures(f, batch, context);
+}
+
 // Finds the colours that the combiners give, or primary colours if there is no program.
 HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   if (context.state.program) {
@@ -285,8 +295,9 @@ HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContex
 // Sends fragments through the combiners and the fragment operations.
 HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& f) {
   const bool needs_color = pass.operations.needs_color();
-  if (pass.context.stages_decide && !(needs_color && pass.context.state.program)) {
-    run_stages(f, *pass.batch, pass.context);
+  if (!(needs_color && pass.context.state.program)) {
+    if (pass.context.stages_decide) run_stages(f, *pass.batch, pass.context);
+    if (pass.context.kills_by_key) fill_textures(f, *pass.batch, pass.context);
   }
   if (needs_color) find_colors(f, *pass.batch, pass.context);
   if (pass.operations.two_sided) {
