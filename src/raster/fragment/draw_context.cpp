@@ -82,18 +82,13 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
   prepare_program(target, for_probe);
 }
 
-void DrawContext::set_cylinder(std::size_t unit, const Sampler& sampler) {
-  cylinder[unit] = cylinder_of(sampler);
-  wraps_around = wraps_around || cylinder[unit] != std::array<bool, 2>{};
-}
-
 void DrawContext::prepare_units(std::span<const TextureUnit> units) {
   for (std::size_t unit = 0; unit < units.size(); ++unit) {
     if (units[unit].texture == nullptr) continue;
     samplers[unit] = TextureSampler::make(state.profile, *units[unit].texture, units[unit].sampler);
     if (!samplers[unit]) continue;
     kills_by_key = kills_by_key || samplers[unit]->kills();
-    set_cylinder(unit, units[unit].sampler);
+    cylinder[unit] = cylinder_of(units[unit].sampler);
     if (!samplers[unit]->needs_derivatives()) continue;
     needs_texture_changes = true;
     point_change[unit] = texel_width(*units[unit].texture);
@@ -109,7 +104,7 @@ void DrawContext::prepare_stages(std::span<const TextureUnit> units) {
     const ProgramTextureStage& stage = stages->program().stage[unit];
     const TextureOperationInfo& info = info_of(stage.state.operation);
     const bool is_plain = info.target != StageTarget::none && info.input == StageInput::none;
-    set_cylinder(unit, units[unit].sampler);
+    cylinder[unit] = cylinder_of(units[unit].sampler);
     if (is_plain && stage.inconsistent.empty()) point_change[unit] = texel_width(*units[unit].texture);
   }
 }

@@ -14,6 +14,7 @@
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texture_stages.h"
 #include "src/raster/fragment/fragment_operations.h"
+#include "src/raster/fragment/interpolation.h"
 #include "src/raster/fragment/output_planes.h"
 #include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/window_transform.h"
@@ -52,6 +53,10 @@ struct DrawContext {
     return arrays.secondary_colors[assembly.provoking_vertex(primitive)];
   }
 
+  [[nodiscard]] VertexCoordinates coordinates(std::size_t unit) const {
+    return {arrays.texture_coordinates[unit], cylinder[unit]};
+  }
+
   // Whether a unit's coordinates, of a texture that is on, have to be divided by q.
   [[nodiscard]] bool reads_q(std::size_t unit) const {
     return !arrays.texture_q[unit].empty() && samplers[unit]->divides_by_q();
@@ -72,9 +77,7 @@ struct DrawContext {
   std::array<float, kMaxTextureUnits> point_change{};
   bool needs_texture_changes = false;
   bool kills_by_key = false;  // whether a unit's colour key may kill fragments
-  // Which units' s and t wrap around a cylinder, and whether any do.
-  std::array<std::array<bool, 2>, kMaxTextureUnits> cylinder{};
-  bool wraps_around = false;
+  std::array<std::array<bool, 2>, kMaxTextureUnits> cylinder{};  // which units' s and t wrap around one
 
   // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment.
   bool has_flat_result = false;
@@ -90,7 +93,6 @@ struct DrawContext {
 
  private:
   [[nodiscard]] ColorBytes flat_primary_of_vertex(std::uint32_t primitive) const;
-  void set_cylinder(std::size_t unit, const Sampler& sampler);
   void prepare_units(std::span<const TextureUnit> units);
   void prepare_stages(std::span<const TextureUnit> units);
   void prepare_program(const RenderTarget& target, bool for_probe);

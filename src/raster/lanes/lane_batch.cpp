@@ -236,7 +236,7 @@ HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawConte
       for (std::size_t k = 0; k < 4; ++k) {
         if (stages.needs(unit, k)) to[k] = stages.at(kind, unit, k).data();
       }
-      fill_stage_coordinates(f, *shares[kind], context.arrays, unit, to);
+      fill_stage_coordinates(f, *shares[kind], context, unit, to);
     }
   }
   stages.run(f.count, batch.registers);
@@ -245,14 +245,13 @@ HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawConte
 
 // Samples the textures of units that have no stages.
 HWY_NOINLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
-  const VertexArrays& arrays = context.arrays;
   if (context.kills_by_key) std::fill_n(batch.keyed.begin(), f.count, std::uint8_t{0});
   for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
     if (!context.reads_unit[unit]) continue;
     find_shares(f, batch, context);
     const TextureSampler& sampler = *context.samplers[unit];
     const int components = sampler.needs_r() ? 3 : 2;
-    const std::span<const glm::vec3> at_vertex = arrays.texture_coordinates[unit];
+    const VertexCoordinates at_vertex = context.coordinates(unit);
     fill_coordinates(f, f.weight, batch.coordinate, at_vertex, components);
     const bool one_change = f.has_one_change && !context.reads_q(unit);
     if (sampler.needs_derivatives()) {
@@ -260,7 +259,7 @@ HWY_NOINLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawCo
       fill_coordinates(f, batch.dy.share, batch.dy.coordinate, at_vertex, components, one_change);
     }
     if (context.reads_q(unit)) {
-      divide_coordinates(f, batch, arrays.texture_q[unit], components, sampler.needs_derivatives());
+      divide_coordinates(f, batch, context.arrays.texture_q[unit], components, sampler.needs_derivatives());
     }
     sample(batch, f.count, context, unit, one_change);
   }

@@ -218,7 +218,6 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   }
   if (state.front_mode != PolygonMode::fill || state.back_mode != PolygonMode::fill) return false;
   if (state.polygon_smooth || !context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
-  if (context.wraps_around) return false;
   if (!context.has_flat_result) {
     if (state.fog.enabled && !arrays.fog_factors.empty() && context.reads[static_cast<std::size_t>(Register::fog)]) {
       return false;
