@@ -189,7 +189,7 @@ class TextureSampler {
   void weigh_words(const Taps& taps, Filtered& to) const;
   class ByteSampler;  // the fast path for bytes
   [[nodiscard]] bool is_keyed(const Texel& texel) const;
-  [[nodiscard]] std::uint32_t key_bits() const;  // the key's bits that are compared: those of alpha come last
+  [[nodiscard]] std::uint32_t key_bits() const;  // the bits of a colour key that are compared
   void find_sources(const HardwareProfile& profile, TexelUse use);
   void decode(std::size_t count, const std::array<s9*, 4>& codes) const;
 

@@ -74,7 +74,8 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       depth(target.format, state.profile.depth_narrowing, state.float_depth_one),
       largest_depth(max_depth(target.format)) {
   state.texture_shader.enabled ? prepare_stages(units) : prepare_units(units);
-  has_flat_result = !for_probe && !stages_decide && !kills_by_key && outputs.need_fragment_alone() &&
+  has_flat_result = !for_probe && !stages_decide && !kills_by_key && !state.polygon_smooth &&
+                    outputs.need_fragment_alone() &&
                     (!operations.needs_color() || (!state.program && shades_flat(arrays.vertex_colors)));
   fills_registers =
       for_probe || kills_by_key || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();

@@ -81,7 +81,7 @@ class FragmentBatch {
   std::array<std::array<Lanes, 3>, 3> coordinates_;  // of a texture: values, changes in x, changes in y
   std::array<std::array<Lanes, 4>, kMaxAttributes> attributes_;
   std::array<std::uint8_t, kBatchSize> keyed_{};  // 1: killed by a colour key
-  std::unique_ptr<FragmentStages> stages_;  // if they are enabled
+  std::unique_ptr<FragmentStages> stages_;        // if they are enabled
   RegisterBatch registers_;
   OutputBatch out_;
 };

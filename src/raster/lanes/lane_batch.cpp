@@ -105,10 +105,9 @@ HWY_INLINE LaneResult<D> operate(const BatchOperations& batch, std::size_t i, M 
   return {hn::IfThenElse(mask, hn::Or(hn::AndNot(bits, stored), value), stored), mask};
 }
 
-// A vector of the batch's colours, as they are stored.
-HWY_INLINE V stored_colors(const LaneDraw<D>& draw, V colors) {
-  if (HWY_LIKELY(draw.operations.store.is_exact)) return colors;
-  return stored_color(VectorValues<D>(), colors, draw.operations.store.masks);
+// A vector of the batch's colours as they are stored in the pixels from `at` on.
+HWY_INLINE V stored_colors(const LaneOperations& operations, V colors, const std::int32_t* at) {
+  return stored_colors(kD, operations, colors, operations.blends ? hn::LoadU(kD, at) : colors);
 }
 
 // A vector of a span's fragments.
@@ -148,10 +147,11 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
   const std::uint8_t* const culled = culled_fragments(pass);
   const bool writes = operations.depth_write || operations.stencil_write;
   if (operations.are_tests_final && !operations.alpha && !writes) {
+    if (!operations.color) return;  // nothing is written
     const bool draws_all = !by_stencil && culled == nullptr;
     const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
       std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
-      const V color = stored_colors(draw, hn::LoadU(kD, batch_colors + part.first));
+      const V color = stored_colors(operations, hn::LoadU(kD, batch_colors + part.first), to);
       // Some processors store masked vectors slowly.
       if (draws_all && part.count >= kLaneCount) return hn::StoreU(color, kD, to);
       M mask = not_culled(culled, part.first, hn::FirstN(kD, part.count));
@@ -167,7 +167,8 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
         operate({draw, f, by_stencil, culled}, part.first, hn::FirstN(kD, part.count), color, load_stored(tile, part));
     if (writes) hn::StoreU(result.depth_stencil, kD, lanes_of(tile.depth_stencil.data()) + part.place);
     if (operations.color) {
-      hn::BlendedStore(stored_colors(draw, color), result.drawn, kD, lanes_of(tile.color.data()) + part.place);
+      std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
+      hn::BlendedStore(stored_colors(operations, color, to), result.drawn, kD, to);
     }
   };
   for (std::size_t s = first; s < end; ++s) for_parts(f.span[s], draw_part);
@@ -201,8 +202,9 @@ HWY_INLINE void operate_on_places(TilePlanes& tile, const LaneFragments& f, cons
       hn::ScatterIndex(result.depth_stencil, kD, stored, place);
     }
     if (operations.color) {
-      hn::ScatterIndex(hn::IfThenElse(result.drawn, stored_colors(draw, color), hn::GatherIndex(kD, colors, place)), kD,
-                       colors, place);
+      const V there = hn::GatherIndex(kD, colors, place);
+      const V after = stored_colors(kD, operations, color, there);
+      hn::ScatterIndex(hn::IfThenElse(result.drawn, after, there), kD, colors, place);
     }
   }
 }
@@ -291,6 +293,14 @@ HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContex
   }
 }
 
+// Multiplies alpha by the coverage (rule 47). The compiler vectorizes the loop.
+HWY_INLINE void cover(const LaneFragments& f, LaneBatch& batch, std::uint32_t rounding) {
+  for (std::size_t i = 0; i < f.count; ++i) {
+    const std::uint32_t color = batch.color[i], alpha = ((color >> 24) * f.coverage[i] + rounding) / 255;
+    batch.color[i] = (color & 0xFFFFFF) | alpha << 24;
+  }
+}
+
 // Sends fragments through the combiners and the fragment operations.
 HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& f) {
   const bool needs_color = pass.operations.needs_color();
@@ -299,6 +309,7 @@ HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& 
     if (pass.context.kills_by_key) fill_textures(f, *pass.batch, pass.context);
   }
   if (needs_color) find_colors(f, *pass.batch, pass.context);
+  if (needs_color && pass.operations.smooths) cover(f, *pass.batch, pass.operations.coverage_rounding);
   if (pass.operations.two_sided) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < f.spans; ++s) {

@@ -37,9 +37,7 @@ struct NearestAxes {
     return hn::Add(hn::Mul(texel(up, t), stride), texel(across, s));
   }
   // -1 where the border's colour is read, else 0.
-  [[nodiscard]] HWY_INLINE VI outside(VF s, VF t) const {
-    return hn::Or(reads_border(across, s), reads_border(up, t));
-  }
+  [[nodiscard]] HWY_INLINE VI outside(VF s, VF t) const { return hn::Or(reads_border(across, s), reads_border(up, t)); }
 
  private:
   [[nodiscard]] HWY_INLINE VI texel(const Axis& axis, VF s) const {
@@ -57,11 +55,12 @@ HWY_INLINE bool all_like_first(const LaneIntegers& values, std::size_t count) {
 
 void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
   const NearestAxes axes(level);
+  const bool has_border = level.has_border_color();
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
     VF s, t;
     store(load_place(level.cube, at, lane, s, t), to.face, lane);
     store(axes.offset(s, t), to.offset, lane);
-    if (level.has_border_color()) store(axes.outside(s, t), to.outside, lane);
+    if (has_border) store(axes.outside(s, t), to.outside, lane);
   }
   to.one_face = all_like_first(to.face, count);
 }

@@ -36,7 +36,7 @@ struct NearestLanes {
   alignas(64) LaneIntegers offset;
   alignas(64) LaneIntegers face;
   alignas(64) LaneIntegers outside;  // if LaneLevel::has_border_color(): -1 where the border is read, else 0
-  bool one_face;  // true if all fragments read face[0]
+  bool one_face;                     // true if all fragments read face[0]
 };
 
 // The four texels of LINEAR: two neighbours in s, then the two above them. `u` weighs the second in s, `v` in t.
@@ -46,8 +46,8 @@ struct LinearLanes {
   bool one_face;
 };
 
-// Finds the texels that cube_coordinate and nearest_texel, or bordered_texels, select for the first `count` coordinates, 1 to kBatchSize.
-// All kBatchSize of each coordinate are read, whatever their values.
+// Finds the texels that cube_coordinate and nearest_texel, or bordered_texels, select for the first `count`
+// coordinates, 1 to kBatchSize. All kBatchSize of each coordinate are read, whatever their values.
 void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to);
 
 // The same with linear_texels, for any mode but Wrap::clamp, whose border is not a texel.
