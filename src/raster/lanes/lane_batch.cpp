@@ -149,9 +149,11 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
   if (operations.are_tests_final && !operations.alpha && !writes) {
     if (!operations.color) return;  // nothing is written
     const bool draws_all = !by_stencil && culled == nullptr;
+    const bool stores_all = operations.store.is_exact && !operations.blends;
     const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
       std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
-      const V color = stored_colors(operations, hn::LoadU(kD, batch_colors + part.first), to);
+      V color = hn::LoadU(kD, batch_colors + part.first);
+      if (HWY_UNLIKELY(!stores_all)) color = stored_colors(operations, color, to);
       // Some processors store masked vectors slowly.
       if (draws_all && part.count >= kLaneCount) return hn::StoreU(color, kD, to);
       M mask = not_culled(culled, part.first, hn::FirstN(kD, part.count));
