@@ -20,6 +20,7 @@ PipelineState random_view(Random& random, const PassScene& scene) {
                             .factor = random.real_f(-4, 4),
                             .units = random.one_in(4) ? random.pick({3e8F, -3e8F}) : random.real_f(-300, 300)};
   }
+  state.polygon_smooth = random.one_in(6);
   if (random.one_in(4)) {
     state.depth_near = random.real_f(0, 1);
     state.depth_far = random.real_f(0, 1);
@@ -118,15 +119,29 @@ void add_texture(Random& random, RandomPass& pass, std::size_t unit, std::size_t
   const InternalFormat format = random.one_in(2)
                                     ? InternalFormat::rgba8
                                     : kInternalFormats[static_cast<std::size_t>(random.below(kInternalFormats.size()))];
-  const int width = 1 << random.below(5), height = cube ? width : 1 << random.below(5);
+  int width = 1 << random.below(5), height = cube ? width : 1 << random.below(5);
   if (cube && is_depth(format)) return;
+  const bool linear = random.one_in(2), plain = !cube && !mipmaps && !linear;
+  const bool has_border_texels = plain && random.one_in(6);
+  if (has_border_texels) width = height = 16;
+  const bool has_key = plain && format == InternalFormat::rgba8 && random.one_in(3);
+  if (has_key && !has_border_texels) width = height = 2;
   pass.textures[unit] = random_texture(random, target, format, width, height, mipmaps);
   Sampler& s = pass.samplers[unit];
-  const bool linear = random.one_in(2);
+  s.border_texels = has_border_texels;
+  s.border_color = {random.real_f(0, 1), random.real_f(0, 1), random.real_f(0, 1), random.real_f(0, 1)};
+  if (has_key) {
+    const auto& planes = std::get<0>(pass.textures[unit].faces[0][0].planes);
+    const int x = random.below(width), y = random.below(height);
+    const auto byte = [&](std::size_t k) { return std::uint32_t{planes[k].at(x, y)}; };
+    s.color_key = {static_cast<ColorKeyOperation>(random.between(1, 3)),
+                   byte(kAlpha) << 24 | byte(kRed) << 16 | byte(kGreen) << 8 | byte(kBlue)};
+  }
+  for (bool& is_around : s.cylinder_wrap) is_around = random.one_in(4);
   s.min_filter = mipmaps ? MinFilter::linear_mipmap_linear : linear ? MinFilter::linear : MinFilter::nearest;
   s.mag_filter = linear ? MagFilter::linear : MagFilter::nearest;
-  s.wrap_s = kWraps[static_cast<std::size_t>(random.below(4))];
-  s.wrap_t = kWraps[static_cast<std::size_t>(random.below(4))];
+  s.wrap_s = kWraps[static_cast<std::size_t>(random.below(kWraps.size()))];
+  s.wrap_t = kWraps[static_cast<std::size_t>(random.below(kWraps.size()))];
   if (is_depth(format) && random.one_in(2)) {
     s.comparison = static_cast<DepthComparison>(random.between(1, static_cast<int>(DepthComparison::always)));
   }
@@ -239,7 +254,7 @@ PassScene random_passes(Random& random, int passes) {
       pass.state.profile.depth_narrowing.value = view.profile.depth_narrowing.value;
     }
     randomize_fragment_operations(random, pass.state);
-    if (!random.one_in(12) || !facts_of(scene.color_format).blends()) pass.state.blend = {};
+    if (!facts_of(scene.color_format).blends()) pass.state.blend = {};
     if (random.one_in(6)) pass.state.polygon_stipple = random_stipple(random);
     // All that most draws write, and tests that many fragments pass.
     if (equal_masks) pass.state.color_mask = random.one_in(3) ? std::array<bool, 4>{} : mask;
@@ -279,7 +294,6 @@ PassScene random_equal_passes(Random& random, int passes) {
   }
   for (std::size_t i = 1; i < scene.passes.size(); ++i) {
     PipelineState& state = scene.passes[i].state;
-    state.blend = {};
     state.color_mask = scene.passes[1].state.color_mask;
     if (!state.program) state.shade_model = ShadeModel::smooth;
     scene.passes[i].secondary_colors.clear();

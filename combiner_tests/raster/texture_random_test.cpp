@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <string>
 
+#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/texture_support.h"
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/raster/texture_stages.h"
@@ -250,6 +252,47 @@ TEST(RandomTextures, AnyCutGivesTheSameBits) {
       ASSERT_EQ(whole.of(i), register_codes(c, sampler->texel(c.fragments.view(), i))) << index << ' ' << i;
     }
   }
+}
+
+// In lanes: one change for all fragments, of which the arrays have one value each, gives what the same change for each
+// one gives.
+TEST(TextureLanes, OneChangeOfAllFragments) {
+  Random random(57);
+  constexpr std::size_t kCount = 300;
+  std::set<std::array<int, 3>> levels;
+  for (int round = 0; round < 200; ++round) {
+    const TextureTarget target = round % 2 == 0 ? TextureTarget::texture_2d : TextureTarget::cube_map;
+    const InternalFormat format =
+        round % 3 == 0 ? InternalFormat::rgb8 : kInternalFormats[static_cast<std::size_t>(random.below(6))];
+    const Texture texture = random_texture(random, target, format, 32, 32, true);
+    const Sampler parameters{.min_filter =
+                                 random.pick({MinFilter::linear_mipmap_linear, MinFilter::nearest_mipmap_nearest})};
+    const auto sampler = TextureSampler::make(profiles::geforce2, texture, parameters);
+    ASSERT_TRUE(sampler.has_value());
+    std::array<float, 3> dx{}, dy{};
+    for (std::size_t k = 0; k < 3; ++k) dx[k] = random_change(random), dy[k] = random_change(random);
+    CoordinateArrays each, one;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const std::array<float, 3> at{random.real_f(-2, 2), random.real_f(-2, 2), random.real_f(-2, 2)};
+      each.push(at, dx, dy);
+      for (std::size_t k = 0; k < 3; ++k) one.value[k].push_back(at[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) one.dx[k] = {dx[k]}, one.dy[k] = {dy[k]};
+    TextureCoordinates view = one.view();
+    view.one_change = true;
+    for (const std::int64_t simd : simd_targets()) {
+      const OnTarget on(simd);
+      CodeArrays expected(kCount), codes(kCount);
+      sampler->sample(each.view(), kCount, expected.at());
+      sampler->sample(view, kCount, codes.at());
+      for (std::size_t k = 0; k < 4; ++k) ASSERT_EQ(codes.plane[k], expected.plane[k]) << round;
+      for (std::size_t i = 0; i < kCount; i += 60) {
+        ASSERT_EQ(texel_codes(profiles::geforce2, sampler->texel(view, i)), codes.of(i)) << round << ' ' << i;
+      }
+      levels.insert({codes.plane[0][0], codes.plane[1][0], codes.plane[2][0]});
+    }
+  }
+  EXPECT_GT(levels.size(), 100U);
 }
 
 }  // namespace

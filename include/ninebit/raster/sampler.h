@@ -161,8 +161,10 @@ class TextureSampler {
   [[nodiscard]] TextureFormat format() const { return format_; }
 
   // The codes that texel_codes gives for `count` fragments, to codes[component][fragment], or bytes for stages. Depth
-  // without comparison is rounded to a byte; floats are clamped to [0, 1] and rounded to one, NaN giving 0.
-  void sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const;
+  // without comparison is rounded to a byte; floats are clamped to [0, 1] and rounded to one, NaN giving 0. `killed`:
+  // where to store 1 for fragments that the colour key kills; the others keep what is there.
+  void sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes,
+              std::uint8_t* killed = nullptr) const;
 
   // The bytes of fragment i's filtered texel, as a stage reads them.
   [[nodiscard]] Bytes4 bytes(const TextureCoordinates& at, std::size_t i) const;
@@ -187,6 +189,7 @@ class TextureSampler {
   void weigh_words(const Taps& taps, Filtered& to) const;
   class ByteSampler;  // the fast path for bytes
   [[nodiscard]] bool is_keyed(const Texel& texel) const;
+  [[nodiscard]] std::uint32_t key_bits() const;  // the bits of a colour key that are compared
   void find_sources(const HardwareProfile& profile, TexelUse use);
   void decode(std::size_t count, const std::array<s9*, 4>& codes) const;
 

@@ -74,17 +74,13 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       depth(target.format, state.profile.depth_narrowing, state.float_depth_one),
       largest_depth(max_depth(target.format)) {
   state.texture_shader.enabled ? prepare_stages(units) : prepare_units(units);
-  has_flat_result = !for_probe && !stages_decide && !kills_by_key && outputs.need_fragment_alone() &&
+  has_flat_result = !for_probe && !stages_decide && !kills_by_key && !state.polygon_smooth &&
+                    outputs.need_fragment_alone() &&
                     (!operations.needs_color() || (!state.program && shades_flat(arrays.vertex_colors)));
   fills_registers =
       for_probe || kills_by_key || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();
   initial = initial_of(*this);
   prepare_program(target, for_probe);
-}
-
-void DrawContext::set_cylinder(std::size_t unit, const Sampler& sampler) {
-  cylinder[unit] = cylinder_of(sampler);
-  wraps_around = wraps_around || cylinder[unit] != std::array<bool, 2>{};
 }
 
 void DrawContext::prepare_units(std::span<const TextureUnit> units) {
@@ -93,7 +89,7 @@ void DrawContext::prepare_units(std::span<const TextureUnit> units) {
     samplers[unit] = TextureSampler::make(state.profile, *units[unit].texture, units[unit].sampler);
     if (!samplers[unit]) continue;
     kills_by_key = kills_by_key || samplers[unit]->kills();
-    set_cylinder(unit, units[unit].sampler);
+    cylinder[unit] = cylinder_of(units[unit].sampler);
     if (!samplers[unit]->needs_derivatives()) continue;
     needs_texture_changes = true;
     point_change[unit] = texel_width(*units[unit].texture);
@@ -109,7 +105,7 @@ void DrawContext::prepare_stages(std::span<const TextureUnit> units) {
     const ProgramTextureStage& stage = stages->program().stage[unit];
     const TextureOperationInfo& info = info_of(stage.state.operation);
     const bool is_plain = info.target != StageTarget::none && info.input == StageInput::none;
-    set_cylinder(unit, units[unit].sampler);
+    cylinder[unit] = cylinder_of(units[unit].sampler);
     if (is_plain && stage.inconsistent.empty()) point_change[unit] = texel_width(*units[unit].texture);
   }
 }

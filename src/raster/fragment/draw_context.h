@@ -14,6 +14,7 @@
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/texture_stages.h"
 #include "src/raster/fragment/fragment_operations.h"
+#include "src/raster/fragment/interpolation.h"
 #include "src/raster/fragment/output_planes.h"
 #include "src/raster/setup/primitive_assembly.h"
 #include "src/raster/setup/window_transform.h"
@@ -52,6 +53,10 @@ struct DrawContext {
     return arrays.secondary_colors[assembly.provoking_vertex(primitive)];
   }
 
+  [[nodiscard]] VertexCoordinates coordinates(std::size_t unit) const {
+    return {arrays.texture_coordinates[unit], cylinder[unit]};
+  }
+
   // Whether a unit's coordinates, of a texture that is on, have to be divided by q.
   [[nodiscard]] bool reads_q(std::size_t unit) const {
     return !arrays.texture_q[unit].empty() && samplers[unit]->divides_by_q();
@@ -71,12 +76,11 @@ struct DrawContext {
   // The change of s at points, where rho is 1 (OpenGL 1.3, 3.8.8), for units and stages that read at s/q, t/q, r/q.
   std::array<float, kMaxTextureUnits> point_change{};
   bool needs_texture_changes = false;
-  bool kills_by_key = false;  // whether a unit's colour key may kill fragments
-  // Which units' s and t wrap around a cylinder, and whether any do.
-  std::array<std::array<bool, 2>, kMaxTextureUnits> cylinder{};
-  bool wraps_around = false;
+  bool kills_by_key = false;                                     // whether a unit's colour key may kill fragments
+  std::array<std::array<bool, 2>, kMaxTextureUnits> cylinder{};  // which units' s and t wrap around one
 
-  // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment.
+  // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment. (Of
+  // smoothed polygons, vectors gather the coverage of fragments.)
   bool has_flat_result = false;
   // Whether registers have to be filled at all, and which units and registers are then read.
   bool fills_registers = false;
@@ -90,7 +94,6 @@ struct DrawContext {
 
  private:
   [[nodiscard]] ColorBytes flat_primary_of_vertex(std::uint32_t primitive) const;
-  void set_cylinder(std::size_t unit, const Sampler& sampler);
   void prepare_units(std::span<const TextureUnit> units);
   void prepare_stages(std::span<const TextureUnit> units);
   void prepare_program(const RenderTarget& target, bool for_probe);

@@ -14,13 +14,6 @@ float unit_range(float value) {
   return !(value > 0.0F) ? 0.0F : value > 1.0F ? 1.0F : value;
 }
 
-// The coordinate b of a vertex beside a's, on a texture that is wrapped around a cylinder: the nearest of b, b ± 1, ….
-// A difference of exactly one half stays (rule 53).
-float around_cylinder(float a, float b) {
-  const float turns = std::ceil(std::fabs(b - a) - 0.5F);
-  return turns > 0.0F ? b - std::copysign(turns, b - a) : b;
-}
-
 // The vertex that is not an end of a line has the share 0; the line's ends follow it in order, which holds for the
 // edges of polygons, too.
 std::array<float, 3> eight_bit_weights(const std::array<float, 3>& share, bool is_line) {
@@ -132,19 +125,13 @@ void FragmentBatch::divide_coordinates(std::size_t unit, std::size_t components,
 
 void FragmentBatch::fill_texture(std::size_t unit) {
   const TextureSampler& sampler = *context_.samplers[unit];
-  const std::span<const glm::vec3> at_vertex = context_.arrays.texture_coordinates[unit];
+  const VertexCoordinates at_vertex = context_.coordinates(unit);
   const std::size_t components = sampler.needs_r() ? 3 : 2;
   const std::array<const WeightPlanes*, 3> weights{&weights_.perspective(), &weights_.dx(), &weights_.dy()};
   const std::size_t kinds = sampler.needs_derivatives() ? 3 : 1;
-  const std::array<bool, 2> cylinder = context_.cylinder[unit];
   for (std::size_t i = 0; i < count_; ++i) {
-    const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
-    glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
-    for (int k = 0; k < 2; ++k) {
-      if (!cylinder[static_cast<std::size_t>(k)]) continue;
-      b[k] = around_cylinder(a[k], b[k]);
-      c[k] = around_cylinder(a[k], c[k]);
-    }
+    const std::array<glm::vec3, 3> corner = at_vertex.of(place_[i].corners->vertex);
+    const glm::vec3 &a = corner[0], &b = corner[1], &c = corner[2];
     for (std::size_t kind = 0; kind < kinds; ++kind) {
       for (std::size_t k = 0; k < components; ++k) {
         const auto n = static_cast<int>(k);
@@ -173,29 +160,25 @@ void FragmentBatch::fill_texture(std::size_t unit) {
     coordinates.dx[k] = coordinates_[1][k].data();
     coordinates.dy[k] = coordinates_[2][k].data();
   }
-  for (std::size_t i = 0; i < count_ && sampler.kills(); ++i) {
-    keyed_[i] = keyed_[i] || sampler.kills(coordinates, i);
-  }
   const Register reg = texture_register(static_cast<int>(unit));
   sampler.sample(coordinates, count_,
-                 {registers_(reg, kRed), registers_(reg, kGreen), registers_(reg, kBlue), registers_(reg, kAlpha)});
+                 {registers_(reg, kRed), registers_(reg, kGreen), registers_(reg, kBlue), registers_(reg, kAlpha)},
+                 keyed_.data());
 }
 
 void FragmentBatch::fill_stage_coordinate(std::size_t kind, std::size_t unit, std::size_t k) {
   const WeightPlanes& weights = *std::array{&weights_.perspective(), &weights_.dx(), &weights_.dy()}[kind];
   FragmentStages::Lanes& to = stages_->at(kind, unit, k);
   const std::span<const float> q = context_.arrays.texture_q[unit];
-  const std::span<const glm::vec3> str = context_.arrays.texture_coordinates[unit];
+  const VertexCoordinates str = context_.coordinates(unit);
   const auto component = static_cast<int>(k);
-  const bool is_around = k < 2 && context_.cylinder[unit][k];
-  const auto near = [is_around](float a, float b) { return is_around ? around_cylinder(a, b) : b; };
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
     if (k == 3) {
       to[i] = interpolate(weights, i, q[v[0]], q[v[1]], q[v[2]]);
     } else {
-      const float a = str[v[0]][component], b = str[v[1]][component], c = str[v[2]][component];
-      to[i] = interpolate(weights, i, a, near(a, b), near(a, c));
+      const std::array<glm::vec3, 3> corner = str.of(v);
+      to[i] = interpolate(weights, i, corner[0][component], corner[1][component], corner[2][component]);
     }
   }
 }
@@ -249,7 +232,7 @@ void FragmentBatch::fill_registers() {
   if (!context_.arrays.secondary_colors.empty()) fill_secondary();
   if (context_.state.fog.enabled && !context_.arrays.fog_factors.empty()) fill_fog();
   if (stages_) return run_stages();
-  keyed_.fill(false);
+  keyed_.fill(0);
   for (std::size_t unit = 0; unit < context_.samplers.size(); ++unit) {
     if (context_.reads_unit[unit]) fill_texture(unit);
   }

@@ -63,7 +63,7 @@ class FragmentBatch {
   void run_program();
   void draw();
   [[nodiscard]] bool is_culled(std::size_t i) const {
-    if (context_.kills_by_key) return keyed_[i];
+    if (context_.kills_by_key) return keyed_[i] != 0;
     return stages_ && context_.stages->culls() && stages_->culled()[i] != 0;
   }
 
@@ -80,8 +80,8 @@ class FragmentBatch {
   Interpolation weights_;
   std::array<std::array<Lanes, 3>, 3> coordinates_;  // of a texture: values, changes in x, changes in y
   std::array<std::array<Lanes, 4>, kMaxAttributes> attributes_;
-  std::array<bool, kBatchSize> keyed_{};    // killed by a colour key
-  std::unique_ptr<FragmentStages> stages_;  // if they are enabled
+  std::array<std::uint8_t, kBatchSize> keyed_{};  // 1: killed by a colour key
+  std::unique_ptr<FragmentStages> stages_;        // if they are enabled
   RegisterBatch registers_;
   OutputBatch out_;
 };

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 
@@ -24,6 +26,29 @@ struct FragmentPlace {
 
 // One float a fragment for each of the three vertices.
 using WeightPlanes = std::array<std::array<float, kBatchSize>, 3>;
+
+// The texture coordinates of a unit at all vertices.
+struct VertexCoordinates {
+  std::span<const glm::vec3> at_vertex;
+  std::array<bool, 2> cylinder{};  // whether s and t wrap around one (rule 53)
+
+  // Those of the three vertices of a primitive.
+  [[nodiscard]] std::array<glm::vec3, 3> of(const std::array<std::uint32_t, 3>& vertex) const {
+    std::array<glm::vec3, 3> corner{at_vertex[vertex[0]], at_vertex[vertex[1]], at_vertex[vertex[2]]};
+    for (int k = 0; k < 2; ++k) {
+      if (!cylinder[static_cast<std::size_t>(k)]) continue;
+      for (std::size_t n = 1; n < 3; ++n) corner[n][k] = around_cylinder(corner[0][k], corner[n][k]);
+    }
+    return corner;
+  }
+
+ private:
+  // The coordinate b of a vertex beside a's: the nearest of b, b ± 1, …. A difference of exactly one half stays.
+  static float around_cylinder(float a, float b) {
+    const float turns = std::ceil(std::fabs(b - a) - 0.5F);
+    return turns > 0.0F ? b - std::copysign(turns, b - a) : b;
+  }
+};
 
 // A value at fragment i from those at the vertices.
 [[nodiscard]] inline float interpolate(const WeightPlanes& weight, std::size_t i, float a, float b, float c) {

@@ -1,5 +1,8 @@
 #include "src/raster/lanes/lane_batch.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "src/numerics/simd_targets.h"
 #include "src/raster/lanes/lane_inputs.h"
 #include "src/raster/lanes/lane_pass.h"
@@ -76,10 +79,10 @@ struct BatchOperations {
   const LaneDraw<D>& draw;
   const LaneFragments& fragments;
   bool by_stencil;             // LanePass::draws_by_stencil
-  const std::uint8_t* culled;  // FragmentStages::culled, or null
+  const std::uint8_t* culled;  // culled_fragments()
 };
 
-// The fragments of `mask`, from i on, that the stages do not cull.
+// The fragments of `mask`, from i on, that are not culled.
 HWY_INLINE M not_culled(const std::uint8_t* culled, std::size_t i, M mask) {
   if (culled == nullptr) return mask;
   const hn::Rebind<std::uint8_t, D> d8;
@@ -102,10 +105,9 @@ HWY_INLINE LaneResult<D> operate(const BatchOperations& batch, std::size_t i, M 
   return {hn::IfThenElse(mask, hn::Or(hn::AndNot(bits, stored), value), stored), mask};
 }
 
-// A vector of the batch's colours, as they are stored.
-HWY_INLINE V stored_colors(const LaneDraw<D>& draw, V colors) {
-  if (HWY_LIKELY(draw.operations.store.is_exact)) return colors;
-  return stored_color(VectorValues<D>(), colors, draw.operations.store.masks);
+// A vector of the batch's colours as they are stored in the pixels from `at` on.
+HWY_INLINE V stored_colors(const LaneOperations& operations, V colors, const std::int32_t* at) {
+  return stored_colors(kD, operations, colors, operations.blends ? hn::LoadU(kD, at) : colors);
 }
 
 // A vector of a span's fragments.
@@ -129,8 +131,9 @@ HWY_INLINE V load_stored(const TilePlanes& tile, const SpanPart& part) {
   return hn::LoadU(kD, lanes_of(tile.depth_stencil.data()) + part.place);
 }
 
-// FragmentStages::culled, or null if no stage culls.
+// 1 for each fragment that a stage culls or a colour key kills, else 0; null if none does.
 HWY_INLINE const std::uint8_t* culled_fragments(const LanePass& pass) {
+  if (pass.context.kills_by_key) return pass.batch->keyed.data();
   const bool culls = pass.context.stages && pass.context.stages->culls();
   return culls ? pass.batch->stages->culled() : nullptr;
 }
@@ -144,10 +147,13 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
   const std::uint8_t* const culled = culled_fragments(pass);
   const bool writes = operations.depth_write || operations.stencil_write;
   if (operations.are_tests_final && !operations.alpha && !writes) {
+    if (!operations.color) return;  // nothing is written
     const bool draws_all = !by_stencil && culled == nullptr;
+    const bool stores_all = operations.store.is_exact && !operations.blends;
     const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
       std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
-      const V color = stored_colors(draw, hn::LoadU(kD, batch_colors + part.first));
+      V color = hn::LoadU(kD, batch_colors + part.first);
+      if (HWY_UNLIKELY(!stores_all)) color = stored_colors(operations, color, to);
       // Some processors store masked vectors slowly.
       if (draws_all && part.count >= kLaneCount) return hn::StoreU(color, kD, to);
       M mask = not_culled(culled, part.first, hn::FirstN(kD, part.count));
@@ -163,7 +169,8 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
         operate({draw, f, by_stencil, culled}, part.first, hn::FirstN(kD, part.count), color, load_stored(tile, part));
     if (writes) hn::StoreU(result.depth_stencil, kD, lanes_of(tile.depth_stencil.data()) + part.place);
     if (operations.color) {
-      hn::BlendedStore(stored_colors(draw, color), result.drawn, kD, lanes_of(tile.color.data()) + part.place);
+      std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
+      hn::BlendedStore(stored_colors(operations, color, to), result.drawn, kD, to);
     }
   };
   for (std::size_t s = first; s < end; ++s) for_parts(f.span[s], draw_part);
@@ -197,8 +204,9 @@ HWY_INLINE void operate_on_places(TilePlanes& tile, const LaneFragments& f, cons
       hn::ScatterIndex(result.depth_stencil, kD, stored, place);
     }
     if (operations.color) {
-      hn::ScatterIndex(hn::IfThenElse(result.drawn, stored_colors(draw, color), hn::GatherIndex(kD, colors, place)), kD,
-                       colors, place);
+      const V there = hn::GatherIndex(kD, colors, place);
+      const V after = stored_colors(kD, operations, color, there);
+      hn::ScatterIndex(hn::IfThenElse(result.drawn, after, there), kD, colors, place);
     }
   }
 }
@@ -232,11 +240,33 @@ HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawConte
       for (std::size_t k = 0; k < 4; ++k) {
         if (stages.needs(unit, k)) to[k] = stages.at(kind, unit, k).data();
       }
-      fill_stage_coordinates(f, *shares[kind], context.arrays, unit, to);
+      fill_stage_coordinates(f, *shares[kind], context, unit, to);
     }
   }
   stages.run(f.count, batch.registers);
   for (std::size_t i = 0; i < f.count && context.stages->replaces_depth(); ++i) f.depth[i] = stages.depth(i);
+}
+
+// Samples the textures of units that have no stages.
+HWY_NOINLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  if (context.kills_by_key) std::fill_n(batch.keyed.begin(), f.count, std::uint8_t{0});
+  for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
+    if (!context.reads_unit[unit]) continue;
+    find_shares(f, batch, context);
+    const TextureSampler& sampler = *context.samplers[unit];
+    const int components = sampler.needs_r() ? 3 : 2;
+    const VertexCoordinates at_vertex = context.coordinates(unit);
+    fill_coordinates(f, f.weight, batch.coordinate, at_vertex, components);
+    const bool one_change = f.has_one_change && !context.reads_q(unit);
+    if (sampler.needs_derivatives()) {
+      fill_coordinates(f, batch.dx.share, batch.dx.coordinate, at_vertex, components, one_change);
+      fill_coordinates(f, batch.dy.share, batch.dy.coordinate, at_vertex, components, one_change);
+    }
+    if (context.reads_q(unit)) {
+      divide_coordinates(f, batch, context.arrays.texture_q[unit], components, sampler.needs_derivatives());
+    }
+    sample(batch, f.count, context, unit, one_change);
+  }
 }
 
 // Fills the registers that the program reads.
@@ -248,24 +278,7 @@ HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawCon
     const bool has_alpha = context.state.profile.secondary_alpha.value != SecondaryAlpha::one;
     fill_color_register(f, batch, context, {Register::secondary, arrays.secondary_colors, has_alpha ? 4 : 3});
   }
-  if (context.stages) return run_stages(f, batch, context);
-  for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
-    if (!context.reads_unit[unit]) continue;
-    find_shares(f, batch, context);
-    const TextureSampler& sampler = *context.samplers[unit];
-    const int components = sampler.needs_r() ? 3 : 2;
-    const std::span<const glm::vec3> at_vertex = arrays.texture_coordinates[unit];
-    fill_coordinates(f, f.weight, batch.coordinate, at_vertex, components);
-    const bool one_change = f.has_one_change && !context.reads_q(unit);
-    if (sampler.needs_derivatives()) {
-      fill_coordinates(f, batch.dx.share, batch.dx.coordinate, at_vertex, components, one_change);
-      fill_coordinates(f, batch.dy.share, batch.dy.coordinate, at_vertex, components, one_change);
-    }
-    if (context.reads_q(unit)) {
-      divide_coordinates(f, batch, arrays.texture_q[unit], components, sampler.needs_derivatives());
-    }
-    sample(batch, f.count, context, unit, one_change);
-  }
+  context.stages ? run_stages(f, batch, context) : fill_textures(f, batch, context);
 }
 
 // Finds the colours that the combiners give, or primary colours if there is no program.
@@ -282,13 +295,23 @@ HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContex
   }
 }
 
+// Multiplies alpha by the coverage (rule 47). The compiler vectorizes the loop.
+HWY_INLINE void cover(const LaneFragments& f, LaneBatch& batch, std::uint32_t rounding) {
+  for (std::size_t i = 0; i < f.count; ++i) {
+    const std::uint32_t color = batch.color[i], alpha = ((color >> 24) * f.coverage[i] + rounding) / 255;
+    batch.color[i] = (color & 0xFFFFFF) | alpha << 24;
+  }
+}
+
 // Sends fragments through the combiners and the fragment operations.
 HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& f) {
   const bool needs_color = pass.operations.needs_color();
-  if (pass.context.stages_decide && !(needs_color && pass.context.state.program)) {
-    run_stages(f, *pass.batch, pass.context);
+  if (!(needs_color && pass.context.state.program)) {
+    if (pass.context.stages_decide) run_stages(f, *pass.batch, pass.context);
+    if (pass.context.kills_by_key) fill_textures(f, *pass.batch, pass.context);
   }
   if (needs_color) find_colors(f, *pass.batch, pass.context);
+  if (needs_color && pass.operations.smooths) cover(f, *pass.batch, pass.operations.coverage_rounding);
   if (pass.operations.two_sided) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < f.spans; ++s) {

@@ -54,7 +54,8 @@ void sample(LaneBatch& batch, std::size_t count, const DrawContext& context, std
   const Register reg = texture_register(static_cast<int>(unit));
   context.samplers[unit]->sample(coordinates, count,
                                  {batch.registers(reg, kRed), batch.registers(reg, kGreen), batch.registers(reg, kBlue),
-                                  batch.registers(reg, kAlpha)});
+                                  batch.registers(reg, kAlpha)},
+                                 batch.keyed.data());
   if (unit == 0) {
     std::copy_n(batch.registers(reg, kAlpha), count, batch.registers(Register::spare0, kAlpha));
   }

@@ -18,7 +18,8 @@ void fill_flat_colors(const LaneFragments& fragments, LaneBatch& batch, const Dr
 // overwrites.
 void refill_constants(LaneBatch& batch, const DrawContext& context);
 
-// Reads a unit's texture at the batch's coordinates into its registers. one_change: TextureCoordinates::one_change.
+// Reads a unit's texture at the batch's coordinates into its registers, and notes fragments that its colour key kills.
+// one_change: TextureCoordinates::one_change.
 void sample(LaneBatch& batch, std::size_t count, const DrawContext& context, std::size_t unit, bool one_change);
 
 }  // namespace ninebit

@@ -251,10 +251,10 @@ HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, cons
 
 // Texture coordinates, or their changes: s and t, and r if there are three components. only_first: of the first vector.
 HWY_INLINE void fill_coordinates(const LaneFragments& f, const Shares& shares, Shares& to,
-                                 std::span<const glm::vec3> at_vertex, int components, bool only_first = false) {
+                                 const VertexCoordinates& at_vertex, int components, bool only_first = false) {
   for (std::size_t r = 0; r < f.runs; ++r) {
-    const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
-    const glm::vec3 a = at_vertex[v[0]], b = at_vertex[v[1]], c = at_vertex[v[2]];
+    const std::array<glm::vec3, 3> corner = at_vertex.of(f.run[r].corners->vertex);
+    const glm::vec3 &a = corner[0], &b = corner[1], &c = corner[2];
     const std::size_t end = only_first ? 1 : f.run[r + 1].first;
     for (std::size_t i = f.run[r].first; i < end; i = next_vector(i, kLaneCount)) {
       const ShareLanes at(shares, i);
@@ -270,16 +270,18 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, const Shares& shares, S
 using StageLanes = std::array<float*, 4>;
 
 // The coordinates of a unit that stages read.
-HWY_INLINE void fill_stage_coordinates(const LaneFragments& f, const Shares& shares, const VertexArrays& arrays,
+HWY_INLINE void fill_stage_coordinates(const LaneFragments& f, const Shares& shares, const DrawContext& context,
                                        std::size_t unit, const StageLanes& to) {
-  const std::span<const float> q = arrays.texture_q[unit];
-  const std::span<const glm::vec3> str = arrays.texture_coordinates[unit];
+  const std::span<const float> q = context.arrays.texture_q[unit];
+  const VertexCoordinates coordinates = context.coordinates(unit);
+  const bool needs_str = to[0] != nullptr || to[1] != nullptr || to[2] != nullptr;
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<std::uint32_t, 3>& v = f.run[r].corners->vertex;
+    const std::array<glm::vec3, 3> str = needs_str ? coordinates.of(v) : std::array<glm::vec3, 3>{};
     std::array<std::array<float, 3>, 4> corner{};  // by coordinate and vertex
     for (std::size_t n = 0; n < 3; ++n) {
       for (std::size_t k = 0; k < 4; ++k) {
-        if (to[k] != nullptr) corner[k][n] = k == 3 ? q[v[n]] : str[v[n]][static_cast<int>(k)];
+        if (to[k] != nullptr) corner[k][n] = k == 3 ? q[v[n]] : str[n][static_cast<int>(k)];
       }
     }
     for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "hwy/highway.h"
+#include "src/raster/lanes/lane_blend-inl.h"
 #include "src/raster/lanes/lane_operations.h"
 #include "src/raster/lanes/lane_pass.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
@@ -145,6 +146,14 @@ HWY_INLINE LaneResult<D> apply_lanes(D d, const LaneDraw<D>& draw, hn::Mask<D> m
     after = hn::IfThenElse(drawn, hn::Or(hn::ShiftLeft<8>(depth), hn::And(after, hn::Set(d, 0xFF))), after);
   }
   return {after, drawn};
+}
+
+// Colours as they replace `stored`, which is read only if they are blended.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V stored_colors(D d, const LaneOperations& operations, V colors, V stored) {
+  if (HWY_UNLIKELY(operations.blends)) colors = blended_colors(d, operations.blend, colors, stored);
+  if (HWY_LIKELY(operations.store.is_exact)) return colors;
+  return stored_color(VectorValues<D>(), colors, operations.store.masks);
 }
 
 // Window depths as codes of the target. Those of formats of real numbers are codes already.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/raster/fragment/blend.h"
+
 namespace ninebit {
 namespace {
 
@@ -44,9 +46,29 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
       depth_test(comparison(state.depth_test.function)),
       alpha_reference(state.alpha_test.reference) {
   for (std::size_t i = 0; i < 4; ++i) color = color || (state.color_mask[i] && target.color[i]);
+  blends = color && state.blend.enabled && !replaces(state.blend);
+  if (blends) prepare_blend(state, target);
   stipples = state.polygon_stipple.has_value();
+  smooths = state.polygon_smooth;
+  coverage_rounding = state.profile.coverage_narrowing.value == Narrowing::toward_zero ? 0 : 127;
   if (stencil) prepare_stencil(state.stencil_test, stencil_bits(target.format));
   find_consequences(state.depth_test.function);
+}
+
+// A plane that the target lacks is read as 0, or 255 of alpha. The tile's words may hold anything there.
+void LaneOperations::prepare_blend(const PipelineState& state, const RenderTarget& target) {
+  const BlendReads reads(target.color_format, state.profile.surface_blend);
+  blend = {.state = state.blend,
+           .constant = word_of(state.blend.color),
+           .source_kept = reads.kept,
+           .stored_kept = reads.kept,
+           .stored_set = reads.set};
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (target.color[k]) continue;
+    const std::uint32_t byte = std::uint32_t{0xFF} << (8 * k);
+    blend.stored_kept &= ~byte;
+    if (k == 3) blend.stored_set |= byte;
+  }
 }
 
 void LaneOperations::prepare_stencil(const StencilTest& test, int bits) {
@@ -68,7 +90,8 @@ void LaneOperations::find_consequences(CompareFunction depth_function) {
   are_tests_final = !tests_change && failures_keep && !replaces_depth;
   tests_nothing = are_tests_final && !depth && !stencil && !stipples;
   asks_equal_depth = are_tests_final && depth && depth_function == CompareFunction::equal && !two_sided && !stipples;
-  is_nearest_alone = depth_write && depth_function == CompareFunction::less && !alpha && !stencil && !stipples;
+  is_nearest_alone =
+      depth_write && depth_function == CompareFunction::less && !alpha && !stencil && !stipples && !blends;
   const bool farther_fails = depth_function == CompareFunction::less || depth_function == CompareFunction::lequal ||
                              depth_function == CompareFunction::equal || depth_function == CompareFunction::never;
   loses_farther = depth && farther_fails && failures_keep && !replaces_depth;

@@ -34,6 +34,15 @@ struct LaneStencil {
   bool depth_pass_keeps = true;
 };
 
+// Blending, with colours as words: red in the lowest byte.
+struct LaneBlend {
+  Blend state;
+  std::uint32_t constant = 0;     // colour
+  std::uint32_t source_kept = 0;  // the bits that are read (rule 44)
+  std::uint32_t stored_kept = 0;
+  std::uint32_t stored_set = 0;  // what is read as ones
+};
+
 struct LaneOperations {
   // `replaces_depth`: a fragment's depth is not known when it is gathered, so no test is made then.
   LaneOperations(const PipelineState& state, const RenderTarget& target, bool replaces_depth = false);
@@ -43,9 +52,13 @@ struct LaneOperations {
   bool depth = false;    // true if the depth test is enabled and the target has a depth plane
   bool depth_write = false;
   bool replaces_depth = false;
-  bool color = false;     // true if any colour plane is written
-  ColorStore store;       // of colours that are written
-  bool stipples = false;  // true if a stipple pattern leaves pixels out
+  bool color = false;   // true if any colour plane is written
+  ColorStore store;     // of colours that are written
+  bool blends = false;  // true if they are blended
+  LaneBlend blend;
+  bool stipples = false;                // true if a stipple pattern leaves pixels out
+  bool smooths = false;                 // true if alpha is multiplied by the coverage of polygons
+  std::uint32_t coverage_rounding = 0;  // added to the product before it is divided by 255
   LaneComparison alpha_test;
   LaneComparison depth_test;
   std::uint32_t alpha_reference = 0;
@@ -75,6 +88,7 @@ struct LaneOperations {
   [[nodiscard]] const LaneStencil& side(bool front_facing) const { return front_facing ? front : back; }
 
  private:
+  void prepare_blend(const PipelineState& state, const RenderTarget& target);
   void prepare_stencil(const StencilTest& test, int bits);
   void find_consequences(CompareFunction depth_function);
 };

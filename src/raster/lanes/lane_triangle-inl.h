@@ -49,7 +49,10 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const PrimitiveDraw& cur
   if (operations.depth_write || operations.stencil_write) Rows::store(result.depth_stencil, d, at);
   if (!operations.color) return;
   std::int32_t* const color_at = lanes_of(current.tile.planes.color.data()) + place;
-  Rows::store(hn::IfThenElse(result.drawn, color, Rows::load(d, color_at)), d, color_at);
+  const auto there = Rows::load(d, color_at);
+  // Colours that are not blended are those that are stored.
+  const auto after = HWY_UNLIKELY(operations.blends) ? stored_colors(d, operations, color, there) : color;
+  Rows::store(hn::IfThenElse(result.drawn, after, there), d, color_at);
 }
 
 // Draws the fragments of the mask that are nearer than what is stored. kNoted: Drawing::noted.

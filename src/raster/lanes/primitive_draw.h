@@ -48,7 +48,7 @@ struct PrimitiveDraw {
   const SetupBlock& block;
   const SetupCorners* corners;  // null for a flat result
   std::uint32_t number;         // see PixelOwners
-  std::uint32_t color = 0;      // of a flat result, as it is stored
+  std::uint32_t color = 0;      // of a flat result, as it is stored unless it is blended
   std::uint32_t alpha = 0;      // of a flat result: the whole one, which tests read
 };
 

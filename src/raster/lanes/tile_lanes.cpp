@@ -17,6 +17,7 @@
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_equal_depth-inl.h"
+#include "src/raster/lanes/lane_smooth-inl.h"
 #include "src/raster/lanes/lane_triangle-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
 #include "src/raster/lanes/tile_triangles-inl.h"
@@ -137,7 +138,7 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
     return loses_farther &&
            tile.farthest.are_nearer(left - x, bottom - y, right - x, top - y, std::min({p.z24[0], p.z24[1], p.z24[2]}));
   };
-  const bool stores_all = pass.operations.store.is_exact;
+  const bool is_final = pass.operations.store.is_exact || pass.operations.blends;
   TileTriangles t;
   for (std::size_t i = 0; i < indices.size();) {
     const PrimitiveGroup group = place_group(t, list, i, tile.planes.pixels);
@@ -151,7 +152,7 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
         const ColorBytes color = pass.context.flat_primary(p.primitive);
         std::memcpy(&current.color, color.data(), sizeof(current.color));
         if constexpr (kDrawing == Drawing::flat) current.alpha = color[3];
-        if (HWY_UNLIKELY(!stores_all)) current.color = pass.operations.store(current.color);
+        if (HWY_UNLIKELY(!is_final)) current.color = pass.operations.store(current.color);
       };
       if (p.kind == SetupKind::pixel) {
         if (is_lost(p, p.box.left, p.box.bottom, p.box.right, p.box.top)) continue;
@@ -161,6 +162,12 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
       }
       const std::size_t k = next_triangle++;
       if (!t.has_region(k) || is_lost(p, t.left[k], t.bottom[k], t.right[k], t.top[k])) continue;
+      if constexpr (kDrawing == Drawing::gathers) {
+        if (HWY_UNLIKELY(pass.operations.smooths)) {
+          if (t.place(k, p, true)) draw_smooth_triangle(Draw(current), t, k);
+          continue;
+        }
+      }
       const bool is_placed = ((group.triangles.placed >> k) & 1U) != 0;
       if (is_placed ? ((group.triangles.drawn >> k) & 1U) == 0 : !t.place(k, p)) continue;
       find_color();
@@ -217,8 +224,10 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
     return false;
   }
   if (state.front_mode != PolygonMode::fill || state.back_mode != PolygonMode::fill) return false;
-  if (state.polygon_smooth || !context.outputs.empty() || (state.blend.enabled && !replaces(state.blend))) return false;
-  if (context.kills_by_key || context.wraps_around) return false;
+  if (!context.outputs.empty()) return false;
+  // The tile does not hold a component that is masked.
+  const bool holds_alpha = state.color_mask[kAlpha] || !target.color[kAlpha];
+  if (state.blend.enabled && reads_stored_alpha(state.blend) && !holds_alpha) return false;
   if (!context.has_flat_result) {
     if (state.fog.enabled && !arrays.fog_factors.empty() && context.reads[static_cast<std::size_t>(Register::fog)]) {
       return false;

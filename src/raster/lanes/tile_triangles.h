@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/triangle_edges.h"
 #include "src/raster/setup/window_primitives.h"
 #include "src/raster/surface/tile_size.h"
@@ -26,8 +27,8 @@ struct TileTriangles {
 
   // The region's pixels, both ends included.
   alignas(64) Each<std::int32_t> left, right, bottom, top;
-  // Coverage: a pixel is inside where no value is negative. Unless is_narrow, an edge that has all of the region inside
-  // has zeros.
+  // Coverage: a pixel is inside where no value is negative. Unless is_narrow, an edge that has all of the region (of a
+  // smoothed triangle: with its samples) inside has zeros.
   alignas(64) std::array<Each<std::int32_t>, 3> inside, inside_x, inside_y;
   // `inside` + threshold is the edge function.
   alignas(64) std::array<Each<std::int32_t>, 3> threshold;
@@ -44,8 +45,9 @@ struct TileTriangles {
 
   [[nodiscard]] bool has_region(std::size_t k) const { return left[k] <= right[k] && bottom[k] <= top[k]; }
 
-  // Sets everything but the region, which is given, for a triangle of any size. False if it covers no pixel.
-  bool place(std::size_t k, const SetupPrimitive& p);
+  // Sets everything but the region, which is given, for a triangle of any size. False if it covers no pixel. `smooth`:
+  // it covers the pixels that have any coverage sample inside (rule 47).
+  bool place(std::size_t k, const SetupPrimitive& p, bool smooth = false);
 };
 
 // z = z0 + (e1 (z1 - z0) + e2 (z2 - z0)) / area + the triangle's fraction, the steps likewise; with 1/2 in place of the
@@ -55,7 +57,7 @@ struct TileTriangles {
 inline constexpr double kFractionUnit = 1.0 / (1 << kOffsetBits);
 inline constexpr double kSteepestDepth = 0x1p24, kFarthestDepth = 64.0, kHighestDepth = 0x1p29, kDepthOne = 0x1p32;
 
-inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
+inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p, bool smooth) {
   const TriangleEdges edges(p);
   const std::array<std::int64_t, 3> e = edges.at(left[k], bottom[k]);
   const std::int64_t columns = right[k] - left[k], rows = top[k] - bottom[k];
@@ -66,12 +68,13 @@ inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p) {
     const std::int64_t across = edges.step_x(i) * columns, up = edges.step_y(i) * rows;
     threshold[i][k] = edges.threshold(i);
     const std::int64_t at_origin = e[i] - threshold[i][k];
-    if (at_origin + std::max<std::int64_t>(across, 0) + std::max<std::int64_t>(up, 0) < 0) return false;
-    // Vectors reach a few pixels beyond the region.
     const std::int64_t steps = std::abs(edges.step_x(i)) + std::abs(edges.step_y(i));
+    const std::int64_t reach = smooth ? steps * kCoverageReach_q4 / 16 : 0;  // of samples around a centre
+    if (at_origin + std::max<std::int64_t>(across, 0) + std::max<std::int64_t>(up, 0) + reach < 0) return false;
+    // Vectors reach a few pixels beyond the region.
     const std::int64_t farthest = std::abs(at_origin) + 2 * kTileSize * steps;
     const bool fits = farthest < kNarrow;
-    const bool crosses = at_origin + std::min<std::int64_t>(across, 0) + std::min<std::int64_t>(up, 0) < 0;
+    const bool crosses = at_origin + std::min<std::int64_t>(across, 0) + std::min<std::int64_t>(up, 0) - reach < 0;
     is_narrow[k] = is_narrow[k] && fits;
     if (farthest >= kFloats) has_floats[k] = 0;
     inside[i][k] = crosses || fits ? static_cast<std::int32_t>(at_origin) : 0;

@@ -8,13 +8,16 @@
 //   V set(int); F set(float)
 //   V or F add, sub; V min_of, max_of, shift_left, shift_right, bits_and, bits_or
 //   V bits_and_not(V x, V y)                       y without the bits of x
-//   F mul, div, negated, abs_of, floor_of
+//   V or F mul
+//   F div, negated, abs_of, floor_of
+//   V saturated_sum, saturated_difference          of numbers from 0 to 65,535, clamped to these
 //   FM less, equal, greater_equal, less_equal, all, any
 //   FM without(FM x, FM y)                         y and not x
 //   F select(FM choice, F yes, F no)
 //   V number_where(FM choice, int yes, V no)
 //   V or F where(FM choice, V or F yes)            else 0
 
+#include "src/raster/rules/blended.inl"
 #include "src/raster/rules/cube_face.inl"
 #include "src/raster/rules/depth_code.inl"
 #include "src/raster/rules/eight_bit_weights.inl"

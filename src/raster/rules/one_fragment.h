@@ -34,7 +34,12 @@ struct Numbers {
   static V bits_and(V a, V b) { return a & b; }
   static V bits_or(V a, V b) { return a | b; }
   static V bits_and_not(V without, V v) { return v & ~without; }
-  static F mul(F a, F b) { return a * b; }
+  template <class T>
+  static T mul(T a, T b) {
+    return a * b;
+  }
+  static V saturated_sum(V a, V b) { return std::min(a + b, 0xFFFF); }
+  static V saturated_difference(V a, V b) { return std::max(a - b, 0); }
   static F div(F a, F b) { return a / b; }
   static F negated(F v) { return -v; }
   static F abs_of(F v) { return std::fabs(v); }

@@ -50,14 +50,18 @@ int one_detail_q8(const LaneLevel& level, const TextureCoordinates& at) {
 
 std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::make(const TextureSampler& of) {
   if (of.texture_->faces[0][0].planes.index() != 0 || of.volume_ || of.rectangle_) return {};
-  if (of.sampler_.border_texels || of.sampler_.color_key.operation != ColorKeyOperation::disable) return {};
-  const bool filters = is_linear(of.sampler_.min_filter) || of.sampler_.mag_filter == MagFilter::linear;
-  const bool has_border = of.sampler_.wrap_s == Wrap::clamp_to_border || of.sampler_.wrap_t == Wrap::clamp_to_border;
-  if (has_border || (has_words(of.texture_->format) && (filters || of.needs_derivatives_))) return {};
-  // The lanes cannot read the border.
-  if (filters && (of.sampler_.wrap_s == Wrap::clamp || of.sampler_.wrap_t == Wrap::clamp)) return {};
+  const Sampler& sampler = of.sampler_;
+  const auto wraps = [&sampler](Wrap mode) { return sampler.wrap_s == mode || sampler.wrap_t == mode; };
+  const bool filters = is_linear(sampler.min_filter) || sampler.mag_filter == MagFilter::linear;
+  const bool has_key = sampler.color_key.operation != ColorKeyOperation::disable;
+  // Lanes read a border and compare a key only where the nearest texel of level 0 is read.
+  const bool needs_nearest =
+      has_key || sampler.border_texels || wraps(Wrap::clamp_to_border) || has_words(of.texture_->format);
+  if (needs_nearest && (filters || of.needs_derivatives_)) return {};
+  if (filters && wraps(Wrap::clamp)) return {};
   const std::shared_ptr<const ByteSampler> made(new ByteSampler(of));
   if (of.needs_derivatives_ && made->method_ != Method::filtered_words) return {};
+  if (has_key && made->method_ != Method::nearest_words) return {};
   return made;
 }
 
@@ -68,11 +72,20 @@ TextureSampler::ByteSampler::ByteSampler(const TextureSampler& of)
       byte_shift_(of.decodes_ ? 0 : of.byte_shift_),
       source_(of.source_),
       constant_(of.constant_) {
-  for (std::size_t k = 0; k < 4; ++k) flip_[k] = of.is_signed_[k] ? 0x80 : 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    flip_[k] = of.is_signed_[k] ? 0x80 : 0;
+    border_[k] = static_cast<std::uint8_t>(of.border_code_[k]);
+  }
+  const std::uint32_t key = of.sampler_.color_key.key;
+  key_ = {.operation = of.sampler_.color_key.operation,
+          .word = (key & 0xFF00FF00) | (key >> 16 & 0xFF) | (key & 0xFF) << 16,
+          .compared = of.key_bits()};
   const TextureImage& base = of.texture_->faces[0][0];
+  const int images = of.sampler_.border_texels ? 2 : 1;
   level_ = {.cube = of.cube_,
-            .width = base.width,
-            .height = base.height,
+            .border_texels = of.sampler_.border_texels,
+            .width = base.width / images,
+            .height = base.height / images,
             .wrap_s = of.sampler_.wrap_s,
             .wrap_t = of.sampler_.wrap_t};
   find_planes(*of.texture_);
@@ -197,7 +210,7 @@ inline void TextureSampler::ByteSampler::fetch_words(const TextureCoordinates& a
   const std::size_t whole = count / kMostLanes * kMostLanes, left = count - whole;
   std::array<const float*, 3> from{};
   for (std::size_t k = 0; k < components; ++k) from[k] = at.value[k] + first;
-  const TexelWords texels{plane_[0][0].data, face_word_};
+  const TexelWords texels{plane_[0][0].data, face_word_, word_of(border_)};
   if (whole > 0) fetch_nearest_words(level_, from, texels, whole, to.data());
   if (left == 0) return;
   std::array<std::array<float, kMostLanes>, 3> rest{};
@@ -238,7 +251,13 @@ void TextureSampler::ByteSampler::fetch(std::size_t component, const Lanes& lane
 // One component of a batch's texels, filtered.
 void TextureSampler::ByteSampler::read_component(const Texels& texels, std::size_t component, std::size_t count,
                                                  s9* to) const {
-  if (method_ == Method::nearest) return fetch(component, texels.nearest, texels.nearest.offset, count, to);
+  if (method_ == Method::nearest) {
+    fetch(component, texels.nearest, texels.nearest.offset, count, to);
+    for (std::size_t i = 0; i < count && level_.has_border_color(); ++i) {
+      if (texels.nearest.outside[i] != 0) to[i] = border_[component];
+    }
+    return;
+  }
   CornerBytes corner;
   for (std::size_t k = 0; k < 4; ++k) {
     fetch(component, texels.linear, texels.linear.offset[k], count, corner[k].data());
@@ -258,9 +277,10 @@ void TextureSampler::ByteSampler::flip(std::size_t component, std::size_t count,
 }
 
 void TextureSampler::ByteSampler::sample(const TextureCoordinates& at, std::size_t first, std::size_t count,
-                                         const std::array<s9*, 4>& codes) const {
+                                         const std::array<s9*, 4>& codes, std::uint8_t* killed) const {
   Texels texels;
   find_texels(at, first, count, texels);
+  if (key_.operation != ColorKeyOperation::disable) apply_key(key_, count, texels.words, killed);
   // The first component that reads each texel component; the others copy its codes.
   std::array<s9*, 4> to{};
   for (std::size_t out = 4; out-- > 0;) {

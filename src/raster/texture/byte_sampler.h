@@ -9,6 +9,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/raster/sampler.h"
+#include "src/raster/surface/color_store.h"
 #include "src/raster/texture/texture_lanes.h"
 #include "src/raster/texture/word_filter.h"
 
@@ -17,13 +18,14 @@ namespace ninebit {
 // Gives the codes that TextureSampler computes fragment by fragment for other textures.
 class TextureSampler::ByteSampler {
  public:
-  // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, a
-  // border, or several levels that do not lie in words.
+  // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, filters
+  // a border, or has a colour key or several levels and texels that do not lie in words.
   [[nodiscard]] static std::shared_ptr<const ByteSampler> make(const TextureSampler& of);
 
-  // The codes of fragments [first, first + count), count from 1 to kBatchSize, to codes[component][fragment].
-  void sample(const TextureCoordinates& at, std::size_t first, std::size_t count,
-              const std::array<s9*, 4>& codes) const;
+  // The codes of fragments [first, first + count), count from 1 to kBatchSize, to codes[component][fragment], and
+  // which of them the colour key kills to `killed`; see TextureSampler::sample.
+  void sample(const TextureCoordinates& at, std::size_t first, std::size_t count, const std::array<s9*, 4>& codes,
+              std::uint8_t* killed) const;
 
  private:
   using BytePlane = Plane<const std::uint8_t>;
@@ -67,6 +69,8 @@ class TextureSampler::ByteSampler {
   std::array<int, 4> source_;  // as in TextureSampler
   std::array<s9, 4> constant_;
   std::array<std::uint8_t, 4> flip_{};  // 0x80 for signed components
+  StoredBytes border_{};                // the border's colour
+  WordKey key_{};                       // nearest_words
 
   // Level 0's planes of all faces, by component.
   std::array<std::array<BytePlane, 6>, 4> plane_{};

@@ -349,15 +349,18 @@ TextureSampler::Filtered TextureSampler::weigh(const Taps& taps, float r) const 
   return result;
 }
 
-void TextureSampler::sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes) const {
+void TextureSampler::sample(const TextureCoordinates& at, std::size_t count, const std::array<s9*, 4>& codes,
+                            std::uint8_t* killed) const {
   if (byte_sampler_) {
     for (std::size_t first = 0; first < count; first += kBatchSize) {
-      byte_sampler_->sample(at, first, std::min(kBatchSize, count - first), codes);
+      std::uint8_t* const killed_there = killed == nullptr ? nullptr : killed + first;
+      byte_sampler_->sample(at, first, std::min(kBatchSize, count - first), codes, killed_there);
     }
   } else {
     const int shift = decodes_ ? 0 : byte_shift_;
     for (std::size_t i = 0; i < count; ++i) {
       const Texel filtered = texel(at, i);
+      if (killed != nullptr && kills() && is_keyed(filtered)) killed[i] = 1;
       for (std::size_t out = 0; out < 4; ++out) {
         const int source = source_[out];
         codes[out][i] =
@@ -419,8 +422,11 @@ Texel TextureSampler::texel(const TextureCoordinates& at, std::size_t i) const {
 bool TextureSampler::is_keyed(const Texel& texel) const {
   const auto byte = [&](int k) { return std::uint32_t{texel.value[static_cast<std::size_t>(k)]}; };
   const std::uint32_t word = byte(kAlpha) << 24 | byte(kRed) << 16 | byte(kGreen) << 8 | byte(kBlue);
-  const std::uint32_t compared = texture_->format == InternalFormat::rgb8 ? 0xFFFFFF : 0xFFFFFFFF;
-  return ((word ^ sampler_.color_key.key) & compared) == 0;
+  return ((word ^ sampler_.color_key.key) & key_bits()) == 0;
+}
+
+std::uint32_t TextureSampler::key_bits() const {
+  return texture_->format == InternalFormat::rgb8 ? 0xFFFFFF : 0xFFFFFFFF;
 }
 
 bool TextureSampler::kills(const TextureCoordinates& at, std::size_t i) const {

@@ -83,7 +83,7 @@ HWY_INLINE VI whole_bits(VF whole, int more) {
   return hn::BitCast(kDI, hn::Add(whole, set(0x1.8p23F + static_cast<float>(more))));
 }
 
-// nearest_texel; no step rounds a float. The modes that clamp differ only in the border, which NEAREST never reads.
+// nearest_texel; no step rounds a float. The modes that clamp differ only in the border, which reads_border() finds.
 HWY_INLINE VI texel_along(const Axis& axis, VF s) {
   if (axis.wrap == Wrap::repeat) {
     const VF texels = hn::Mul(s, axis.size);
@@ -94,7 +94,25 @@ HWY_INLINE VI texel_along(const Axis& axis, VF s) {
   return whole_texel(axis, axis.wrap == Wrap::mirrored_repeat ? mirrored(axis, s) : clamped(axis, s));
 }
 
-// The same for 0 <= s <= 1, where the modes differ only at 1.
+// -1 where nearest_texel is the border, else 0: NaN counts as 0, which is a texel's.
+HWY_INLINE VI reads_border(const Axis& axis, VF s) {
+  if (axis.wrap != Wrap::clamp_to_border) return hn::Zero(kDI);
+  const auto outside = hn::Or(hn::Lt(s, hn::Zero(kDF)), hn::Ge(s, set(1.0F)));
+  return hn::VecFromMask(kDI, hn::RebindMask(kDI, outside));
+}
+
+// bordered_texels for NEAREST: the texel of an image that holds a border, of twice the axis's side.
+HWY_INLINE VI stored_texel_along(const Axis& axis, VF s) {
+  constexpr float kBorder = kStoredBorder;
+  const VI first = hn::Set(kDI, kStoredBorder);
+  if (axis.wrap != Wrap::clamp_to_border) return hn::Add(texel_along(axis, s), first);
+  s = hn::IfThenElseZero(hn::Eq(s, s), s);
+  const VF last = hn::Sub(hn::Add(axis.size, axis.size), set(kBorder + 1.0F));
+  const VF texel = hn::Min(hn::Max(hn::Floor(hn::Mul(s, axis.size)), set(-kBorder)), last);
+  return hn::Add(hn::ConvertTo(kDI, texel), first);
+}
+
+// texel_along for 0 <= s <= 1, where the modes differ only at 1.
 HWY_INLINE VI texel_on_face(const Axis& axis, VF s) {
   const VI texel = hn::ConvertTo(kDI, hn::Mul(s, axis.size));
   return axis.wrap == Wrap::repeat ? hn::And(texel, axis.last) : hn::Min(texel, axis.last);

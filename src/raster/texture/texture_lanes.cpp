@@ -25,17 +25,24 @@ HWY_INLINE void store(VI v, LaneIntegers& to, std::size_t lane) {
 // Both axes of a level, for NEAREST.
 struct NearestAxes {
   Axis across, up;
-  bool cube;
+  bool cube, border_texels;
   VI stride;
   HWY_INLINE explicit NearestAxes(const LaneLevel& level)
       : across(hn::Set(kDI, level.width), level.wrap_s),
         up(hn::Set(kDI, level.height), level.wrap_t),
         cube(level.cube),
+        border_texels(level.border_texels),
         stride(hn::Set(kDI, level.stride)) {}
   [[nodiscard]] HWY_INLINE VI offset(VF s, VF t) const {
-    const VI x = cube ? texel_on_face(across, s) : texel_along(across, s);
-    const VI y = cube ? texel_on_face(up, t) : texel_along(up, t);
-    return hn::Add(hn::Mul(y, stride), x);
+    return hn::Add(hn::Mul(texel(up, t), stride), texel(across, s));
+  }
+  // -1 where the border's colour is read, else 0.
+  [[nodiscard]] HWY_INLINE VI outside(VF s, VF t) const { return hn::Or(reads_border(across, s), reads_border(up, t)); }
+
+ private:
+  [[nodiscard]] HWY_INLINE VI texel(const Axis& axis, VF s) const {
+    if (HWY_UNLIKELY(border_texels)) return stored_texel_along(axis, s);
+    return cube ? texel_on_face(axis, s) : texel_along(axis, s);
   }
 };
 
@@ -48,16 +55,19 @@ HWY_INLINE bool all_like_first(const LaneIntegers& values, std::size_t count) {
 
 void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
   const NearestAxes axes(level);
+  const bool has_border = level.has_border_color();
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
     VF s, t;
     store(load_place(level.cube, at, lane, s, t), to.face, lane);
     store(axes.offset(s, t), to.offset, lane);
+    if (has_border) store(axes.outside(s, t), to.outside, lane);
   }
   to.one_face = all_like_first(to.face, count);
 }
 
 void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
                          std::size_t count, std::uint32_t* to) {
+  const bool has_border = level.has_border_color();
 #if HWY_TARGET <= HWY_AVX2  // these have gather instructions
   const NearestAxes axes(level);
   constexpr hn::RebindToUnsigned<DI> du;
@@ -67,7 +77,12 @@ void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 
     VF s, t;
     const VI face = load_place(level.cube, at, lane, s, t);
     const VI of_face = hn::TableLookupLanes(begin, hn::IndicesFromVec(kDI, face));
-    hn::StoreU(hn::GatherIndex(du, words, hn::Add(of_face, axes.offset(s, t))), du, to + lane);
+    auto word = hn::GatherIndex(du, words, hn::Add(of_face, axes.offset(s, t)));
+    if (has_border) {
+      const auto outside = hn::BitCast(du, axes.outside(s, t));
+      word = hn::IfVecThenElse(outside, hn::Set(du, texels.border), word);
+    }
+    hn::StoreU(word, du, to + lane);
   }
 #else
   NearestLanes lanes;
@@ -75,6 +90,7 @@ void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 
   for (std::size_t i = 0; i < count; ++i) {
     const std::ptrdiff_t begin = texels.face_word[static_cast<std::size_t>(lanes.face[i])];
     std::memcpy(&to[i], texels.first + 4 * (begin + lanes.offset[i]), 4);
+    if (has_border && lanes.outside[i] != 0) to[i] = texels.border;
   }
 #endif
 }
@@ -98,6 +114,19 @@ void find_linear(const LaneLevel& level, const FilterRules& rules, const std::ar
     store(v, to.v, lane);
   }
   to.one_face = all_like_first(to.face, count);
+}
+
+// The compiler vectorizes these loops for the target.
+void apply_key(const WordKey& key, std::size_t count, LaneWords& words, std::uint8_t* killed) {
+  const std::uint32_t word = key.word & key.compared, compared = key.compared;
+  if (key.operation == ColorKeyOperation::kill) {
+    for (std::size_t i = 0; i < count && killed != nullptr; ++i) {
+      killed[i] = static_cast<std::uint8_t>(killed[i] | ((words[i] & compared) == word ? 1 : 0));
+    }
+    return;
+  }
+  const std::uint32_t kept = key.operation == ColorKeyOperation::alpha ? 0x00FFFFFF : 0;
+  for (std::size_t i = 0; i < count; ++i) words[i] &= (words[i] & compared) == word ? kept : ~std::uint32_t{0};
 }
 
 void split_words(const LaneWords& words, int byte_shift, std::size_t count, const std::array<s9*, 4>& to) {
@@ -158,6 +187,7 @@ namespace ninebit {
 HWY_EXPORT(find_nearest);
 HWY_EXPORT(find_linear);
 HWY_EXPORT(fetch_nearest_words);
+HWY_EXPORT(apply_key);
 HWY_EXPORT(split_words);
 HWY_EXPORT(weigh_linear);
 
@@ -173,6 +203,10 @@ void find_linear(const LaneLevel& level, const FilterRules& rules, const std::ar
 void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
                          std::size_t count, std::uint32_t* to) {
   HWY_DYNAMIC_DISPATCH(fetch_nearest_words)(level, at, texels, count, to);
+}
+
+void apply_key(const WordKey& key, std::size_t count, LaneWords& words, std::uint8_t* killed) {
+  HWY_DYNAMIC_DISPATCH(apply_key)(key, count, words, killed);
 }
 
 void split_words(const LaneWords& words, int byte_shift, std::size_t count, const std::array<s9*, 4>& to) {

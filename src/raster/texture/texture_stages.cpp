@@ -130,11 +130,8 @@ class TextureStages::Batch {
       }
     }
     auto& to = texel_[index(i)];
-    sampler.sample(places, count_, {to[0].data(), to[1].data(), to[2].data(), to[3].data()});
+    sampler.sample(places, count_, {to[0].data(), to[1].data(), to[2].data(), to[3].data()}, to_.killed);
     is_fetched_[index(i)] = true;
-    for (std::size_t n = 0; n < count_ && sampler.kills(); ++n) {
-      if (sampler.kills(places, n)) to_.killed[n] = 1;
-    }
   }
 
   void scale(int i, const TextureStage& stage) {
