@@ -44,14 +44,14 @@ HWY_INLINE hn::Vec<D> blended_colors(D d, const LaneBlend& blend, hn::Vec<D> col
   constexpr typename Values::D16 d16;
   constexpr hn::RebindToUnsigned<D> words;
   const Values o;
-  const auto word = [words](std::uint32_t v) HWY_ATTR { return hn::Set(words, v); };
+  const auto word = [&](std::uint32_t v) HWY_ATTR { return hn::Set(words, v); };
   const auto source = hn::And(hn::BitCast(words, colors), word(blend.source_kept));
   const auto destination = hn::Or(hn::And(hn::BitCast(words, stored), word(blend.stored_kept)), word(blend.stored_set));
   const auto constant = word(blend.constant);
   // Red and blue, or green and alpha.
-  const auto low = [d16](auto v) HWY_ATTR { return hn::And(hn::BitCast(d16, v), hn::Set(d16, 0xFF)); };
-  const auto high = [d16](auto v) HWY_ATTR { return hn::ShiftRight<8>(hn::BitCast(d16, v)); };
-  const auto alpha = [d16](auto v) HWY_ATTR {
+  const auto low = [&](auto v) HWY_ATTR { return hn::And(hn::BitCast(d16, v), hn::Set(d16, 0xFF)); };
+  const auto high = [&](auto v) HWY_ATTR { return hn::ShiftRight<8>(hn::BitCast(d16, v)); };
+  const auto alpha = [&](auto v) HWY_ATTR {
     const auto byte = hn::ShiftRight<24>(v);
     return hn::BitCast(d16, hn::Or(byte, hn::ShiftLeft<16>(byte)));
   };

@@ -22,7 +22,8 @@ HWY_INLINE void store(VI v, LaneIntegers& to, std::size_t lane) {
   hn::StoreU(v, kDI, to.data() + lane);
 }
 
-// Both axes of a level, for NEAREST.
+// Both axes of a level, for NEAREST. kBorders: LaneLevel::has_borders().
+template <bool kBorders>
 struct NearestAxes {
   Axis across, up;
   bool cube, border_texels;
@@ -41,7 +42,7 @@ struct NearestAxes {
 
  private:
   [[nodiscard]] HWY_INLINE VI texel(const Axis& axis, VF s) const {
-    if (HWY_UNLIKELY(border_texels)) return stored_texel_along(axis, s);
+    if (kBorders && border_texels) return stored_texel_along(axis, s);
     return cube ? texel_on_face(axis, s) : texel_along(axis, s);
   }
 };
@@ -53,9 +54,11 @@ HWY_INLINE bool all_like_first(const LaneIntegers& values, std::size_t count) {
   return others == 0;
 }
 
-void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
-  const NearestAxes axes(level);
-  const bool has_border = level.has_border_color();
+template <bool kBorders>
+HWY_INLINE void find_nearest_of(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count,
+                                NearestLanes& to) {
+  const NearestAxes<kBorders> axes(level);
+  const bool has_border = kBorders && level.has_border_color();
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(kDF)) {
     VF s, t;
     store(load_place(level.cube, at, lane, s, t), to.face, lane);
@@ -65,11 +68,16 @@ void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at,
   to.one_face = all_like_first(to.face, count);
 }
 
-void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
-                         std::size_t count, std::uint32_t* to) {
-  const bool has_border = level.has_border_color();
+void find_nearest(const LaneLevel& level, const std::array<const float*, 3>& at, std::size_t count, NearestLanes& to) {
+  level.has_borders() ? find_nearest_of<true>(level, at, count, to) : find_nearest_of<false>(level, at, count, to);
+}
+
+template <bool kBorders>
+HWY_INLINE void fetch_words_of(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
+                               std::size_t count, std::uint32_t* to) {
+  const bool has_border = kBorders && level.has_border_color();
 #if HWY_TARGET <= HWY_AVX2  // these have gather instructions
-  const NearestAxes axes(level);
+  const NearestAxes<kBorders> axes(level);
   constexpr hn::RebindToUnsigned<DI> du;
   const auto* const words = reinterpret_cast<const std::uint32_t*>(texels.first);
   const VI begin = hn::LoadU(kDI, texels.face_word.data());
@@ -86,13 +94,19 @@ void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 
   }
 #else
   NearestLanes lanes;
-  HWY_NAMESPACE::find_nearest(level, at, count, lanes);
+  find_nearest_of<kBorders>(level, at, count, lanes);
   for (std::size_t i = 0; i < count; ++i) {
     const std::ptrdiff_t begin = texels.face_word[static_cast<std::size_t>(lanes.face[i])];
     std::memcpy(&to[i], texels.first + 4 * (begin + lanes.offset[i]), 4);
     if (has_border && lanes.outside[i] != 0) to[i] = texels.border;
   }
 #endif
+}
+
+void fetch_nearest_words(const LaneLevel& level, const std::array<const float*, 3>& at, const TexelWords& texels,
+                         std::size_t count, std::uint32_t* to) {
+  level.has_borders() ? fetch_words_of<true>(level, at, texels, count, to)
+                      : fetch_words_of<false>(level, at, texels, count, to);
 }
 
 void find_linear(const LaneLevel& level, const FilterRules& rules, const std::array<const float*, 3>& at,

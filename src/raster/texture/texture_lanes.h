@@ -25,6 +25,8 @@ struct LaneLevel {
   [[nodiscard]] bool has_border_color() const {
     return !border_texels && (wrap_s == Wrap::clamp_to_border || wrap_t == Wrap::clamp_to_border);
   }
+  // True if a border may be read.
+  [[nodiscard]] bool has_borders() const { return border_texels || has_border_color(); }
 };
 
 using LaneIntegers = std::array<std::int32_t, kBatchSize>;
