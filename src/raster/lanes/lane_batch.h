@@ -28,11 +28,11 @@ struct LaneBatch {
   };
   Changes dx, dy;
   alignas(64) Lanes<float> weight_sum;     // of the weights before they were divided by it
-  Lanes<std::uint8_t> keyed;               // if the draw kills_by_key: 1 for a fragment that is killed, else 0
   bool has_constants = false;              // true once constant registers have been filled
   std::unique_ptr<FragmentStages> stages;  // if they are enabled
   RegisterBatch registers;
   OutputBatch out;
+  Lanes<std::uint8_t> keyed;  // if the draw kills_by_key: 1 for a fragment that is killed, else 0
 };
 
 // Draws a batch of a pass that gathers fragments. Of fragments that were gathered whatever the stencil value, draws

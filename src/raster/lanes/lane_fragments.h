@@ -51,8 +51,8 @@ struct LaneFragments {
   std::array<Run, kBatchSize + 1> run;             // and one more, whose `first` is `count`
   alignas(64) Lanes<std::uint32_t> place;          // of the pixel in TilePlanes
   alignas(64) Lanes<std::uint32_t> depth;          // codes
-  alignas(64) Lanes<std::uint32_t> coverage;       // of smoothed polygons: coverage_byte
   alignas(64) std::array<Lanes<float>, 3> weight;  // of the vertices: first edge function / w, later their shares
+  alignas(64) Lanes<std::uint32_t> coverage;       // of smoothed polygons: coverage_byte
 
   // True if all runs are plain.
   [[nodiscard]] bool are_plain() const {
