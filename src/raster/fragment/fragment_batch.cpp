@@ -131,7 +131,7 @@ void FragmentBatch::fill_texture(std::size_t unit) {
   const std::size_t kinds = sampler.needs_derivatives() ? 3 : 1;
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<glm::vec3, 3> corner = at_vertex.of(place_[i].corners->vertex);
-    const glm::vec3 &a = corner[0], &b = corner[1], &c = corner[2];
+    const glm::vec3 a = corner[0], b = corner[1], c = corner[2];
     for (std::size_t kind = 0; kind < kinds; ++kind) {
       for (std::size_t k = 0; k < components; ++k) {
         const auto n = static_cast<int>(k);

@@ -254,7 +254,8 @@ HWY_INLINE void fill_coordinates(const LaneFragments& f, const Shares& shares, S
                                  const VertexCoordinates& at_vertex, int components, bool only_first = false) {
   for (std::size_t r = 0; r < f.runs; ++r) {
     const std::array<glm::vec3, 3> corner = at_vertex.of(f.run[r].corners->vertex);
-    const glm::vec3 &a = corner[0], &b = corner[1], &c = corner[2];
+    // Copies: the compiler would read the corners again for each vector, because what is stored might alias them.
+    const glm::vec3 a = corner[0], b = corner[1], c = corner[2];
     const std::size_t end = only_first ? 1 : f.run[r + 1].first;
     for (std::size_t i = f.run[r].first; i < end; i = next_vector(i, kLaneCount)) {
       const ShareLanes at(shares, i);
