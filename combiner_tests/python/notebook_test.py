@@ -19,7 +19,7 @@ chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shuti
 @unittest.skipUnless(chromium, "Chromium is not installed")
 class Notebook(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # Chromium ends a moment later
         self.addCleanup(self.folder.cleanup)
         self.browser = Browser(chromium, self.folder.name + "/profile")
         self.addCleanup(self.browser.process.wait)

@@ -267,10 +267,10 @@ class Programs(unittest.TestCase):
         self.assertEqual(found["culled"].tolist(), [True, True, False, False, False])
         self.assertTrue(np.isnan(found["depth"]).all())
         # Pictures of texels, and coordinates along an axis.
-        texels = np.zeros((3, 2, 4), np.uint8)
+        texels = np.zeros((5, 2, 4), np.uint8)
         texels[..., 3] = 7
         self.assertEqual(p.evaluate(texel0=texels)[2, 1].tolist(), [0, 0, 0, 7])
-        self.assertEqual(p.evaluate(at1=np.zeros((3, 2, 4)), texel0=texels).shape, (3, 2, 4))
+        self.assertEqual(p.evaluate(at1=np.zeros((5, 2, 4)), texel0=texels).shape, (5, 2, 4))
         np.testing.assert_array_equal(p.evaluate_real({"texel2": (255, 0, 51, 0), "at3.s": [0.5, 1]})[:, 1], [1, 0, 0.2, 0])
         trace = p.trace({"texel0": (255, 51, 0, 9), "at1": (0.5, 0), "at2": (0, 2), "texel2": (1, 2, 3, 4)})
         stages = trace["texture_shader"]["stages"]

@@ -77,7 +77,9 @@ void expect_as_scalar(const HardwareProfile& profile, const Texture& texture, co
   const bool in_words = texture.format == InternalFormat::rgb8 || texture.format == InternalFormat::rgba8;
   const bool needs_nearest = parameters.border_texels || wraps(Wrap::clamp_to_border) ||
                              parameters.color_key.operation != ColorKeyOperation::disable;
-  const bool in_lanes = !(needs_nearest && (filters || sampler->needs_derivatives())) &&
+  // A key that gives an alpha to texels without one is applied texel by texel.
+  const bool adds_alpha = texture.format == InternalFormat::rgb8 && sampler->format() == TextureFormat::rgba;
+  const bool in_lanes = !adds_alpha && !(needs_nearest && (filters || sampler->needs_derivatives())) &&
                         !(filters && wraps(Wrap::clamp)) && (in_words || !sampler->needs_derivatives());
   std::vector<Rgba9> expected;
   std::vector<std::uint8_t> expected_killed;
