@@ -138,9 +138,10 @@ HWY_INLINE const std::uint8_t* culled_fragments(const LanePass& pass) {
   return culls ? pass.batch->stages->culled() : nullptr;
 }
 
-// Draws the spans [first, end).
-HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const LanePass& pass,
-                                 const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
+// Draws the spans [first, end). kChanges: colours are blended, or not stored as they are.
+template <bool kChanges>
+HWY_INLINE void operate_on_spans_of(TilePlanes& tile, const LaneFragments& f, const LanePass& pass,
+                                    const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
   const LaneOperations& operations = draw.operations;
   const std::int32_t* const batch_colors = lanes_of(pass.batch->color.data());
   const bool by_stencil = pass.draws_by_stencil();
@@ -149,11 +150,10 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
   if (operations.are_tests_final && !operations.alpha && !writes) {
     if (!operations.color) return;  // nothing is written
     const bool draws_all = !by_stencil && culled == nullptr;
-    const bool stores_all = operations.store.is_exact && !operations.blends;
     const auto draw_part = [&](const SpanPart& part) HWY_ATTR {
       std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
       V color = hn::LoadU(kD, batch_colors + part.first);
-      if (HWY_UNLIKELY(!stores_all)) color = stored_colors(operations, color, to);
+      if constexpr (kChanges) color = stored_colors(operations, color, to);
       // Some processors store masked vectors slowly.
       if (draws_all && part.count >= kLaneCount) return hn::StoreU(color, kD, to);
       M mask = not_culled(culled, part.first, hn::FirstN(kD, part.count));
@@ -170,10 +170,23 @@ HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const
     if (writes) hn::StoreU(result.depth_stencil, kD, lanes_of(tile.depth_stencil.data()) + part.place);
     if (operations.color) {
       std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
-      hn::BlendedStore(stored_colors(operations, color, to), result.drawn, kD, to);
+      hn::BlendedStore(kChanges ? stored_colors(operations, color, to) : color, result.drawn, kD, to);
     }
   };
   for (std::size_t s = first; s < end; ++s) for_parts(f.span[s], draw_part);
+}
+
+HWY_NOINLINE void operate_on_changing_spans(TilePlanes& tile, const LaneFragments& f, const LanePass& pass,
+                                            const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
+  operate_on_spans_of<true>(tile, f, pass, draw, first, end);
+}
+
+// The usual way stays small: all of it is compiled into its callers.
+HWY_INLINE void operate_on_spans(TilePlanes& tile, const LaneFragments& f, const LanePass& pass,
+                                 const LaneDraw<D>& draw, std::size_t first, std::size_t end) {
+  const bool changes = !draw.operations.store.is_exact || draw.operations.blends;
+  if (HWY_UNLIKELY(changes)) return operate_on_changing_spans(tile, f, pass, draw, first, end);
+  operate_on_spans_of<false>(tile, f, pass, draw, first, end);
 }
 
 // True if spans are worth a vector each: gather instructions are faster below this mean length.
@@ -248,7 +261,7 @@ HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawConte
 }
 
 // Samples the textures of units that have no stages.
-HWY_NOINLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+HWY_INLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
   if (context.kills_by_key) std::fill_n(batch.keyed.begin(), f.count, std::uint8_t{0});
   for (std::size_t unit = 0; unit < context.samplers.size(); ++unit) {
     if (!context.reads_unit[unit]) continue;
@@ -267,6 +280,11 @@ HWY_NOINLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawCo
     }
     sample(batch, f.count, context, unit, one_change);
   }
+}
+
+// The same for the fragments that a key kills alone.
+HWY_NOINLINE void find_keyed(LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  fill_textures(f, batch, context);
 }
 
 // Fills the registers that the program reads.
@@ -308,7 +326,7 @@ HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& 
   const bool needs_color = pass.operations.needs_color();
   if (!(needs_color && pass.context.state.program)) {
     if (pass.context.stages_decide) run_stages(f, *pass.batch, pass.context);
-    if (pass.context.kills_by_key) fill_textures(f, *pass.batch, pass.context);
+    if (pass.context.kills_by_key) find_keyed(f, *pass.batch, pass.context);
   }
   if (needs_color) find_colors(f, *pass.batch, pass.context);
   if (needs_color && pass.operations.smooths) cover(f, *pass.batch, pass.operations.coverage_rounding);
