@@ -23,7 +23,7 @@ constexpr std::size_t kSampleOfAGroup = 20;  // programs that differ, and as man
 // A mistake that is made may break fragments that agree only because two faults cancel there: one for each
 // kGainOfABreak that it explains.
 constexpr std::size_t kGainOfABreak = 8;
-// A second plan is made if the first leaves more than one of so many fragments that differ.
+// A second plan is made if the first leaves more than 1 / kMuchLeft of the fragments that differ.
 constexpr std::size_t kMuchLeft = 10;
 
 using Given = std::vector<JudgedProgram<Bytes4>>;
