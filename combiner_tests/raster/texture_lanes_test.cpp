@@ -289,7 +289,7 @@ TEST(TextureLanes, BorderTexels) {
       }
     }
   }
-  EXPECT_GE(changes, static_cast<int>(fragments / 3));
+  EXPECT_GE(changes, static_cast<int>(fragments / 4));
 }
 
 // Textures of a few colours, one of which is the key, and the border's colour.
