@@ -83,20 +83,21 @@ class Planner {
   Agreement agreement(const Model& model, const std::vector<std::size_t>& programs) {
     const ModelColors colors(pack_, model, programs_);
     Agreement agree(given_.size());
+    find_agreement(colors, programs, agree);
+    return agree;
+  }
+
+  void find_agreement(const ModelColors& colors, const std::vector<std::size_t>& programs, Agreement& agree) {
     const bool all = in_blocks(programs.size(), go_on_, [&](std::size_t i) {
       const std::size_t p = programs[i];
       const std::vector<Bytes4> shown = colors(given_[p].program);
       for (std::size_t f = 0; f < shown.size(); ++f) agree[p].push_back(shown[f] == (*given_[p].given)[f]);
     });
     if (!all) stopped_ = true;
-    return agree;
   }
 
-  // The same of the sample, with one mistake more. Programs that an edit does not change agree as `before`.
-  Agreement agreement_with(const std::vector<std::size_t>& accepted, std::size_t m, const Agreement& before) {
-    std::vector<std::size_t> more = accepted;
-    more.push_back(m);
-    const Model without = model_of(accepted), model = model_of(more);
+  // Programs of the sample that a mistake may change.
+  [[nodiscard]] std::vector<std::size_t> changed_by(std::size_t m, const Model& without, const Model& model) const {
     std::vector<std::size_t> changed;
     for (const std::size_t p : sample_) {
       const CombinerState& state = pack_.programs[given_[p].program].state;
@@ -104,28 +105,58 @@ class Planner {
       const bool is_edit = mistakes_[m].edit != nullptr && !without.keeps_registers();
       if (!is_edit || model.program_of(state) != without.program_of(state)) changed.push_back(p);
     }
-    Agreement agree = agreement(model, changed);
-    for (const std::size_t p : sample_) {
-      if (agree[p].empty()) agree[p] = before[p];
+    return changed;
+  }
+
+  // What one mistake more gains and breaks in the sample. Nothing as soon as it can no longer be `useful`: that is
+  // asked with what it has gained, if all fragments that are left and disagree were gained, too.
+  template <class Useful>
+  Count count_with(const std::vector<std::size_t>& accepted, std::size_t m, const Agreement& before,
+                   const Useful& useful) {
+    std::vector<std::size_t> more = accepted;
+    more.push_back(m);
+    const Model model = model_of(more);
+    const std::vector<std::size_t> changed = changed_by(m, model_of(accepted), model);
+    const ModelColors colors(pack_, model, programs_);
+    std::size_t left = 0;
+    for (const std::size_t p : changed) left += disagreeing(before[p]);
+    Count count;
+    Agreement after(given_.size());
+    constexpr std::ptrdiff_t kBlock = 32;
+    for (auto first = changed.begin(); first != changed.end();) {
+      if (stopped_ || !useful({count.gains + left, count.breaks})) return {};
+      const auto last = first + std::min(kBlock, changed.end() - first);
+      const std::vector<std::size_t> block(first, last);
+      find_agreement(colors, block, after);
+      for (const std::size_t p : block) {
+        add(before[p], after[p], count);
+        left -= disagreeing(before[p]);
+      }
+      first = last;
     }
-    return agree;
+    return useful(count) ? count : Count{};
+  }
+
+  static void add(const std::vector<bool>& before, const std::vector<bool>& after, Count& count) {
+    for (std::size_t f = 0; f < after.size(); ++f) {
+      if (after[f] && !before[f]) ++count.gains;
+      if (!after[f] && before[f]) ++count.breaks;
+    }
   }
 
   Count compare(const Agreement& before, const Agreement& after) const {
     Count count;
-    for (std::size_t p = 0; p < after.size(); ++p) {
-      for (std::size_t f = 0; f < after[p].size(); ++f) {
-        if (after[p][f] && !before[p][f]) ++count.gains;
-        if (!after[p][f] && before[p][f]) ++count.breaks;
-      }
-    }
+    for (std::size_t p = 0; p < after.size(); ++p) add(before[p], after[p], count);
     return count;
   }
 
-  static bool differs(const std::vector<bool>& agree) {
-    return std::find(agree.begin(), agree.end(), false) != agree.end();
+  static std::size_t disagreeing(const std::vector<bool>& agree) {
+    return static_cast<std::size_t>(std::count(agree.begin(), agree.end(), false));
   }
 
+  static bool differs(const std::vector<bool>& agree) { return disagreeing(agree) != 0; }
+
+  // Programs that differ come first, as they alone can gain.
   void take_sample(const Agreement& agree) {
     std::vector<std::array<std::size_t, 2>> taken(pack_.groups.size());
     sample_.clear();
@@ -135,6 +166,7 @@ class Planner {
       ++count;
       sample_.push_back(p);
     }
+    std::stable_partition(sample_.begin(), sample_.end(), [&](std::size_t p) { return differs(agree[p]); });
   }
 
   // The group of the first fragment that differs.
@@ -151,11 +183,15 @@ class Planner {
     const std::string first = first_group(before);
     std::optional<std::size_t> best;
     Count best_count;
+    const auto useful = [&](const Count& count) {
+      if (count.gains <= count.breaks || count.breaks * gain_of_a_break > count.gains) return false;
+      return !best || count.gains - count.breaks >= best_count.gains - best_count.breaks;
+    };
     std::vector<std::pair<std::size_t, Count>> counts;
     for (std::size_t m = 0; m < mistakes_.size() && !stopped_ && !first.empty(); ++m) {
       if (std::find(accepted.begin(), accepted.end(), m) != accepted.end()) continue;
-      const Count count = compare(before, agreement_with(accepted, m, before));
-      if (count.gains <= count.breaks || count.breaks * gain_of_a_break > count.gains) continue;
+      const Count count = count_with(accepted, m, before, useful);
+      if (count.gains == 0) continue;
       counts.emplace_back(m, count);
       const auto value = [&](std::size_t mistake, const Count& of) {
         return std::pair(of.gains - of.breaks, mistakes_[mistake].group == first);
