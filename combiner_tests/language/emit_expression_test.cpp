@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -117,7 +118,7 @@ Sample next_of(Random& random, const Sample& a, const Sample& b, const Sample& c
 
 TEST(EmitExpression, SimplificationsKeepEveryValueInItsInterval) {
   int constants = 0, made = 0;
-  for (std::uint64_t index = 0; index < 6000; ++index) {
+  for (std::uint64_t index = 0; index < cases_here<std::uint64_t>(6000); ++index) {
     Random random(0x65787072U, index);
     Graph graph;
     std::vector<Sample> samples{{graph.input("x", kX), {}}, {graph.input("y", kY), {}}};

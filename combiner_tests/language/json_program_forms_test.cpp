@@ -210,7 +210,7 @@ TEST(ProgramForms, AreInTheManual) {
 }
 
 TEST(ProgramForms, EveryShapeOfADefinitionAndEveryLogIsDetected) {
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < cases_here(50); ++i) {
     Random random(121, static_cast<std::uint64_t>(i));
     const Words words = random_words(random);
     const auto expected = parse_register_words({as_register_words(words), ""}, ChipClass::nv20, kFormsProfile);

@@ -14,7 +14,7 @@ namespace {
 constexpr ChipClass k10 = ChipClass::nv10, k20 = ChipClass::nv20;
 
 TEST(JsonWords, TheSameAsByLines) {
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < cases_here(2000); ++i) {
     Random random(31, static_cast<std::uint64_t>(i));
     const ChipClass chip = i % 2 == 0 ? k10 : k20;
     const HardwareProfile& profile = chip == k10 ? profiles::geforce2 : profiles::nv2a;

@@ -13,6 +13,7 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/random.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/pixel_shader.h"
@@ -263,7 +264,7 @@ class WordMaker {
 
 TEST(PixelShaderWords, RandomTextsGiveTheAssemblersWords) {
   constexpr std::uint64_t kSeed = 2003;
-  for (std::uint64_t i = 0; i < 5000; ++i) {
+  for (std::uint64_t i = 0; i < test::cases_here<std::uint64_t>(5000); ++i) {
     Random random(kSeed, i);
     WordMaker maker(random);
     maker.make();

@@ -10,6 +10,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/register_log_shapes.h"
+#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 
@@ -77,7 +78,7 @@ TwoFrames two_frames(Random& random) {
 }
 
 TEST(RegisterLog, EveryStyleGivesTheSameSetUps) {
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < cases_here(40); ++i) {
     Random random(91, static_cast<std::uint64_t>(i));
     const TwoFrames made = two_frames(random);
     for (const TraceStyle& style : all_styles()) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "combiner_tests/language/source_programs.h"
+#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/support/temp_folder.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -18,7 +19,7 @@ namespace ninebit {
 namespace {
 
 constexpr std::uint64_t kSeed = 31;
-constexpr int kPrograms = 200, kColours = 18;
+constexpr int kPrograms = test::cases_here(200), kColours = 18;
 
 // The colours of a state in the order of the stub's slots.
 std::array<ColorF, kColours> colours_of(const CombinerState& state) {

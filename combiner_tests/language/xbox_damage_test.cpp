@@ -35,9 +35,10 @@ TEST(XboxDamage, DamagedMacrosAreRefusedOrMeanAValidState) {
     return *print_xbox_pixel_shader(*state, profiles::nv2a, words);
   };
   const DamagedTexts found = parse_damaged(
-      {.seed = 86, .texts = 10'000, .whole = printed, .bytes = "0123{}()=,|<>-~ \n_PSREGITZC"}, profiles::nv2a, parse);
-  EXPECT_GT(found.states, 200);
-  EXPECT_GT(found.refused, 1000);
+      {.seed = 86, .texts = cases_here(10'000), .whole = printed, .bytes = "0123{}()=,|<>-~ \n_PSREGITZC"},
+      profiles::nv2a, parse);
+  EXPECT_GT(found.states, cases_here(200));
+  EXPECT_GT(found.refused, cases_here(1000));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/support/stored_pictures.h"
 #include "combiner_tests/tools/support.h"
 
@@ -76,6 +77,7 @@ TEST(GroundTruthOfRender, QuotesNamesForTheShell) {
 
 // Of compared pictures, too, and of the points of a study.
 TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const TempFolder folder;
   const std::vector<std::string> size{"--size", "160x120", "--quiet"};
   std::vector<std::string> compare{
@@ -117,6 +119,7 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
 
 // Whatever single values a study has: its question asks the same again, and its commands find what it counted.
 TEST(GroundTruthOfRender, TheCommandsOfAStudyRun) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
            {"--map-size", "64"},
            {"--map-size", "64", "--index-step", "1", "--index-scope", "object", "--index-format", "la",
@@ -141,6 +144,7 @@ TEST(GroundTruthOfRender, TheCommandsOfAStudyRun) {
 
 // Those of a study's best and worst point are those of a rendering with the point's settings.
 TEST(GroundTruthOfRender, AStudyNamesTheWorstPixelsOfRender) {
+  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const TempFolder folder;
   const Json study = json_of(ninebit({"study", "shadows", kRoom, "--map-sizes", "32,64,128", "--steps", "1", "--size",
                                       "160x120", "--json", "--quiet"}));
