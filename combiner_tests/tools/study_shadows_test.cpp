@@ -69,6 +69,20 @@ TEST(StudyShadows, AGivenMapSizeIsTheOnlyOne) {
   for (const Json& row : beside["rows"]) EXPECT_EQ(row["map_size"], 64);
 }
 
+// The report's pictures have traces, which are what their commands print.
+TEST(StudyShadows, TheReportHasTheTracesOfListedPixels) {
+  const TempFolder folder;
+  const std::vector<std::string> flags{"--technique", "shadow-map", "--map-sizes", "32,128", "-o",
+                                       folder / "out", "--json", "--quiet"};
+  const Json answer = json_of(ninebit(small_sweep(flags)));
+  const Json data = data_of(read_bytes(folder / "out/report.html"));
+  ASSERT_EQ(data["pictures"].size(), 2U);
+  std::size_t texts = 0;
+  for (const Json& picture : data["pictures"]) expect_traces(picture["traces"], texts);
+  EXPECT_GT(texts, 2U);
+  EXPECT_EQ(texts, answer["worst"].size());
+}
+
 TEST(StudyShadows, WrongGrids) {
   struct Case {
     std::vector<std::string> flags;

@@ -12,6 +12,7 @@
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/study/study.h"
+#include "src/tools/trace/trace_page.h"
 
 namespace ninebit::tools {
 namespace {
@@ -138,6 +139,19 @@ void complete_grid(ShadowsFlags& flags) {
   }
 }
 
+// The texts of traces of the flags' scene, which is loaded with its textures for the first of them.
+TraceText trace_text_of(const ShadowsFlags& flags) {
+  return [loaded = std::make_shared<std::optional<Scene>>(), scene_flags = flags.scene, common = flags.study.common](
+             const RenderSettings& settings, int x, int y, const JudgedPixel& truth) -> Result<std::string> {
+    if (!*loaded) {
+      auto drawn = load_drawn_scene(scene_flags, settings);
+      if (!drawn) return drawn.error();
+      *loaded = std::move(drawn->scene);
+    }
+    return judged_pixel_text(scene_flags, common, **loaded, settings, x, y, truth);
+  };
+}
+
 Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   RenderSettings settings = settings_of(flags.scene, flags.study.common);
   const std::string& technique = flags.scene.technique;
@@ -151,7 +165,7 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   auto scene = load_scene(flags.scene, settings);
   if (!scene) return scene.error();
   return make_shadow_sweep(std::move(question).value(), std::move(scene).value(), *find_technique(technique), settings,
-                           grid_of(flags));
+                           grid_of(flags), trace_text_of(flags));
 }
 
 // Removes the flag of a single value where its list has the same name; else the two exclude each other.
