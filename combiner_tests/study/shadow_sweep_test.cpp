@@ -250,7 +250,8 @@ TEST(ShadowSweep, DrawAddsTheTextsOfTraces) {
     }
   }
   EXPECT_EQ(listed, report->rows.size());
-  const Status stopped = (*study)->draw(rows, [](double) { return false; }, *report);
+  const Status stopped = (*study)->draw(
+      rows, [](double) { return false; }, *report);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().fault, Fault::cancelled);
 }

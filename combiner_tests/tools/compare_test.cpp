@@ -216,7 +216,7 @@ TEST(Compare, ThePageHasTheTracesOfListedPixels) {
       listed += object["rows"][i]["errors"]["worst"].size();
       expect_traces(data["rows"][i]["traces"], texts);
     }
-    EXPECT_GT(texts, 3U);
+    EXPECT_GE(texts, 3U);
     EXPECT_EQ(texts, listed);
     EXPECT_EQ(read_bytes(folder / "out/report.json").find("the pixel is wrong"), std::string::npos);
   }
@@ -232,8 +232,8 @@ TEST(Compare, ManyPicturesHaveOneTraceOfEachCause) {
   for (const Json& row : data["rows"]) {
     if (row.contains("refused")) continue;
     std::size_t causes = 0, texts = 0;
-    for (const auto& [cause, count] : row["errors"]["by_cause"].items()) causes += count == 0 ? 0 : 1;
-    for (const Json& one : row["traces"]) texts += one["text"] == "" ? 0 : 1;
+    for (const auto& [cause, count] : row["errors"]["by_cause"].items()) causes += count == 0 ? 0U : 1U;
+    for (const Json& one : row["traces"]) texts += one["text"] == "" ? 0U : 1U;
     EXPECT_EQ(texts, causes) << row["name"];
   }
   EXPECT_GT(data["rows"][0]["traces"].size(), 0U);

@@ -72,8 +72,8 @@ TEST(StudyShadows, AGivenMapSizeIsTheOnlyOne) {
 // The report's pictures have traces, which are what their commands print.
 TEST(StudyShadows, TheReportHasTheTracesOfListedPixels) {
   const TempFolder folder;
-  const std::vector<std::string> flags{"--technique", "shadow-map", "--map-sizes", "32,128", "-o",
-                                       folder / "out", "--json", "--quiet"};
+  const std::vector<std::string> flags{"--technique", "shadow-map",   "--map-sizes", "32,128",
+                                       "-o",          folder / "out", "--json",      "--quiet"};
   const Json answer = json_of(ninebit(small_sweep(flags)));
   const Json data = data_of(read_bytes(folder / "out/report.html"));
   ASSERT_EQ(data["pictures"].size(), 2U);

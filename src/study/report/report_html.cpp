@@ -120,7 +120,8 @@ Result<std::string> pictures(const StudyReport& report) {
     out += fmt::format(
         "<figure id=\"picture-{5}\">\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<img class=\"picture\" alt=\"{0}\" "
         "width=\"{2}\" height=\"{3}\" src=\"{4}\">\n",
-        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, picture_url(*png), i);
+        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, picture_url(*png),
+        i);
     out += file_line(picture.file);
   }
   return out;

@@ -92,8 +92,7 @@ Result<std::string> judged_pixel_text(const SceneFlags& flags, const CommonFlags
   const auto rendered = render_pixel(flags, scene, settings, nullptr, {.x = x, .y = y}, {});
   if (!rendered) return rendered.error();
   const TracedPixel& pixel = rendered->traced;
-  const TraceFacts facts{
-      .profile = common.profile, .pixel = &pixel, .truth = &truth, .hardware = &settings.profile};
+  const TraceFacts facts{.profile = common.profile, .pixel = &pixel, .truth = &truth, .hardware = &settings.profile};
   if (!pixel.fragment) return facts_text(facts, nullptr, nullptr, {});
   const ProbedPass& pass = pixel.passes[*pixel.pass];
   const Trace traced = trace(*pass.program, settings.profile, pass.fragments[*pixel.fragment].registers);

@@ -28,8 +28,8 @@ struct TraceFacts {
 [[nodiscard]] std::string facts_text(const TraceFacts& facts, const Program* program, const Trace* traced,
                                      TraceLayout layout);
 
-// What `ninebit trace --scene … --pixel X,Y --ground-truth` prints to a file, of a scene that is loaded and a pixel that
-// is judged, counted from the top left. The settings are those of the picture.
+// What `ninebit trace --scene … --pixel X,Y --ground-truth` prints to a file, of a scene that is loaded and a pixel
+// that is judged, counted from the top left. The settings are those of the picture.
 [[nodiscard]] Result<std::string> judged_pixel_text(const SceneFlags& flags, const CommonFlags& common,
                                                     const Scene& scene, const RenderSettings& settings, int x, int y,
                                                     const JudgedPixel& truth);
