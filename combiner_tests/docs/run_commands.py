@@ -22,6 +22,8 @@ HTML comments in prose:
   <!-- picture: FILE of ninebit ... -->   the same of a command that the page does not show
   <!-- picture: FILE at X,Y,WIDTHxHEIGHT of ninebit ... -->   the same of a part of the picture, with or without a command;
       several of these may stand before one picture. FILE from X,Y at ...: that part of FILE, not all of it
+  <!-- not checked: WHY -->   the picture behind it, or on the next line, which is made by something else than the program;
+      any other PNG file in a folder images/ must be checked
 
 A word such as OPS_GLSL, which stands for a figure that is still to be put in, is a fault.
 
@@ -48,6 +50,7 @@ SHOWN = ('$ ninebit ', '$ ./check ')
 VALUE = re.compile(r'([-−]?\d[\d,.\u202f]*)(?: %)?<!-- value: (.*?) of (ninebit .*?) -->')
 PICTURE = re.compile(r'<!-- picture: (\S+)(?:(?: from (\d+),(\d+))? at (\d+),(\d+),(\d+)x(\d+))?'
                      r'(?: of (ninebit .*?))? -->(?=(?:\n?<!-- picture: .*? -->)*\n?!\[.*?\]\((.*?)\))')
+IMAGE = re.compile(r'(<!-- not checked: .+? -->\n?)?!\[.*?\]\((\S*images/\S+\.png)\)')
 MISSING = re.compile(r'\b(?:STEPS|OPS)_[A-Z]+\b')  # stands for a figure that nobody has put in
 LIMIT_S = 300
 LIKE = 9  # codes by which the means of blocks of two pictures may differ
@@ -239,6 +242,9 @@ def check_prose(program, page, folder):
         print(f'FAILED {os.path.relpath(page, ROOT)}: a comment is not "<!-- value: EXPRESSION of ninebit ... -->" behind a '
               'figure or "<!-- picture: FILE -->" before a picture')
     checks += [(found, lambda m: 'a figure is missing') for found in MISSING.finditer(text)]
+    seen = {found[9] for found in PICTURE.finditer(text)}
+    checks += [(found, lambda m: 'the picture is not checked') for found in IMAGE.finditer(text)
+               if not found[1] and found[2] not in seen]
     for found, check in checks:
         fault = check(found)
         checked += 1
