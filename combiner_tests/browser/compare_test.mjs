@@ -70,12 +70,29 @@ test('a wrong pixel says its values and cause, and a click opens its trace', asy
 
 test('another wrong pixel gives its own command beside the nearest trace of its cause', async () => {
   const [row] = answer.rows;
-  // The neighbours of the middle of a patch are wrong for the same cause.
-  const worst = row.errors.worst.find(({ radius }) => radius > 1);
-  await page.mouse.click(...(await pointAt('.maps canvas', worst.x + 1, worst.y)));
+  const other = await page.evaluate(async (listed) => {
+    const data = JSON.parse(document.getElementById('data').textContent), [width, height] = data.size;
+    const picture = new Image();
+    picture.src = data.rows[0].wrong_pixels;
+    await picture.decode();
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context.drawImage(picture, 0, 0);
+    const { data: rgba } = context.getImageData(0, 0, width, height);
+    const causeAt = (x, y) => data.causes[rgba[4 * (y * width + x)] & 127];
+    for (let y = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x) {
+        if (causeAt(x, y) !== 'none' && !listed.some((one) => one.x === x && one.y === y)) return { x, y, cause: causeAt(x, y) };
+      }
+    }
+    return null;
+  }, row.errors.worst);
+  const far = ({ x, y }) => Math.hypot(x - other.x, y - other.y);
+  const [worst] = row.errors.worst.filter(({ cause }) => cause === other.cause).sort((one, two) => far(one) - far(two));
+  await page.mouse.click(...(await pointAt('.maps canvas', other.x, other.y)));
   const trace = await openTrace(page);
+  assert.equal(trace.title, `${row.name}, pixel ${other.x},${other.y}: ${other.cause}`);
   assert.match(trace.note, new RegExp(`nearest one of its cause, pixel ${worst.x},${worst.y}\\.$`));
-  assert.equal(trace.command, worst.command.replace(/--pixel \S+/, `--pixel ${worst.x + 1},${worst.y}`));
+  assert.equal(trace.command, worst.command.replace(/--pixel \S+/, `--pixel ${other.x},${other.y}`));
   assert.equal(trace.text, printed(worst.command));
   const [close] = await page.$$('dialog[open] button');
   await close.click();
