@@ -139,16 +139,19 @@ void complete_grid(ShadowsFlags& flags) {
   }
 }
 
-// The texts of traces of the flags' scene, which is loaded with its textures for the first of them.
+// The texts of traces of the flags' scene, which is loaded with its textures for the first of them. The study itself reads
+// no textures: where they cannot be read, the texts are empty.
 TraceText trace_text_of(const ShadowsFlags& flags) {
-  return [loaded = std::make_shared<std::optional<Scene>>(), scene_flags = flags.scene, common = flags.study.common](
+  using Loaded = std::optional<Result<DrawnScene>>;
+  return [loaded = std::make_shared<Loaded>(), scene_flags = flags.scene, common = flags.study.common](
              const RenderSettings& settings, int x, int y, const JudgedPixel& truth) -> Result<std::string> {
-    if (!*loaded) {
-      auto drawn = load_drawn_scene(scene_flags, settings);
-      if (!drawn) return drawn.error();
-      *loaded = std::move(drawn->scene);
-    }
-    return judged_pixel_text(scene_flags, common, **loaded, settings, x, y, truth);
+    const bool is_first = !*loaded;
+    if (is_first) loaded->emplace(load_drawn_scene(scene_flags, settings));
+    const Result<DrawnScene>& drawn = **loaded;
+    if (drawn) return judged_pixel_text(scene_flags, common, drawn->scene, settings, x, y, truth);
+    if (drawn.error().fault == Fault::cancelled) return drawn.error();
+    if (is_first) say_warning(fmt::format("the report has the commands of traces alone: {}", drawn.error().text()));
+    return std::string();
   };
 }
 
