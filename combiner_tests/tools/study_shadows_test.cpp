@@ -90,9 +90,8 @@ TEST(StudyShadows, WithoutATextureThePageHasCommands) {
   write_bytes(folder / "wall.obj",
               "mtllib wall.mtl\nusemtl brick\nv -4 0 4\nv 4 0 4\nv 4 0 -4\nv -4 0 -4\nv 0 0 1\nv 0 2 1\nv 0 2 -1\n"
               "v 0 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/2\nf 5/1 6/2 7/3\nf 5/1 7/3 8/2\n");
-  const Outcome done =
-      ninebit({"study", "shadows", folder / "wall.obj", "--size", "80x60", "--map-sizes", "32", "--technique",
-               "shadow-map", "--floor", "none", "-o", folder / "out", "--json"});
+  const Outcome done = ninebit({"study", "shadows", folder / "wall.obj", "--size", "80x60", "--map-sizes", "32",
+                                "--technique", "shadow-map", "--floor", "none", "-o", folder / "out", "--json"});
   const Json answer = json_of(done);
   ASSERT_FALSE(answer["worst"].empty());
   EXPECT_NE(done.err.find("warning: the report has the commands of traces alone: "), std::string::npos) << done.err;

@@ -139,8 +139,8 @@ void complete_grid(ShadowsFlags& flags) {
   }
 }
 
-// The texts of traces of the flags' scene, which is loaded with its textures for the first of them. The study itself reads
-// no textures: where they cannot be read, the texts are empty.
+// The texts of traces of the flags' scene, which is loaded with its textures for the first of them. The study itself
+// reads no textures: where they cannot be read, the texts are empty.
 TraceText trace_text_of(const ShadowsFlags& flags) {
   using Loaded = std::optional<Result<DrawnScene>>;
   return [loaded = std::make_shared<Loaded>(), scene_flags = flags.scene, common = flags.study.common](
