@@ -1,14 +1,15 @@
 /**
- * The page of `ninebit compare`, and the report of `ninebit study shadows`: what stands at a pixel, and the command that
+ * The page of `ninebit compare`, and the report of `ninebit study shadows`: what stands at a pixel, and the trace that
  * explains a wrong one.
  */
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { launch, native, root } from './support.mjs';
+import { launch, native, program, root } from './support.mjs';
 
 let browser, page, answer, folder;
 
@@ -36,21 +37,79 @@ async function pointAt(selector, x, y, on = page, [width, height] = [160, 120]) 
   return at;
 }
 
-test('a wrong pixel says its values and cause, and a click gives its command', async () => {
+/** What the open trace shows; null: none is open. */
+const openTrace = (on) => on.evaluate(() => {
+  const dialog = document.querySelector('dialog[open]');
+  return dialog && { title: dialog.getAttribute('aria-label'), note: dialog.querySelector('.note')?.textContent,
+    command: dialog.querySelector('.command').textContent, text: dialog.querySelector('.text')?.textContent };
+});
+/** What the program prints for the command of a trace. */
+const printed = (command) => execFileSync(program, [...command.replace(/^ninebit /, '').split(' '), '--quiet'], { cwd: root }).toString();
+
+test('a wrong pixel says its values and cause, and a click opens its trace', async () => {
   const [row] = answer.rows;
   const [worst] = row.errors.worst;
   const at = await pointAt('.maps canvas', worst.x, worst.y);
   const said = () => page.$$eval('[role=status]', (lines) => lines[1].textContent);
   assert.match(await said(), new RegExp(`^${row.name}, pixel ${worst.x},${worst.y}: \\d+, \\d+, \\d+, falsely (lit|shadowed): ${worst.cause}$`));
   await page.mouse.click(...at);
-  const command = await page.$$eval('.command', (all) => all[1].textContent);
-  assert.equal(command, worst.command);
-  assert.equal(native(root, ...command.replace(/^ninebit /, '').split(' ')).command, 'trace');
-  // A pixel that is right has no command.
+  const trace = await openTrace(page);
+  assert.equal(trace.title, `${row.name}, pixel ${worst.x},${worst.y}: ${worst.cause}`);
+  assert.equal(trace.note, undefined);
+  assert.equal(trace.command, worst.command);
+  assert.equal(trace.text, printed(worst.command));
+  assert.match(trace.text, /the pixel is wrong/);
+  await page.keyboard.press('Escape');
+  assert.equal(await openTrace(page), null);
+  // A pixel that is right has no trace.
   const corner = await pointAt('.maps canvas', 1, 1);
   assert.match(await said(), /pixel 1,1: \d+, \d+, \d+, right$/);
   await page.mouse.click(...corner);
-  assert.equal(await page.$$eval('.command', (all) => all[1].hidden), true);
+  assert.equal(await openTrace(page), null);
+});
+
+test('another wrong pixel gives its own command beside the nearest trace of its cause', async () => {
+  const [row] = answer.rows;
+  const other = await page.evaluate(async (listed) => {
+    const data = JSON.parse(document.getElementById('data').textContent), [width, height] = data.size;
+    const picture = new Image();
+    picture.src = data.rows[0].wrong_pixels;
+    await picture.decode();
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context.drawImage(picture, 0, 0);
+    const { data: rgba } = context.getImageData(0, 0, width, height);
+    const causeAt = (x, y) => data.causes[rgba[4 * (y * width + x)] & 127];
+    for (let y = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x) {
+        if (causeAt(x, y) !== 'none' && !listed.some((one) => one.x === x && one.y === y)) return { x, y, cause: causeAt(x, y) };
+      }
+    }
+    return null;
+  }, row.errors.worst);
+  const far = ({ x, y }) => Math.hypot(x - other.x, y - other.y);
+  const [worst] = row.errors.worst.filter(({ cause }) => cause === other.cause).sort((one, two) => far(one) - far(two));
+  await page.mouse.click(...(await pointAt('.maps canvas', other.x, other.y)));
+  const trace = await openTrace(page);
+  assert.equal(trace.title, `${row.name}, pixel ${other.x},${other.y}: ${other.cause}`);
+  assert.match(trace.note, new RegExp(`nearest one of its cause, pixel ${worst.x},${worst.y}\\.$`));
+  assert.equal(trace.command, worst.command.replace(/--pixel \S+/, `--pixel ${other.x},${other.y}`));
+  assert.equal(trace.text, printed(worst.command));
+  const [close] = await page.$$('dialog[open] button');
+  await close.click();
+  assert.equal(await openTrace(page), null);
+});
+
+test('the keyboard reaches all traces', async () => {
+  const [row] = answer.rows;
+  const buttons = await page.$$('.maps figure:first-child .traces button');
+  assert.equal(buttons.length, row.errors.worst.length);
+  await buttons[1].focus();
+  await page.keyboard.press('Enter');
+  assert.equal((await openTrace(page)).command, row.errors.worst[1].command);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Close');
+  await page.keyboard.press('Enter');
+  assert.equal(await openTrace(page), null);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), `${row.errors.worst[1].cause} ${row.errors.worst[1].x},${row.errors.worst[1].y}`);
 });
 
 test('the error pictures of a report say the same', async () => {
@@ -69,10 +128,16 @@ test('the error pictures of a report say the same', async () => {
   assert.match(said, new RegExp(`^The worst point: .*, pixel ${one.x},${one.y}: \\d+, \\d+, \\d+, falsely (lit|shadowed): ${one.cause}$`));
   await report.mouse.click(...at);
   // A click has a whole place on the screen, where a pixel of the picture is smaller.
-  const command = await report.$eval('#picture-1 .command', ({ textContent }) => textContent), pixel = /--pixel (\d+),(\d+)/;
-  assert.equal(command.replace(pixel, ''), one.command.replace(pixel, ''));
-  const [, x, y] = pixel.exec(command);
-  assert.ok(Math.abs(x - one.x) <= 1 && Math.abs(y - one.y) <= 1, `${command}: ${one.x},${one.y}`);
+  const trace = await openTrace(report), pixel = /--pixel (\d+),(\d+)/;
+  assert.equal(trace.command.replace(pixel, ''), one.command.replace(pixel, ''));
+  const [, x, y] = pixel.exec(trace.command);
+  assert.ok(Math.abs(x - one.x) <= 1 && Math.abs(y - one.y) <= 1, `${trace.command}: ${one.x},${one.y}`);
+  assert.match(trace.text, /the pixel is wrong/);
+  await report.keyboard.press('Escape');
+  const listed = worst.filter(({ point }) => point === 0);
+  assert.equal((await report.$$('#picture-1 .traces button')).length, listed.length);
+  await report.click('#picture-1 .traces button');
+  assert.equal((await openTrace(report)).text, printed(listed[0].command));
   await report.close();
 });
 

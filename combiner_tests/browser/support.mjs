@@ -12,7 +12,7 @@ import { fileURLToPath } from 'node:url';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const pageFile = join(root, 'build/playground/index.html');
-const program = join(root, 'build/release/bin/ninebit');
+export const program = join(root, 'build/release/bin/ninebit');
 const puppeteer = createRequire(join(root, 'build/playground/npm/package.json'))('puppeteer-core');
 
 const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',

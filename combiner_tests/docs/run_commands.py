@@ -20,6 +20,10 @@ HTML comments in prose:
   <!-- picture: FILE -->   the picture behind it, or on the next line, looks like FILE, which a command above or below
       writes: the means of its blocks are the same within a few codes, as it may have been made smaller
   <!-- picture: FILE of ninebit ... -->   the same of a command that the page does not show
+  <!-- picture: FILE at X,Y,WIDTHxHEIGHT of ninebit ... -->   the same of a part of the picture, with or without a command;
+      several of these may stand before one picture. FILE from X,Y at ...: that part of FILE, not all of it
+  <!-- not checked: WHY -->   the picture behind it, or on the next line, which is made by something else than the program;
+      any other PNG file in a folder images/ must be checked
 
 A word such as OPS_GLSL, which stands for a figure that is still to be put in, is a fault.
 
@@ -44,7 +48,9 @@ REMARK = re.compile(r'<!-- (not run|run with): (.*?) -->$')
 COMMANDS = ('ninebit ', 'python3 ', 'cp ', 'sed ', 'cat > ', 'cc ', './check ')
 SHOWN = ('$ ninebit ', '$ ./check ')
 VALUE = re.compile(r'([-−]?\d[\d,.\u202f]*)(?: %)?<!-- value: (.*?) of (ninebit .*?) -->')
-PICTURE = re.compile(r'<!-- picture: (\S+)(?: of (ninebit .*?))? -->\n?!\[.*?\]\((.*?)\)')
+PICTURE = re.compile(r'<!-- picture: (\S+)(?:(?: from (\d+),(\d+))? at (\d+),(\d+),(\d+)x(\d+))?'
+                     r'(?: of (ninebit .*?))? -->(?=(?:\n?<!-- picture: .*? -->)*\n?!\[.*?\]\((.*?)\))')
+IMAGE = re.compile(r'(<!-- not checked: .+? -->\n?)?!\[.*?\]\((\S*images/\S+\.png)\)')
 MISSING = re.compile(r'\b(?:STEPS|OPS)_[A-Z]+\b')  # stands for a figure that nobody has put in
 LIMIT_S = 300
 LIKE = 9  # codes by which the means of blocks of two pictures may differ
@@ -198,11 +204,22 @@ def means_of(picture, across, down):
             for c in range(3) for j in range(down) for x in range(across)]
 
 
-def wrong_picture(shown, made):
-    """What is wrong with a picture of a page, or None."""
+def part_of(picture, left, top, width, height):
+    return width, height, [[channel[left:left + width] for channel in row] for row in picture[2][top:top + height]]
+
+
+def wrong_picture(shown, made, start, part):
+    """What is wrong with a picture of a page, or None. `part`: left, top, width and height in it, if it is not all of it;
+    `start`: left and top of that part in the file, if it has more."""
     if not os.path.exists(made):
         return f'no command writes {os.path.basename(made)}'
-    pictures = pixels_of(shown), pixels_of(made)
+    pictures = [pixels_of(shown), pixels_of(made)]
+    for number, place in enumerate((part, start and start + part[2:])):
+        if place:
+            width, height = pictures[number][:2]
+            if place[0] + place[2] > width or place[1] + place[3] > height:
+                return f'a part of {place[2]} x {place[3]} pixels at {place[0]},{place[1]} reaches beyond {width} x {height}'
+            pictures[number] = part_of(pictures[number], *place)
     across, down = (math.gcd(a, b) // 4 for a, b in zip(pictures[0][:2], pictures[1]))
     if min(across, down) < 6:
         return f'sides of {pictures[0][:2]} and {pictures[1][:2]} pixels have no blocks in common'
@@ -214,16 +231,20 @@ def check_prose(program, page, folder):
     """How many figures and pictures of a page were checked, and how many of them are wrong."""
     with open(page, encoding='utf-8') as file:
         text = file.read()
-    answers, checked, failed = {}, 0, 0
+    answers = {}
     checks = [(found, lambda m: wrong_value(m[1], m[2], m[3], folder, program, answers)) for found in VALUE.finditer(text)]
-    checks += [(found, lambda m: (m[2] and run_hidden(m[2], folder, program, answers)) or
-                wrong_picture(os.path.join(os.path.dirname(page), m[3]), os.path.join(folder, m[1])))
+    checks += [(found, lambda m: (m[8] and run_hidden(m[8], folder, program, answers)) or
+                wrong_picture(os.path.join(os.path.dirname(page), m[9]), os.path.join(folder, m[1]),
+                              [int(n) for n in m.groups()[1:3] if n], [int(n) for n in m.groups()[3:7] if n]))
                for found in PICTURE.finditer(text)]
-    if len(checks) != text.count('<!-- value:') + text.count('<!-- picture:'):
-        checked, failed = 1, 1
+    checked = failed = text.count('<!-- value:') + text.count('<!-- picture:') - len(checks)
+    if failed:
         print(f'FAILED {os.path.relpath(page, ROOT)}: a comment is not "<!-- value: EXPRESSION of ninebit ... -->" behind a '
               'figure or "<!-- picture: FILE -->" before a picture')
     checks += [(found, lambda m: 'a figure is missing') for found in MISSING.finditer(text)]
+    seen = {found[9] for found in PICTURE.finditer(text)}
+    checks += [(found, lambda m: 'the picture is not checked') for found in IMAGE.finditer(text)
+               if not found[1] and found[2] not in seen]
     for found, check in checks:
         fault = check(found)
         checked += 1

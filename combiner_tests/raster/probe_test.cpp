@@ -9,6 +9,7 @@
 #include "combiner_tests/raster/random_scene.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/raster/prepared_draw.h"
 
 namespace ninebit::test {
 namespace {
@@ -204,6 +205,29 @@ TEST(Probe, AnyNumberOfThreadsTellsTheSame) {
     EXPECT_TRUE(probed_by(7, x, y) == one);
     if (kSlowBuild) break;
     EXPECT_TRUE(probed_by(2, x, y) == one);
+  }
+}
+
+// A draw that clears the planes itself shows the probe what a clear before it would.
+TEST(Probe, MeetsTheClearedPlanes) {
+  Mesh mesh;
+  for (const glm::vec2 p : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1)}) mesh.add({p, 0.0F});
+  mesh.add_triangle(0, 1, 2);
+  PipelineState state;
+  state.depth_test = {true, CompareFunction::less, true};
+  Surface surface = Surface::make(100, 80).value();
+  RenderTarget target = surface.target();
+  PreparedDraw prepared;
+  ASSERT_TRUE(prepare(state, kIdentity, mesh.arrays(), target, prepared).ok());
+  const DrawPass pass{.state = &state, .arrays = mesh.arrays()};
+  for (int picture = 0; picture < 2; ++picture) {  // the second one finds the planes of the first
+    FragmentProbe probe{.x = 90, .y = 3};
+    target.probe = &probe;
+    ASSERT_TRUE(rasterize({&pass, 1}, prepared, {.clear = ClearValues{.stencil = 5}}, target).ok());
+    ASSERT_EQ(probe.fragments.size(), 1U);
+    EXPECT_EQ(probe.fragments[0].fate, FragmentFate::written) << picture;
+    EXPECT_EQ(probe.fragments[0].stored_depth, 0xFFFFFFU) << picture;
+    EXPECT_EQ(probe.fragments[0].stored_stencil, 5) << picture;
   }
 }
 

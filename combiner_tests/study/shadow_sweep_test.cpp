@@ -223,6 +223,39 @@ TEST(ShadowSweep, ThreadsChangeNothing) {
   EXPECT_EQ(with_threads(1), with_threads(4));
 }
 
+// Each listed pixel gets the text that the caller makes of it, with the point's settings and what is true there.
+TEST(ShadowSweep, DrawAddsTheTextsOfTraces) {
+  const Technique& drawn = technique("index-cube");
+  const auto text_of = [](const RenderSettings& settings, int x, int y, const JudgedPixel& truth) {
+    return Result<std::string>(std::to_string(settings.map_size) + ' ' + std::to_string(x) + ',' + std::to_string(y) +
+                               ' ' + std::string(name_of(truth.cause)));
+  };
+  const auto study =
+      make_shadow_sweep({.study = "shadows", .profile = "geforce2", .arguments = "room.gltf"},
+                        test::index_room(drawn.lights), drawn, small(), {{"map-size", {"32", "128"}}}, text_of);
+  ASSERT_TRUE(study);
+  const std::vector<StudyRow> rows = all_rows(**study);
+  auto report = (*study)->report(rows, 2);
+  ASSERT_TRUE(report);
+  ASSERT_EQ(report->pictures.size(), 2U);
+  EXPECT_EQ(report->pictures[0].traces.at(0).text, "");
+  ASSERT_TRUE((*study)->draw(rows, {}, *report).ok());
+  std::size_t listed = 0;
+  for (const ReportPicture& picture : report->pictures) {
+    for (const PictureTrace& one : picture.traces) {
+      const StudyRow& row = report->rows.at(listed++);
+      EXPECT_EQ(one.text, (row.count("point") == 0 ? "32 " : "128 ") + row.text("x") + ',' + row.text("y") + ' ' +
+                              row.text("cause"));
+      EXPECT_EQ(one.command, row.text("command"));
+    }
+  }
+  EXPECT_EQ(listed, report->rows.size());
+  const Status stopped = (*study)->draw(
+      rows, [](double) { return false; }, *report);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().fault, Fault::cancelled);
+}
+
 TEST(ShadowSweep, StopsWhenAsked) {
   const auto study = sweep_of("index-cube", {});
   const auto rows = (*study)->run(0, [] { return false; });

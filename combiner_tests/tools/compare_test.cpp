@@ -201,6 +201,44 @@ TEST(Compare, ThePageHoldsAll) {
   EXPECT_EQ(report["rows"], object["rows"]);
 }
 
+// The traces on the page are what their commands print, also of a spot light that is drawn as a point light.
+TEST(Compare, ThePageHasTheTracesOfListedPixels) {
+  const TempFolder folder;
+  const std::vector<ManyWords> cases{
+      {"--size", "160x120", "--vary", "technique=index-cube,shadow-volume"},
+      {"--size", "96x72", "--map-size", "32", "--camera", "0.5,1,0.9", "--look-at", "0.2,0.2,0", "--fov", "30",
+       "--light-type", "spot", "--light", "0.3,2,0.2", "--light-target", "0.2,0.2,0", "--spot-angle", "150"}};
+  for (const ManyWords& flags : cases) {
+    const Json object = json_of(ninebit(plus({"compare", kRoom, "-o", folder / "out", "--quiet", "--json"}, flags)));
+    const Json data = data_of(read_bytes(folder / "out/index.html"));
+    std::size_t texts = 0, listed = 0;
+    for (std::size_t i = 0; i < object["rows"].size(); ++i) {
+      listed += object["rows"][i]["errors"]["worst"].size();
+      expect_traces(data["rows"][i]["traces"], texts);
+    }
+    EXPECT_GE(texts, 3U);
+    EXPECT_EQ(texts, listed);
+    EXPECT_EQ(read_bytes(folder / "out/report.json").find("the pixel is wrong"), std::string::npos);
+  }
+}
+
+// The page stays small: of more than eight pictures it has one trace of each cause.
+TEST(Compare, ManyPicturesHaveOneTraceOfEachCause) {
+  const TempFolder folder;
+  const ManyWords steps{"--vary", "index-step=1-3", "--vary", "index-format=rgb,la,l"};
+  ASSERT_EQ(ninebit(plus(small_compare(kCornell, folder / "out"), steps)).code, 0);
+  const Json data = data_of(read_bytes(folder / "out/index.html"));
+  ASSERT_GT(data["rows"].size(), 8U);
+  for (const Json& row : data["rows"]) {
+    if (row.contains("refused")) continue;
+    std::size_t causes = 0, texts = 0;
+    for (const auto& [cause, count] : row["errors"]["by_cause"].items()) causes += count == 0 ? 0U : 1U;
+    for (const Json& one : row["traces"]) texts += one["text"] == "" ? 0U : 1U;
+    EXPECT_EQ(texts, causes) << row["name"];
+  }
+  EXPECT_GT(data["rows"][0]["traces"].size(), 0U);
+}
+
 using ninebit::Image8;
 using Place = std::optional<std::pair<int, int>>;
 

@@ -1,6 +1,7 @@
 // `ninebit draw`: pictures, answers, the gallery's hashes, and errors.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -329,14 +330,49 @@ TEST(Draw, APictureOfAnySizeIsDrawnTexelByTexel) {
     }
   }
   // What rectangle textures do not have asks for powers of two.
-  for (const std::vector<std::string>& flags :
-       {std::vector<std::string>{"--filter0", "trilinear"}, {"--wrap0", "repeat"}, {"--mesh", "cube"}}) {
-    std::vector<std::string> all{"--tex0", file};
-    all.insert(all.end(), flags.begin(), flags.end());
-    const Json warnings = drawn(all)["warnings"];
-    ASSERT_EQ(warnings.size(), 1U) << flags[0];
-    EXPECT_NE(warnings[0].get<std::string>().find("odd.png: 37 x 11 is resampled"), std::string::npos) << warnings;
+  using Words = std::vector<std::string>;
+  const std::string to_keep_wrap = "as its wrap repeats; with --wrap0 clamp-to-edge it keeps its size";
+  const std::vector<std::pair<Words, std::string>> resampled{
+      {{"--filter0", "trilinear"}, "as its filter reads mip-maps; with --filter0 linear it keeps its size"},
+      {{"--wrap0", "repeat"}, to_keep_wrap},
+      {{"--mesh", "cube", "--filter0", "linear"}, to_keep_wrap},
+      {{"--mesh", "cube"},
+       "as its filter reads mip-maps and its wrap repeats; with --filter0 linear and --wrap0 clamp-to-edge it keeps"}};
+  const auto with_file = [&](Words flags) {
+    flags.insert(flags.begin(), {"--tex0", file});
+    return flags;
+  };
+  for (const auto& [flags, why] : resampled) {
+    const Json warnings = drawn(with_file(flags))["warnings"];
+    ASSERT_EQ(warnings.size(), 1U) << why << warnings;
+    EXPECT_NE(warnings[0].get<std::string>().find("odd.png: 37 x 11 is resampled to powers of two, " + why),
+              std::string::npos)
+        << warnings;
   }
+  // Where nothing repeats, a mesh reads all texels, too: the picture looks as with each texel as 3 x 3.
+  Image8 large{.width = 48, .height = 24, .channels = 4, .pixels = {}};
+  for (std::size_t i = 0; i < 48 * 24; ++i) {
+    const std::size_t from = 4 * (i / 48 / 3 * 32 + i % 48 / 3);
+    for (std::size_t c = 0; c < 4; ++c) large.pixels.push_back(even.pixels[from + c]);
+  }
+  Image8 small{.width = 16, .height = 8, .channels = 4, .pixels = {}};
+  for (std::size_t i = 0; i < 16 * 8; ++i) {
+    for (std::size_t c = 0; c < 4; ++c) small.pixels.push_back(even.pixels[4 * (i / 16 * 32 + i % 16) + c]);
+  }
+  ASSERT_TRUE(ninebit::write_png(folder / "large.png", large));
+  ASSERT_TRUE(ninebit::write_png(folder / "small.png", small));
+  const auto on_cube = [&](const char* name) {
+    const Json answer = drawn({"--tex0", folder / name, "--mesh", "cube", "--filter0", "nearest", "--wrap0",
+                               "clamp-to-edge", "--size", "96x96"});
+    EXPECT_TRUE(answer["warnings"].empty()) << answer["warnings"];
+    return ninebit::test::read_png(out).pixels;
+  };
+  const auto seen = on_cube("large.png"), expected = on_cube("small.png");
+  ASSERT_EQ(seen.size(), expected.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < seen.size(); i += 4)
+    different += std::equal(&seen[i], &seen[i] + 4, &expected[i]) ? 0U : 1U;
+  EXPECT_LT(different, 96U * 96U / 100U);  // at texels' edges
   // A stage names a 2D texture.
   write_bytes(folder / "p.rc1", "!!TS1.0\ntexture_2d();\n!!RC1.0\nout.rgb = unsigned_invert(tex0);\nout.a = tex0.a;\n");
   const Json staged = drawn({"--tex0", file, "--profile", "nv2a"});

@@ -69,6 +69,38 @@ TEST(StudyShadows, AGivenMapSizeIsTheOnlyOne) {
   for (const Json& row : beside["rows"]) EXPECT_EQ(row["map_size"], 64);
 }
 
+// The report's pictures have traces, which are what their commands print.
+TEST(StudyShadows, TheReportHasTheTracesOfListedPixels) {
+  const TempFolder folder;
+  const std::vector<std::string> flags{"--technique", "shadow-map",   "--map-sizes", "32,128",
+                                       "-o",          folder / "out", "--json",      "--quiet"};
+  const Json answer = json_of(ninebit(small_sweep(flags)));
+  const Json data = data_of(read_bytes(folder / "out/report.html"));
+  ASSERT_EQ(data["pictures"].size(), 2U);
+  std::size_t texts = 0;
+  for (const Json& picture : data["pictures"]) expect_traces(picture["traces"], texts);
+  EXPECT_GT(texts, 2U);
+  EXPECT_EQ(texts, answer["worst"].size());
+}
+
+// A study reads no textures. The traces do, so that a missing one leaves the page with the commands.
+TEST(StudyShadows, WithoutATextureThePageHasCommands) {
+  const TempFolder folder;
+  write_bytes(folder / "wall.mtl", "newmtl brick\nmap_Kd missing.png\n");
+  write_bytes(folder / "wall.obj",
+              "mtllib wall.mtl\nusemtl brick\nv -4 0 4\nv 4 0 4\nv 4 0 -4\nv -4 0 -4\nv 0 0 1\nv 0 2 1\nv 0 2 -1\n"
+              "v 0 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/2\nf 5/1 6/2 7/3\nf 5/1 7/3 8/2\n");
+  const Outcome done = ninebit({"study", "shadows", folder / "wall.obj", "--size", "80x60", "--map-sizes", "32",
+                                "--technique", "shadow-map", "--floor", "none", "-o", folder / "out", "--json"});
+  const Json answer = json_of(done);
+  ASSERT_FALSE(answer["worst"].empty());
+  EXPECT_NE(done.err.find("warning: the report has the commands of traces alone: "), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("missing.png"), std::string::npos) << done.err;
+  const Json data = data_of(read_bytes(folder / "out/report.html"));
+  ASSERT_EQ(data["pictures"][0]["traces"].size(), answer["worst"].size());
+  for (const Json& one : data["pictures"][0]["traces"]) EXPECT_EQ(one["text"], "") << one;
+}
+
 TEST(StudyShadows, WrongGrids) {
   struct Case {
     std::vector<std::string> flags;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
 
 namespace tools_test {
 
@@ -51,6 +54,29 @@ Json json_of(const Outcome& outcome) {
   Json object = Json::parse(outcome.out, nullptr, false);
   EXPECT_TRUE(object.is_object()) << outcome.out;
   return object.is_object() ? object : Json();
+}
+
+Json data_of(const std::string& page) {
+  const std::string begin = "id=\"data\">";
+  const std::size_t at = page.find(begin);
+  if (at == std::string::npos) throw std::runtime_error("the page has no data");
+  const std::size_t from = at + begin.size();
+  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+void expect_traces(const Json& traces, std::size_t& texts) {
+  for (const Json& one : traces) {
+    std::istringstream command(one["command"].get<std::string>());
+    std::vector<std::string> words{std::istream_iterator<std::string>(command), {}};
+    const std::string pixel = std::to_string(one["x"].get<int>()) + ',' + std::to_string(one["y"].get<int>());
+    EXPECT_EQ(words[words.size() - 2], pixel);
+    if (one["text"] == "") continue;
+    ++texts;
+    words.erase(words.begin());
+    words.emplace_back("--quiet");
+    EXPECT_EQ(one["text"], ninebit(words).out) << command.str();
+    EXPECT_NE(one["text"].get<std::string>().find("the pixel is wrong ("), std::string::npos) << command.str();
+  }
 }
 
 Json faults_of(const Outcome& outcome, int code) {

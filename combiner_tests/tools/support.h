@@ -41,6 +41,10 @@ void expect_error(const Outcome& outcome, int code, const std::vector<std::strin
 
 // The object that a command printed; fails (and is null) unless it ended well and stdout is one JSON object.
 Json json_of(const Outcome& outcome);
+// The data of a page's script element "data".
+Json data_of(const std::string& page);
+// Whether each trace of a page that has a text has that of its command; counts them.
+void expect_traces(const Json& traces, std::size_t& texts);
 
 // The keys of an object, in order.
 std::vector<std::string> keys_of(const Json& object);

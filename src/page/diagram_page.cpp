@@ -48,18 +48,6 @@ std::string data_element(const char* id, const std::string& json) {
 
 }  // namespace
 
-std::string script_json(const std::string& json) {
-  std::string out;
-  for (const char c : json) {
-    if (c == '<') {
-      out += "\\u003c";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 std::string diagram_page(const DiagramPage& page) {
   const bool traced = !page.passes.empty(), drawn = traced || !page.program.empty();
   const std::string title = escaped_markup(page.title);

@@ -21,7 +21,4 @@ struct DiagramPage {
 // The page as HTML. With neither a trace nor a program it has no diagram.
 [[nodiscard]] std::string diagram_page(const DiagramPage& page);
 
-// JSON text as the content of a script element: `<` is escaped, so that no name can end the element.
-[[nodiscard]] std::string script_json(const std::string& json);
-
 }  // namespace ninebit

@@ -122,4 +122,17 @@ struct EscapedByte {
   return out;
 }
 
+// JSON text as the content of a script element: `<` is escaped, so that no name can end the element.
+[[nodiscard]] inline std::string script_json(std::string_view json) {
+  std::string out;
+  for (const char c : json) {
+    if (c == '<') {
+      out += "\\u003c";  // in JSON, '<' occurs only in strings
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
 }  // namespace ninebit

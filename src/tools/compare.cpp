@@ -88,7 +88,11 @@ Status load_compared(const CompareFlags& flags, Comparison& out, std::optional<S
 const Diagnostic kInterruptedComparison{.message = "interrupted", .fault = Fault::cancelled};
 
 // Renders all points: the progress line from 0.05 to 0.95.
-Status draw_compared(const CompareFlags& flags, const Scene& scene, ProgressLine& line, Comparison& out) {
+Status draw_compared(CompareFlags flags, const Scene& scene, ProgressLine& line, Comparison& out) {
+  if (flags.makes_page()) {
+    const bool are_few = out.compared.points.size() <= kMostFullyTraced;
+    flags.traces = are_few ? CompareFlags::Traces::all : CompareFlags::Traces::one_of_cause;
+  }
   const auto rays = GroundTruthScene::make(scene);
   if (!rays) return rays.error();
   const auto is_as_point = [](const ComparedPoint& point) { return point.as_point; };
@@ -236,7 +240,7 @@ int compare(const CompareFlags& flags, ComparedPoints points) {
 
 // Checks that need all flags to be parsed. Throws CLI::ValidationError.
 ComparedPoints checked_points(const CLI::App& verb, const CompareFlags& flags) {
-  if (host() == nullptr && flags.folder.empty() && flags.sheet.empty()) {
+  if (!flags.makes_page() && flags.sheet.empty()) {
     throw CLI::RequiredError("--output or --sheet");
   }
   if (!flags.sheet.empty() && std::filesystem::path(flags.sheet).extension() != ".png") {

@@ -101,7 +101,7 @@ Status draw_all(const DrawFlags& flags, bool is_effect, const HardwareProfile& p
   line.step("loading", 0.0);
   const auto start = Clock::now();
   const EffectReaders readers = effect_readers(flags.allow_outside, flags.defines, done.warnings);
-  if (!is_effect) keep_sizes(flags, profile, readers, effect);
+  if (!is_effect) keep_sizes(flags, profile, readers, effect, done.warnings);
   auto renderer = EffectRenderer::make(effect, profile, readers, {.layers = flags.layers});
   if (!renderer) return renderer.error();
   done.load_ms = milliseconds_since(start);

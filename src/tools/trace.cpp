@@ -53,23 +53,9 @@ struct Drawn {
   const TextureShaderResult* stages = nullptr;  // of a fragment from --set, if its stages ran
 };
 
-// The texts for people: the pixel, then the traced fragment.
-std::string text_of(const TraceFacts& facts, const Program* program, const Trace* traced, TraceLayout layout) {
-  std::string lines = facts.pixel != nullptr ? pixel_text(*facts.pixel) : "";
-  if (facts.truth != nullptr) lines += truth_text(*facts.pixel, *facts.truth);
-  if (traced != nullptr) {
-    if (!facts.program.empty()) lines += fmt::format("program {}, ", printable(facts.program));
-    lines += fmt::format("profile {}\n", printable(facts.profile));
-  }
-  if (facts.stages != nullptr) lines += stages_text(*facts.stages);
-  lines = wrapped(printable_lines(lines), layout.columns);
-  // The trace itself contains no foreign names, but may contain colour escapes.
-  return traced != nullptr ? lines + trace_text(*program, *traced, layout) : lines;
-}
-
 // The answer as a picture for slides.
 std::string picture_of(const TraceFacts& facts, const Program* program, const Trace* traced) {
-  return trace_svg(text_of(facts, program, traced, {.colors = true}),
+  return trace_svg(facts_text(facts, program, traced, {.colors = true}),
                    traced != nullptr ? std::optional(traced->bytes) : std::nullopt);
 }
 
@@ -95,7 +81,7 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
   if (drawn.truth != nullptr) object["truth"] = truth_json(*drawn.truth);
   if (!flags.output.empty() || host() != nullptr) {
     DiagramPage page = trace_page(facts);
-    page.text = text_of(facts, program, shown, {});
+    page.text = facts_text(facts, program, shown, {});
     if (host() != nullptr) host()->give("page", diagram_page(page));
     if (host() != nullptr) host()->give("text", page.text);
     if (flags.output.empty()) return answer(object);
@@ -110,7 +96,7 @@ int print(const TraceFlags& flags, const Drawn& drawn, const Program* program, c
   if (!flags.output.empty()) return kDone;
   const TraceLayout layout{.colors = wants_colors(posix::kStandardOutput),
                            .columns = terminal_columns(posix::kStandardOutput)};
-  return answer_exactly(text_of(facts, program, shown, layout));
+  return answer_exactly(facts_text(facts, program, shown, layout));
 }
 
 void note_stages(const TraceFlags& flags, const std::string& note) {
@@ -163,7 +149,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
   const auto at = window_pixel("--pixel", flags.pixel, settings);
   if (!at) return wrong_usage("trace", at.error().message);
   const int y = settings.height - 1 - at->y;
-  auto rendered = render_pixel(flags.scene, flags.common, {at->x, y, program.has_value(), flags.ground_truth});
+  auto rendered = load_pixel(flags.scene, flags.common, flags.ground_truth, {at->x, y, program.has_value()});
   if (!rendered) return report(rendered.error());
   TracedPixel* const pixel = &rendered->traced;
   if (!flags.pass.empty()) {

@@ -76,6 +76,13 @@ struct HeatMap {
   std::vector<double> x_values{}, y_values{};  // coordinates of the columns and rows, where they are not evenly spaced
 };
 
+// The trace of a pixel of a picture.
+struct PictureTrace {
+  int x = 0, y = 0;     // counted from the top left
+  std::string command;  // `ninebit trace … --pixel X,Y --ground-truth`
+  std::string text{};   // what the command prints; may be empty: the page then shows the command alone
+};
+
 // A picture that is shown unchanged.
 struct ReportPicture {
   std::string file;       // name of the PNG file without ".png"
@@ -83,7 +90,7 @@ struct ReportPicture {
   Image8 image;           // the top row first
   std::string caption{};  // shown below the picture; may be empty
   Image8 causes{};        // of wrong pixels, grey: 0, or an ErrorCause's number, plus 128 if falsely lit; may be empty
-  std::string command{};  // `ninebit trace` of one of these, with `--pixel X,Y`; may be empty
+  std::vector<PictureTrace> traces{};  // of some of these; may be empty
 };
 
 // A file of its own beside the page.

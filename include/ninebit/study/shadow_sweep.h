@@ -1,6 +1,7 @@
 // The wrong pixels of a technique, compared with the ground truth, over a grid of its settings.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/scene/scene.h"
+#include "ninebit/shadow/ground_truth.h"
 #include "ninebit/shadow/technique.h"
 #include "ninebit/study/study.h"
 
@@ -29,6 +31,11 @@ using ShadowGrid = std::vector<ShadowAxis>;
 // Polygon offsets for a search: factors from 0 to 4 with units from 0 to 65536. The first is no offset.
 [[nodiscard]] std::span<const OffsetArguments> offsets_to_search();
 
+// What `ninebit trace --ground-truth` prints of a judged pixel, counted from the top left, of the picture with these
+// settings.
+using TraceText =
+    std::function<Result<std::string>(const RenderSettings& settings, int x, int y, const JudgedPixel& truth)>;
+
 // One unit with one row for each point of the grid: the settings, the counts of drawn and wrong pixels, and the causes.
 // Settings that the technique refuses (more polygons than codes) give a row with the reason and without counts. The
 // order of indices and the scales have columns only if the grid sweeps them or the settings change them.
@@ -36,12 +43,14 @@ using ShadowGrid = std::vector<ShadowAxis>;
 // The report has the pictures of the best and the worst point. If `question` names the scene's file, it also has the
 // commands that explain wrong pixels there, in rows of the table "worst":
 //   point, cause, x, y, radius, command   up to three pixels of a cause (worst_pixels); y counted from the top
+// Study::draw adds the texts that these commands print, for the page, unless `trace` is empty.
 //
 // The scene has exactly one camera and one light. The settings, including the profile, are passed to Technique::render;
 // `question` names the scene, the settings and the grid. Reports an axis that does not apply to the technique, a
 // value that the setting does not allow, a technique that draws no shadows, and the errors of GroundTruthScene::make.
 [[nodiscard]] Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene,
                                                                const Technique& technique,
-                                                               const RenderSettings& settings, const ShadowGrid& grid);
+                                                               const RenderSettings& settings, const ShadowGrid& grid,
+                                                               TraceText trace = {});
 
 }  // namespace ninebit

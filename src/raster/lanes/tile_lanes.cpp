@@ -234,7 +234,7 @@ bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
     }
     if (!context.shades_flat() && state.profile.color_interpolation.value == ColorInterpolation::affine) return false;
   }
-  return target.probe == nullptr && HWY_DYNAMIC_DISPATCH(are_lanes_there)();
+  return HWY_DYNAMIC_DISPATCH(are_lanes_there)();
 }
 
 void begin_pass(LaneTile& tile, const LanePass& pass) {

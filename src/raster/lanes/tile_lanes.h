@@ -25,7 +25,7 @@
 // do not depend on the target, on the order of batches, or on tile.cpp being used instead. Tests compare all of them.
 //
 // Passes that draw the same triangles share their fragments (fragment_reuse.h), which holds the proof.
-// What vectors do not draw, lanes_can_draw() lists: lines and points, output planes, probes. tile.cpp draws those.
+// What vectors do not draw, lanes_can_draw() lists: lines and points, output planes. tile.cpp draws those.
 #pragma once
 
 #include <cstdint>

@@ -16,6 +16,7 @@
 #include "src/study/report/report_colors.h"
 #include "src/study/report/report_text.h"
 #include "src/system/hashing/openssl.h"
+#include "src/system/quoting.h"
 
 namespace ninebit {
 
@@ -76,10 +77,7 @@ Result<Json> json_of(const ReportPicture& picture) {
   if (picture.causes.pixels.empty()) return Json::object();
   const auto png = encode_png(picture.causes);
   if (!png) return png.error();
-  Json causes = Json::array();
-  for (std::size_t cause = 0; cause < kErrorCauses; ++cause) causes.push_back(name_of(static_cast<ErrorCause>(cause)));
-  return Json{
-      {"wrong", "data:image/png;base64," + base64(*png)}, {"causes", std::move(causes)}, {"command", picture.command}};
+  return Json{{"wrong", picture_url(*png)}, {"causes", cause_names()}, {"traces", traces_json(picture.traces)}};
 }
 
 std::string base64_of(const ColorRamp& ramp) {
@@ -112,15 +110,29 @@ Result<std::string> page_data(const StudyReport& report) {
     if (!object) return object.error();
     out["pictures"].push_back(std::move(*object));
   }
-  std::string text;
-  for (const char c : out.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";  // in JSON, '<' occurs only in strings
-    } else {
-      text += c;
-    }
+  return script_text(out);
+}
+
+std::string picture_url(const std::string& png) {
+  return "data:image/png;base64," + base64(png);
+}
+
+nlohmann::ordered_json cause_names() {
+  Json names = Json::array();
+  for (std::size_t cause = 0; cause < kErrorCauses; ++cause) names.push_back(name_of(static_cast<ErrorCause>(cause)));
+  return names;
+}
+
+nlohmann::ordered_json traces_json(std::span<const PictureTrace> traces) {
+  Json out = Json::array();
+  for (const PictureTrace& one : traces) {
+    out.push_back({{"x", one.x}, {"y", one.y}, {"command", one.command}, {"text", one.text}});
   }
-  return text;
+  return out;
+}
+
+std::string script_text(const nlohmann::ordered_json& object) {
+  return script_json(object.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 namespace {

@@ -119,8 +119,9 @@ Result<std::string> pictures(const StudyReport& report) {
     if (!png) return png.error();
     out += fmt::format(
         "<figure id=\"picture-{5}\">\n<figcaption><h3>{0}</h3>{1}</figcaption>\n<img class=\"picture\" alt=\"{0}\" "
-        "width=\"{2}\" height=\"{3}\" src=\"data:image/png;base64,{4}\">\n",
-        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, base64(*png), i);
+        "width=\"{2}\" height=\"{3}\" src=\"{4}\">\n",
+        escaped(picture.title), caption(picture.caption), picture.image.width, picture.image.height, picture_url(*png),
+        i);
     out += file_line(picture.file);
   }
   return out;

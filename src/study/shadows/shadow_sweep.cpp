@@ -51,12 +51,13 @@ struct Judged {
 class ShadowSweep final : public Study {
  public:
   ShadowSweep(StudyQuestion question, Scene scene, const Technique& technique, const RenderSettings& settings,
-              SweptSettings known)
+              SweptSettings known, TraceText trace)
       : question_(std::move(question)),
         scene_(std::move(scene)),
         technique_(technique),
         settings_(settings),
-        known_(std::move(known)) {
+        known_(std::move(known)),
+        trace_(std::move(trace)) {
     settings_.evidence = true;
     question_.options.emplace_back("sha256 of the triangles", hash_of(scene_));
   }
@@ -124,29 +125,61 @@ class ShadowSweep final : public Study {
   }
 
   [[nodiscard]] Result<StudyReport> report(std::span<const StudyRow> rows, std::size_t done) const override {
-    const StudyRow* best = best_row(rows);
-    if (best == nullptr && !rows.empty()) {
+    if (best_row(rows) == nullptr && !rows.empty()) {
       return Diagnostic{.message = fmt::format("no point can be drawn: {}", rows.front().text("refused"))};
     }
     StudyReport report = shadow_sweep_report(known_, axes_, rows, done, units());
-    std::optional<std::uint64_t> shown;
-    for (const auto& [name, row] : {std::pair{"best", best}, std::pair{"worst", worst_row(rows)}}) {
-      if (row == nullptr || row->count("point") == shown) continue;
-      shown = row->count("point");
-      const auto judged = judge(*shown, {});
+    for (const auto& [name, unit] : shown_points(rows)) {
+      const auto judged = judge(unit, {});
       if (!judged) return judged.error();
-      const std::string trace = add_traces(name, *shown, judged->truth, report);
+      auto traces = add_traces(name, unit, judged->truth, report);
       report.pictures.push_back({.file = fmt::format("error-{}", name),
-                                 .title = fmt::format("The {} point: {}", name, unit_name(*shown)),
+                                 .title = fmt::format("The {} point: {}", name, unit_name(unit)),
                                  .image = error_picture(judged->rendering, judged->truth),
                                  .caption = "Orange: lit, and should be in shadow. Blue: the reverse.",
                                  .causes = cause_plane(judged->truth, settings_.width, settings_.height),
-                                 .command = trace});
+                                 .traces = std::move(traces)});
     }
     return report;
   }
 
+  [[nodiscard]] Status draw(std::span<const StudyRow> rows, const DrawProgress& progress,
+                            StudyReport& report) const override {
+    if (!trace_) return {};
+    const auto shown = shown_points(rows);
+    std::size_t all = 0, done = 0;
+    for (const ReportPicture& picture : report.pictures) all += picture.traces.size();
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      if (report.pictures[i].traces.empty()) continue;
+      const RenderSettings settings = settings_at(shown[i].second);
+      const auto rendering = technique_.render(scene_, settings, {});
+      if (!rendering) return rendering.error();
+      for (PictureTrace& one : report.pictures[i].traces) {
+        const double share = static_cast<double>(done++) / static_cast<double>(all);
+        if (progress && !progress(share)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+        const auto truth = judge_pixel(*truth_, settings, *rendering, one.x, settings.height - 1 - one.y);
+        if (!truth) return truth.error();
+        auto text = trace_(settings, one.x, one.y, *truth);
+        if (!text) return text.error();
+        one.text = std::move(*text);
+      }
+    }
+    return {};
+  }
+
  private:
+  // The points whose pictures the report shows, in its order, with their names there.
+  [[nodiscard]] static std::vector<std::pair<std::string_view, std::size_t>> shown_points(
+      std::span<const StudyRow> rows) {
+    std::vector<std::pair<std::string_view, std::size_t>> shown;
+    for (const auto& [name, row] : {std::pair{"best", best_row(rows)}, std::pair{"worst", worst_row(rows)}}) {
+      if (row == nullptr) continue;
+      const std::size_t unit = row->count("point");
+      if (shown.empty() || shown[0].second != unit) shown.emplace_back(name, unit);
+    }
+    return shown;
+  }
+
   [[nodiscard]] RenderSettings settings_at(std::size_t unit) const {
     RenderSettings settings = settings_;
     for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
@@ -179,9 +212,10 @@ class ShadowSweep final : public Study {
     return command + chosen;
   }
 
-  // The wrong pixels of a point that are worth a look, with the commands that explain them; returns one of these. A
+  // Adds the wrong pixels of a point that are worth a look, with the commands that explain them, and returns these. A
   // scene without a file has none.
-  std::string add_traces(std::string_view name, std::size_t unit, const GroundTruth& truth, StudyReport& report) const {
+  std::vector<PictureTrace> add_traces(std::string_view name, std::size_t unit, const GroundTruth& truth,
+                                       StudyReport& report) const {
     if (question_.arguments.empty()) return {};
     const auto worst = worst_traces(truth, settings_.width, settings_.height, trace_command(unit));
     if (worst.empty()) return {};
@@ -199,7 +233,7 @@ class ShadowSweep final : public Study {
       report.answers.push_back(fmt::format("A wrong pixel of the {} point, {}: {}", name, cause, one.command));
     }
     report.tables.push_back(std::move(table));
-    return worst.front().command;
+    return {worst.begin(), worst.end()};
   }
 
   [[nodiscard]] Result<Judged> judge(std::size_t unit, const GoOn& go_on) const {
@@ -249,6 +283,7 @@ class ShadowSweep final : public Study {
   SweptSettings known_;
   std::vector<SweepAxis> axes_;
   std::vector<std::vector<std::string>> texts_;  // the axes' values as in flags
+  TraceText trace_;
   std::optional<GroundTruthScene> truth_;
 };
 
@@ -259,10 +294,12 @@ std::span<const OffsetArguments> offsets_to_search() {
 }
 
 Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene, const Technique& technique,
-                                                 const RenderSettings& settings, const ShadowGrid& grid) {
+                                                 const RenderSettings& settings, const ShadowGrid& grid,
+                                                 TraceText trace) {
   const auto known = swept_settings(technique, settings, grid);
   if (!known) return known.error();
-  auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, *known);
+  auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, *known,
+                                             std::move(trace));
   if (Status prepared = sweep->prepare(grid); !prepared) return prepared.error();
   return std::unique_ptr<Study>(std::move(sweep));
 }

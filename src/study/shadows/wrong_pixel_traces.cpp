@@ -17,7 +17,7 @@ std::vector<WrongPixelTrace> worst_traces(const GroundTruth& truth, int width, i
   std::vector<WrongPixelTrace> traces;
   for (const WorstPixel& pixel : worst_pixels(truth, width, height, kMostOfCause)) {
     const int y = height - 1 - pixel.y;
-    traces.push_back({pixel, pixel.x, y, fmt::format("{} --pixel {},{} --ground-truth", picture, pixel.x, y)});
+    traces.push_back({{pixel.x, y, fmt::format("{} --pixel {},{} --ground-truth", picture, pixel.x, y)}, pixel});
   }
   return traces;
 }

@@ -10,11 +10,9 @@
 
 namespace ninebit {
 
-// A wrong pixel of a drawn picture, and `ninebit trace … --ground-truth` of it.
-struct WrongPixelTrace {
+// A wrong pixel of a drawn picture, and its trace.
+struct WrongPixelTrace : PictureTrace {
   WorstPixel pixel;
-  int x = 0, y = 0;  // counted from the top left
-  std::string command;
 };
 
 // The worst pixels of each cause. `picture`: `ninebit trace` with the flags that draw the picture.

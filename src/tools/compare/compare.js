@@ -105,7 +105,7 @@ function addPictures(page) {
   }
   part.append(swipe.element);
   const divider = swipe.element.querySelector("[role=slider]");
-  pictureProbe(part, pictureWidth, pictureHeight, data.causes)(swipe.element, (across) => drawn[pair[100 * across < Number(divider.ariaValueNow) ? "left" : "right"]]);
+  pictureProbe(part, pictureWidth, pictureHeight, data.causes).watch(swipe.element, (across) => drawn[pair[100 * across < Number(divider.ariaValueNow) ? "left" : "right"]]);
   for (const side of ["left", "right"]) show(side);
 }
 
@@ -201,7 +201,7 @@ function addMaps(page) {
   bar.style.background = `linear-gradient(to right, ${heatStops.map((rgb) => `rgb(${rgb})`).join(", ")})`;
   const high = add(scale, "span");
   scale.append(` in squares of ${2 * heatRadius + 1} pixels; the same scale for all pictures, by square roots`);
-  const watch = pictureProbe(part, pictureWidth, pictureHeight, data.causes);
+  const { watch, list } = pictureProbe(part, pictureWidth, pictureHeight, data.causes);
   const grid = add(part, "div", undefined, "maps");
   for (const row of judged) {
     const figure = add(grid, "figure");
@@ -214,12 +214,12 @@ function addMaps(page) {
     const caption = add(figure, "figcaption");
     add(caption, "b", row.name);
     row.count = add(caption, "span");
+    list(figure, row);
   }
   paint();
 }
 
 async function load(row) {
-  row.command = row.errors?.worst?.[0]?.command;
   row.picture = new Image();
   row.picture.src = row.color;
   await row.picture.decode();

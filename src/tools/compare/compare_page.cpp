@@ -5,39 +5,27 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "ninebit/shadow/ground_truth.h"
+#include "src/study/report/page_data.h"
 #include "src/study/report/page_texts.h"
-#include "src/system/hashing/openssl.h"
 
 namespace ninebit::tools {
 namespace {
 
-std::string picture_url(const std::string& png) {
-  return "data:image/png;base64," + base64(png);
-}
-
-// The page's data without the character '<', so that nothing in it can end a <script> element.
+// The page's data.
 std::string page_json(const CompareFlags& flags, const Comparison& comparison) {
   Json data = compare_json(flags, comparison);
   for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
     const ComparedRow& row = comparison.rows[i];
     if (!row.color.empty()) data["rows"][i]["color"] = picture_url(row.color);
     if (!row.wrong.empty()) data["rows"][i]["wrong_pixels"] = picture_url(row.wrong);
-  }
-  data["made_by"] = given_command();
-  data["causes"] = Json::array();
-  for (std::size_t cause = 0; cause < kErrorCauses; ++cause) {
-    data["causes"].push_back(name_of(static_cast<ErrorCause>(cause)));
-  }
-  std::string text;
-  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";  // in JSON, '<' occurs only in strings
-    } else {
-      text += c;
+    if (row.errors) {
+      const std::vector<PictureTrace> traces(row.errors->worst.begin(), row.errors->worst.end());
+      data["rows"][i]["traces"] = traces_json(traces);
     }
   }
-  return text;
+  data["made_by"] = given_command();
+  data["causes"] = cause_names();
+  return script_text(data);
 }
 
 // A module without its lines of imports: on the page all modules are one.

@@ -17,6 +17,7 @@
 #include "src/tools/common/given_pictures.h"
 #include "src/tools/common/picture_hashes.h"
 #include "src/tools/common/technique_flags.h"
+#include "src/tools/trace/trace_page.h"
 
 namespace ninebit::tools {
 namespace {
@@ -306,6 +307,25 @@ std::vector<std::string> traced_arguments(const ComparedPoint& point, const Ligh
   return arguments;
 }
 
+// Adds what the commands print for the page.
+Status add_trace_texts(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene,
+                       const Rendering& rendering, const RenderSettings& settings, const GroundTruthScene& rays,
+                       std::vector<WrongPixelTrace>& worst) {
+  ErrorCause last = ErrorCause::none;
+  for (WrongPixelTrace& one : worst) {
+    if (flags.traces == CompareFlags::Traces::none || ProgressLine::stopped()) return {};
+    const bool is_first = one.pixel.cause != last;
+    last = one.pixel.cause;
+    if (!is_first && flags.traces != CompareFlags::Traces::all) continue;
+    const auto truth = judge_pixel(rays, settings, rendering, one.pixel.x, one.pixel.y);
+    if (!truth) return truth.error();
+    auto text = judged_pixel_text(point.scene, point.common, scene, settings, one.x, one.y, *truth);
+    if (!text) return text.error();
+    one.text = std::move(*text);
+  }
+  return {};
+}
+
 Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene, const Rendering& rendering,
                  const RenderSettings& settings, const GroundTruthScene& rays, const Progress& progress,
                  ComparedRow& row) {
@@ -317,8 +337,11 @@ Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Sc
     errors.by_cause.emplace_back(name_of(cause), truth->by_cause[static_cast<std::size_t>(cause)]);
   }
   // No flag of `trace` gives a chip exact combiners, so such a picture has no command.
-  if (!point.exact)
+  if (!point.exact) {
     errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0]), *truth);
+    Status added = add_trace_texts(flags, point, scene, rendering, settings, rays, errors.worst);
+    if (!added) return added;
+  }
   Image8 causes = cause_plane(*truth, settings.width, settings.height);
   auto plane = encode_png(causes);
   if (!plane) return plane.error();

@@ -10,6 +10,7 @@
 #include "ninebit/shadow/technique.h"
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/common/trace_command.h"
+#include "src/tools/input/host.h"
 
 namespace ninebit::tools {
 
@@ -20,6 +21,10 @@ struct CompareFlags {
   std::string sheet;                        // a PNG file; empty: none
   std::vector<std::string> vary;            // each FLAG=VALUE,VALUE…
   std::vector<CLI::Option*> scene_options;  // those of add_scene_flags, and --profile
+
+  enum class Traces { none, one_of_cause, all } traces = Traces::none;  // that the page has of the listed pixels
+
+  [[nodiscard]] bool makes_page() const { return !folder.empty() || host() != nullptr; }
 };
 
 // One rendering, with the flags that `render` would get.
@@ -50,6 +55,9 @@ struct ComparedPoints {
 // The most renderings, and the most pixels of all of them together: their pictures are part of the page.
 inline constexpr std::size_t kMostCompared = 64;
 inline constexpr std::size_t kMostComparedPixels = std::size_t{1} << 26;
+
+// The most renderings on a page that has the traces of all listed pixels; beyond, it has one of each cause.
+inline constexpr std::size_t kMostFullyTraced = 8;
 
 // "point", "spot" or "directional".
 [[nodiscard]] const char* light_kind_name(LightKind kind);

@@ -58,9 +58,13 @@ Result<Texture> read_pictures(std::span<const std::filesystem::path> files, cons
                               std::vector<std::string>& warnings) {
   TextureReadOptions options{.any_size = files.size() == 1, .isolated = true, .go_on = &go_on};
   options.on_resample = [&](int width, int height) {
+    const std::string text = resampled_text(files[0], width, height);
+    const auto says_it = [&](const std::string& warning) { return warning.starts_with(text); };
+    if (std::any_of(warnings.begin(), warnings.end(), says_it)) return;  // and why
     warnings.push_back(
-        fmt::format("{}: {} x {} is resampled to powers of two; 2D textures of the time have no other sizes",
-                    printable(files[0].string()), width, height));
+        fmt::format("{}, as 2D textures of the time have no other sizes; rectangle:{}, whose coordinates count texels, "
+                    "keeps its size",
+                    text, printable(files[0].string())));
   };
   if (files.size() == 1) {
     return image_detail::read_texture(profile, files[0], options, image_detail::kPictureModule);
@@ -78,6 +82,10 @@ Result<Texture> read_texture_files(std::span<const std::filesystem::path> files,
 }
 
 }  // namespace
+
+std::string resampled_text(const std::filesystem::path& file, int width, int height) {
+  return fmt::format("{}: {} x {} is resampled to powers of two", printable(file.string()), width, height);
+}
 
 Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::string& file,
                                               const HardwareProfile* given) {

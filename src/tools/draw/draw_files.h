@@ -1,6 +1,7 @@
 // How `ninebit draw` reads the files of an effect.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,10 @@ struct DrawnFile {
 // `defines`: as ProgramFlags::defines, of all programs that take definitions.
 [[nodiscard]] EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>& defines,
                                            std::vector<std::string>& warnings);
+
+// "FILE: 37 x 11 is resampled to powers of two": how the warning about a picture begins. The readers leave it out where
+// `warnings` has one that begins so.
+[[nodiscard]] std::string resampled_text(const std::filesystem::path& file, int width, int height);
 
 // The profile to draw an effect with: `given` (of --profile) if there is one, else that of the effect; nullptr: neither
 // says one. Reports an unknown name, with the effect's file.

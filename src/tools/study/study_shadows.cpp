@@ -12,6 +12,7 @@
 #include "src/tools/common/scene_flags.h"
 #include "src/tools/common/scene_textures.h"
 #include "src/tools/study/study.h"
+#include "src/tools/trace/trace_page.h"
 
 namespace ninebit::tools {
 namespace {
@@ -138,6 +139,22 @@ void complete_grid(ShadowsFlags& flags) {
   }
 }
 
+// The texts of traces of the flags' scene, which is loaded with its textures for the first of them. The study itself
+// reads no textures: where they cannot be read, the texts are empty.
+TraceText trace_text_of(const ShadowsFlags& flags) {
+  using Loaded = std::optional<Result<DrawnScene>>;
+  return [loaded = std::make_shared<Loaded>(), scene_flags = flags.scene, common = flags.study.common](
+             const RenderSettings& settings, int x, int y, const JudgedPixel& truth) -> Result<std::string> {
+    const bool is_first = !*loaded;
+    if (is_first) loaded->emplace(load_drawn_scene(scene_flags, settings));
+    const Result<DrawnScene>& drawn = **loaded;
+    if (drawn) return judged_pixel_text(scene_flags, common, drawn->scene, settings, x, y, truth);
+    if (drawn.error().fault == Fault::cancelled) return drawn.error();
+    if (is_first) say_warning(fmt::format("the report has the commands of traces alone: {}", drawn.error().text()));
+    return std::string();
+  };
+}
+
 Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   RenderSettings settings = settings_of(flags.scene, flags.study.common);
   const std::string& technique = flags.scene.technique;
@@ -151,7 +168,7 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   auto scene = load_scene(flags.scene, settings);
   if (!scene) return scene.error();
   return make_shadow_sweep(std::move(question).value(), std::move(scene).value(), *find_technique(technique), settings,
-                           grid_of(flags));
+                           grid_of(flags), trace_text_of(flags));
 }
 
 // Removes the flag of a single value where its list has the same name; else the two exclude each other.

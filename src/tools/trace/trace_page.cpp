@@ -9,6 +9,7 @@
 #include "ninebit/language/explain.h"
 #include "src/system/lines.h"
 #include "src/tools/common/explanation.h"
+#include "src/tools/input/host.h"
 #include "src/tools/input/printable.h"
 #include "src/tools/trace/trace_pixel.h"
 
@@ -72,6 +73,31 @@ Json drawn_passes(const TraceFacts& facts) {
 }
 
 }  // namespace
+
+std::string facts_text(const TraceFacts& facts, const Program* program, const Trace* traced, TraceLayout layout) {
+  std::string lines = facts.pixel != nullptr ? pixel_text(*facts.pixel) : "";
+  if (facts.truth != nullptr) lines += truth_text(*facts.pixel, *facts.truth);
+  if (traced != nullptr) {
+    if (!facts.program.empty()) lines += fmt::format("program {}, ", printable(facts.program));
+    lines += fmt::format("profile {}\n", printable(facts.profile));
+  }
+  if (facts.stages != nullptr) lines += stages_text(*facts.stages);
+  lines = wrapped(printable_lines(lines), layout.columns);
+  // The trace itself contains no foreign names, but may contain colour escapes.
+  return traced != nullptr ? lines + trace_text(*program, *traced, layout) : lines;
+}
+
+Result<std::string> judged_pixel_text(const SceneFlags& flags, const CommonFlags& common, const Scene& scene,
+                                      const RenderSettings& settings, int x, int y, const JudgedPixel& truth) {
+  const auto rendered = render_pixel(flags, scene, settings, nullptr, {.x = x, .y = y}, {});
+  if (!rendered) return rendered.error();
+  const TracedPixel& pixel = rendered->traced;
+  const TraceFacts facts{.profile = common.profile, .pixel = &pixel, .truth = &truth, .hardware = &settings.profile};
+  if (!pixel.fragment) return facts_text(facts, nullptr, nullptr, {});
+  const ProbedPass& pass = pixel.passes[*pixel.pass];
+  const Trace traced = trace(*pass.program, settings.profile, pass.fragments[*pixel.fragment].registers);
+  return facts_text(facts, &*pass.program, &traced, {});
+}
 
 DiagramPage trace_page(const TraceFacts& facts) {
   DiagramPage page{.kind = "ninebit trace", .title = printable(facts.program)};

@@ -1,4 +1,4 @@
-// The page of a trace.
+// A traced fragment for people, as text and as a page.
 #pragma once
 
 #include <string>
@@ -7,6 +7,8 @@
 #include "ninebit/shadow/ground_truth.h"
 #include "src/effect/traced_pixel.h"
 #include "src/page/diagram_page.h"
+#include "src/tools/common/scene_flags.h"
+#include "src/tools/trace/trace_text.h"
 
 namespace ninebit::tools {
 
@@ -21,6 +23,16 @@ struct TraceFacts {
   RegisterFile registers{};                     // without a pixel
   const TextureShaderResult* stages = nullptr;  // without a pixel, if stages ran
 };
+
+// The texts of the pixel, then the trace of the program, if there is one.
+[[nodiscard]] std::string facts_text(const TraceFacts& facts, const Program* program, const Trace* traced,
+                                     TraceLayout layout);
+
+// What `ninebit trace --scene … --pixel X,Y --ground-truth` prints to a file, of a scene that is loaded and a pixel
+// that is judged, counted from the top left. The settings are those of the picture.
+[[nodiscard]] Result<std::string> judged_pixel_text(const SceneFlags& flags, const CommonFlags& common,
+                                                    const Scene& scene, const RenderSettings& settings, int x, int y,
+                                                    const JudgedPixel& truth);
 
 // The page with every pass that drew at the pixel, but without its text. A pass is traced at the fragment that decided
 // it. Without any fragment the page has no diagram.

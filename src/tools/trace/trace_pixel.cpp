@@ -45,20 +45,13 @@ Status choose_pass_named(const std::string& name, bool other_program, TracedPixe
                                            names.empty() ? "none, as nothing was drawn at the pixel" : names)};
 }
 
-Result<RenderedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common, const PixelQuestion& question) {
-  const ThreadLimit limit(common.threads);
-  RenderSettings settings = settings_of(flags, common);
+Result<RenderedPixel> render_pixel(const SceneFlags& flags, const Scene& scene, RenderSettings settings,
+                                   const GroundTruthScene* rays, const PixelQuestion& question,
+                                   const Progress& progress) {
   const int x = question.x, row = settings.height - 1 - question.y;
   settings.pixel = glm::ivec2(x, row);
-  settings.evidence = question.ground_truth;
-  ProgressLine line(common.quiet);
-  line.step("loading", 0.0);
-  const auto loaded = load_drawn_scene(flags, settings);
-  if (!loaded) return loaded.error();
-  warn_of_ignored(flags.file, loaded->ignored);
-  const Scene* const scene = &loaded->scene;
-  auto rendering = render_scene(flags, *scene, settings,
-                                [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); });
+  settings.evidence = rays != nullptr;
+  auto rendering = render_scene(flags, scene, settings, progress);
   if (!rendering) return rendering.error();
 
   const auto at =
@@ -69,22 +62,39 @@ Result<RenderedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& c
   pixel.y = question.y;
   pixel.file = flags.file;
   pixel.technique = flags.technique;
-  pixel.size = flags.size;
+  pixel.size = fmt::format("{}x{}", settings.width, settings.height);
   pixel.state = state_of(rendering->frame, at);
   pixel.passes = rendering->probed;
   pixel.index_order = std::move(rendering->index_order);
-  for (const SceneObject& object : scene->objects) pixel.objects.push_back(object.name);
-  pixel.object_of = scene->triangle_object;
+  for (const SceneObject& object : scene.objects) pixel.objects.push_back(object.name);
+  pixel.object_of = scene.triangle_object;
   if (const ProbedPass* const decided = deciding_pass(*rendering)) {
     choose(static_cast<std::size_t>(decided - rendering->probed.data()), question.other_program, pixel);
   }
-  if (!question.ground_truth) return out;
-  const auto rays = GroundTruthScene::make(*scene);
-  if (!rays) return rays.error();
+  if (rays == nullptr) return out;
   const auto judged = judge_pixel(*rays, settings, *rendering, x, row);
   if (!judged) return judged.error();
   out.truth = *judged;
   return out;
+}
+
+Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& common, bool ground_truth,
+                                 const PixelQuestion& question) {
+  const ThreadLimit limit(common.threads);
+  const RenderSettings settings = settings_of(flags, common);
+  ProgressLine line(common.quiet);
+  line.step("loading", 0.0);
+  const auto loaded = load_drawn_scene(flags, settings);
+  if (!loaded) return loaded.error();
+  warn_of_ignored(flags.file, loaded->ignored);
+  std::optional<GroundTruthScene> rays;
+  if (ground_truth) {
+    auto made = GroundTruthScene::make(loaded->scene);
+    if (!made) return made.error();
+    rays.emplace(std::move(*made));
+  }
+  const auto step = [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); };
+  return render_pixel(flags, loaded->scene, settings, rays ? &*rays : nullptr, question, step);
 }
 
 namespace {

@@ -19,17 +19,21 @@ namespace ninebit::tools {
 struct PixelQuestion {
   int x = 0, y = 0;            // from the top left, inside the picture
   bool other_program = false;  // a program replaces that of the pass
-  bool ground_truth = false;   // --ground-truth
 };
 struct RenderedPixel {
   TracedPixel traced;
-  std::optional<JudgedPixel> truth;  // of --ground-truth
+  std::optional<JudgedPixel> truth{};  // of --ground-truth
 };
 
 // Renders the scene and probes the pixel. The traced fragment is the one that decided the result of deciding_pass();
-// without a program it is traced only if another one replaces it.
-[[nodiscard]] Result<RenderedPixel> render_pixel(const SceneFlags& flags, const CommonFlags& common,
-                                                 const PixelQuestion& question);
+// without a program it is traced only if another one replaces it. `rays`, of the scene, judge the pixel; nullptr: it is
+// not judged.
+[[nodiscard]] Result<RenderedPixel> render_pixel(const SceneFlags& flags, const Scene& scene, RenderSettings settings,
+                                                 const GroundTruthScene* rays, const PixelQuestion& question,
+                                                 const Progress& progress);
+// The same for the scene of the flags, with its progress line and warnings.
+[[nodiscard]] Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& common, bool ground_truth,
+                                               const PixelQuestion& question);
 
 // Selects another pass. Reports a name that no pass has, which is wrong usage.
 [[nodiscard]] Status choose_pass_named(const std::string& name, bool other_program, TracedPixel& pixel);
