@@ -15,9 +15,9 @@
 //
 // The steps, each in its file: triangles of a block are placed in the tile several at a time, as 32-bit edge functions
 // and depth planes relative to the tile (tile_triangles-inl.h); slim ones are drawn with two or four rows in a vector
-// (lane_rows-inl.h), others row by row (lane_triangle-inl.h; smoothed ones: lane_smooth-inl.h); fragments that pass the
-// tests that can be made early are pushed into the batch (lane_gather-inl.h); a full batch is interpolated, textured,
-// combined and stored (lane_batch.cpp).
+// (lane_rows-inl.h), others row by row (lane_triangle-inl.h; smoothed ones: lane_smooth-inl.h); fragments of lines and
+// points are found one by one (lane_lines-inl.h); fragments that pass the tests that can be made early are pushed into
+// the batch (lane_gather-inl.h); a full batch is interpolated, textured, combined and stored (lane_batch.cpp).
 //
 // Exactness: coverage is decided by whole numbers, which are the edge functions or have their signs. Depth is a
 // fixed-point number whose error has a proven bound; within the bound of a whole number the exact plane of 64 bits is
@@ -25,7 +25,8 @@
 // do not depend on the target, on the order of batches, or on tile.cpp being used instead. Tests compare all of them.
 //
 // Passes that draw the same triangles share their fragments (fragment_reuse.h), which holds the proof.
-// What vectors do not draw, lanes_can_draw() lists: lines and points, output planes, probes. tile.cpp draws those.
+// What vectors do not draw, lanes_can_draw() lists: lines and points of one colour, output planes, probes. tile.cpp
+// draws those.
 #pragma once
 
 #include <cstdint>
