@@ -21,6 +21,15 @@ PipelineState random_view(Random& random, const PassScene& scene) {
                             .units = random.one_in(4) ? random.pick({3e8F, -3e8F}) : random.real_f(-300, 300)};
   }
   state.polygon_smooth = random.one_in(6);
+  state.line_smooth = random.one_in(3);
+  state.line_width = random.pick({1.0F, 1.0F, 2.0F, 2.5F, 4.125F});
+  state.point_size = random.pick({0.0F, 1.0F, 2.5F, 8.0F, 31.0F});
+  if (random.one_in(4)) {
+    state.front_mode = static_cast<PolygonMode>(random.below(3));
+    state.back_mode = static_cast<PolygonMode>(random.below(3));
+    state.polygon_offset.line = random.one_in(4);
+    state.polygon_offset.point = random.one_in(4);
+  }
   if (random.one_in(4)) {
     state.depth_near = random.real_f(0, 1);
     state.depth_far = random.real_f(0, 1);
@@ -101,7 +110,8 @@ void add_geometry(Random& random, PassScene& scene) {
   }
   if (random.one_in(4)) {
     scene.type = random.pick({PrimitiveType::triangle_strip, PrimitiveType::triangle_fan, PrimitiveType::quads,
-                              PrimitiveType::quad_strip, PrimitiveType::polygon});
+                              PrimitiveType::quad_strip, PrimitiveType::polygon, PrimitiveType::points,
+                              PrimitiveType::lines, PrimitiveType::line_strip, PrimitiveType::line_loop});
   }
   if (random.one_in(2)) return;
   // Every vertex in its order, and some of them again: equal depths meet.
@@ -167,7 +177,16 @@ void add_program(Random& random, RandomPass& pass, std::size_t vertices) {
   for (std::size_t unit = 0; unit < static_cast<std::size_t>(int{state.profile.texture_units}); ++unit) {
     if (!random.one_in(3)) add_texture(random, pass, unit, vertices);
   }
-  if (random.one_in(4)) state.fog = {true, {random.byte(), random.byte(), random.byte()}};
+  state.point_sprite.enabled = state.profile.point_sprites && random.one_in(2);
+  for (bool& replaces : state.point_sprite.coord_replace) replaces = random.one_in(2);
+  if (!random.one_in(4)) return;
+  state.fog = {true,
+               {random.byte(), random.byte(), random.byte()},
+               static_cast<FogFunction>(random.below(7)),
+               random.real_f(0.5, 2),
+               random.real_f(-1, 1)};
+  if (random.one_in(4)) return;
+  for (std::size_t i = 0; i < vertices; ++i) pass.fog_factors.push_back(random.real_f(-1, 2));
 }
 
 void add_colors(Random& random, const PassScene& scene, RandomPass& pass) {
@@ -202,6 +221,7 @@ VertexArrays PassScene::arrays(const RandomPass& pass) const {
   a.vertex_colors = pass.vertex_colors;
   a.primitive_colors = pass.primitive_colors;
   a.secondary_colors = pass.secondary_colors;
+  a.fog_factors = pass.fog_factors;
   for (std::size_t i = 0; i < kMaxTextureUnits; ++i) {
     a.texture_coordinates[i] = pass.coordinates[i];
     a.texture_q[i] = pass.q[i];

@@ -12,6 +12,7 @@ namespace ninebit::test {
 struct RandomPass {
   PipelineState state;
   std::vector<ColorBytes> vertex_colors, primitive_colors, secondary_colors;
+  std::vector<float> fog_factors;  // or none
   std::array<std::vector<glm::vec3>, kMaxTextureUnits> coordinates;
   std::array<std::vector<float>, kMaxTextureUnits> q;  // or none
   std::array<Texture, kMaxTextureUnits> textures;      // without a level: the unit is off

@@ -32,10 +32,9 @@ namespace NINEBIT_PUBLIC ninebit {
 // 255 (n + 1) >> 12 (rule 25), or to nearest. Clamped to [0, 255]; NaN becomes 0.
 [[nodiscard]] constexpr std::uint8_t byte_of_fog_factor(const HardwareProfile& profile, float factor) {
   if (profile.fog_byte.value == StageByte::nearest) return byte_of_color(factor);
-  if (!(factor > 0.0F)) return 0;
-  if (factor >= 1.0F) return 255;
-  const int n = static_cast<int>(factor * 4096.0F);
-  return static_cast<std::uint8_t>(255 * (n + 1) >> 12);
+  const float within = factor > 0.0F ? (factor < 1.0F ? factor : 1.0F) : 0.0F;  // compilers vectorize loops of it
+  const int n = static_cast<int>(within * 4096.0F);
+  return static_cast<std::uint8_t>(n < 4096 ? 255 * (n + 1) >> 12 : 255);
 }
 
 // Converts a float vertex colour to the byte that the combiners read (rule 17): cuts the mantissa to the profile's

@@ -17,6 +17,14 @@ bool replaces_depth(const PipelineState& state) {
                      [](const TextureStage& s) { return s.operation == TextureOperation::dot_product_depth_replace; });
 }
 
+// Whether primitives of a type may be drawn as lines or as points.
+bool draws(const PipelineState& state, PrimitiveType type, PolygonMode mode) {
+  using enum PrimitiveType;
+  if (type == points) return mode == PolygonMode::point;
+  if (type == lines || type == line_strip || type == line_loop) return mode == PolygonMode::line;
+  return state.front_mode == mode || state.back_mode == mode;
+}
+
 // The registers with the values that all fragments share; texture registers differ per fragment.
 RegisterFile initial_of(const DrawContext& context) {
   FragmentInputs inputs;
@@ -72,10 +80,12 @@ DrawContext::DrawContext(const PipelineState& pipeline, const VertexArrays& vert
       operations(pipeline, target, !for_probe && !replaces_depth(pipeline)),
       outputs(target),
       depth(target.format, state.profile.depth_narrowing, state.float_depth_one),
-      largest_depth(max_depth(target.format)) {
+      largest_depth(max_depth(target.format)),
+      draws_lines(draws(pipeline, assembly.type(), PolygonMode::line)),
+      draws_points(draws(pipeline, assembly.type(), PolygonMode::point)) {
   state.texture_shader.enabled ? prepare_stages(units) : prepare_units(units);
   has_flat_result = !for_probe && !stages_decide && !kills_by_key && !state.polygon_smooth &&
-                    outputs.need_fragment_alone() &&
+                    !(state.line_smooth && draws_lines) && outputs.need_fragment_alone() &&
                     (!operations.needs_color() || (!state.program && shades_flat(arrays.vertex_colors)));
   fills_registers =
       for_probe || kills_by_key || state.program.has_value() || outputs.needs_registers() || outputs.needs_output();

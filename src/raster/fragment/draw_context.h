@@ -76,11 +76,12 @@ struct DrawContext {
   // The change of s at points, where rho is 1 (OpenGL 1.3, 3.8.8), for units and stages that read at s/q, t/q, r/q.
   std::array<float, kMaxTextureUnits> point_change{};
   bool needs_texture_changes = false;
-  bool kills_by_key = false;                                     // whether a unit's colour key may kill fragments
+  bool draws_lines, draws_points;  // whether primitives may be lines, or points, by their type or by polygon modes
+  bool kills_by_key = false;       // whether a unit's colour key may kill fragments
   std::array<std::array<bool, 2>, kMaxTextureUnits> cylinder{};  // which units' s and t wrap around one
 
   // Whether every fragment's final colour is its primitive's flat_primary and no plane needs more of the fragment. (Of
-  // smoothed polygons, vectors gather the coverage of fragments.)
+  // smoothed primitives, vectors gather the coverage of fragments.)
   bool has_flat_result = false;
   // Whether registers have to be filled at all, and which units and registers are then read.
   bool fills_registers = false;

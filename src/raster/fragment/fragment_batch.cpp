@@ -10,38 +10,11 @@
 namespace ninebit {
 namespace {
 
-float unit_range(float value) {
-  return !(value > 0.0F) ? 0.0F : value > 1.0F ? 1.0F : value;
-}
-
-// The vertex that is not an end of a line has the share 0; the line's ends follow it in order, which holds for the
-// edges of polygons, too.
 std::array<float, 3> eight_bit_weights(const std::array<float, 3>& share, bool is_line) {
   constexpr one_fragment::Numbers o{};
-  const auto other = static_cast<std::size_t>(std::find(share.begin(), share.end(), 0.0F) - share.begin());
-  if (is_line && other < share.size()) {
-    const std::size_t start = (other + 1) % 3, end = (other + 2) % 3;
-    std::array<float, 3> weight{};
-    weight[end] = eight_bit_share(o, share[end]);
-    weight[start] = remaining_weight(o, weight[end], 0.0F);
-    return weight;
-  }
-  const float first = eight_bit_share(o, share[0]), third = eight_bit_share(o, share[2]);
-  return {first, remaining_weight(o, first, third), third};
-}
-
-// The coordinates of a pixel's centre across its point, and their change from pixel to pixel (rule 46).
-struct SpritePlace {
-  float s, t, change;
-};
-
-// A point of size 0 has one pixel, the middle of the texture (assumed).
-SpritePlace sprite_place(const SetupPrimitive& point, int eighths, int x, int y) {
-  if (eighths == 0) return {0.5F, 0.5F, 0.0F};
-  // In sixteenths of a pixel half the size is `eighths`.
-  const int from_left = 16 * x + 8 - (point.x_q4()[0] - eighths), from_top = point.y_q4()[0] + eighths - (16 * y + 8);
-  const auto size = static_cast<float>(2 * eighths);
-  return {static_cast<float>(from_left) / size, static_cast<float>(from_top) / size, 16.0F / size};
+  const auto weights = is_line ? one_fragment::eight_bit_line_weights(o, share[0], share[1], share[2])
+                               : one_fragment::eight_bit_weights(o, share[0], share[2]);
+  return {weights.first, weights.second, weights.third};
 }
 
 }  // namespace
@@ -93,9 +66,7 @@ void FragmentBatch::fill_fog() {
   const HardwareProfile& profile = context_.state.profile;
   const Fog& fog = context_.state.fog;
   const std::span<const float> values = context_.arrays.fog_factors;
-  const auto at_vertex = [&](std::uint32_t v) {
-    return fog.function == FogFunction::factor ? unit_range(values[v]) : values[v];
-  };
+  const auto at_vertex = [&](std::uint32_t v) { return fog_at_vertex(fog, values[v]); };
   s9* const codes = registers_(Register::fog, kAlpha);
   for (std::size_t i = 0; i < count_; ++i) {
     const std::array<std::uint32_t, 3>& v = place_[i].corners->vertex;
@@ -147,11 +118,9 @@ void FragmentBatch::fill_texture(std::size_t unit) {
     if (!is_sprite(i, unit)) continue;
     const int eighths = eighths_of(context_.state.point_size);
     const SpritePlace at = sprite_place(*place_[i].primitive, eighths, fragment_[i].x, fragment_[i].y);
+    const std::array<std::array<float, 4>, 3> values = sprite_coordinates(at);
     for (std::size_t kind = 0; kind < kinds; ++kind) {
-      const bool is_place = kind == 0;
-      coordinates_[kind][0][i] = is_place ? at.s : kind == 1 ? at.change : 0.0F;
-      coordinates_[kind][1][i] = is_place ? at.t : kind == 2 ? -at.change : 0.0F;
-      if (components > 2) coordinates_[kind][2][i] = 0.0F;
+      for (std::size_t k = 0; k < components; ++k) coordinates_[kind][k][i] = values[kind][k];
     }
   }
   TextureCoordinates coordinates;
@@ -198,8 +167,7 @@ void FragmentBatch::run_stages() {
       if (!is_sprite(i, unit)) continue;
       const int eighths = eighths_of(context_.state.point_size);
       const SpritePlace at = sprite_place(*place_[i].primitive, eighths, fragment_[i].x, fragment_[i].y);
-      const std::array<std::array<float, 4>, 3> values{
-          {{at.s, at.t, 0.0F, 1.0F}, {at.change, 0.0F, 0.0F, 0.0F}, {0.0F, -at.change, 0.0F, 0.0F}}};
+      const std::array<std::array<float, 4>, 3> values = sprite_coordinates(at);
       for (std::size_t kind = 0; kind < stages_->kinds(); ++kind) {
         for (std::size_t k = 0; k < 4; ++k) {
           if (stages_->needs(unit, k)) stages_->at(kind, unit, k)[i] = values[kind][k];

@@ -13,6 +13,7 @@
 #include "src/raster/fragment/fragment_operations.h"
 #include "src/raster/fragment/fragment_stages.h"
 #include "src/raster/fragment/interpolation.h"
+#include "src/raster/fragment/sprite_place.h"
 #include "src/raster/setup/window_primitives.h"
 
 namespace ninebit {
@@ -54,8 +55,7 @@ class FragmentBatch {
   void fill_stage_coordinate(std::size_t kind, std::size_t unit, std::size_t k);
   // Whether fragment i has coordinates that run across its point, of that unit.
   [[nodiscard]] bool is_sprite(std::size_t i, std::size_t unit) const {
-    const PointSprite& sprite = context_.state.point_sprite;
-    return sprite.enabled && sprite.coord_replace[unit] && place_[i].primitive->kind == SetupKind::point;
+    return has_sprites(context_.state, unit) && place_[i].primitive->kind == SetupKind::point;
   }
   void divide_coordinates(std::size_t unit, std::size_t components, std::size_t kinds);
   void fill_registers();

@@ -255,6 +255,7 @@ HWY_NOINLINE void run_stages(LaneFragments& f, LaneBatch& batch, const DrawConte
       }
       fill_stage_coordinates(f, *shares[kind], context, unit, to);
     }
+    if (context.draws_points) place_stage_points(f, batch, context, unit);
   }
   stages.run(f.count, batch.registers);
   for (std::size_t i = 0; i < f.count && context.stages->replaces_depth(); ++i) f.depth[i] = stages.depth(i);
@@ -278,6 +279,7 @@ HWY_INLINE void fill_textures(LaneFragments& f, LaneBatch& batch, const DrawCont
     if (context.reads_q(unit)) {
       divide_coordinates(f, batch, context.arrays.texture_q[unit], components, sampler.needs_derivatives());
     }
+    if (HWY_UNLIKELY(context.draws_points)) place_points(f, batch, context, unit, sampler.needs_derivatives());
     sample(batch, f.count, context, unit, one_change);
   }
 }
@@ -296,6 +298,11 @@ HWY_INLINE void fill_registers(LaneFragments& f, LaneBatch& batch, const DrawCon
     const bool has_alpha = context.state.profile.secondary_alpha.value != SecondaryAlpha::one;
     fill_color_register(f, batch, context, {Register::secondary, arrays.secondary_colors, has_alpha ? 4 : 3});
   }
+  if (HWY_UNLIKELY(context.state.fog.enabled && !arrays.fog_factors.empty()) &&
+      context.reads[static_cast<std::size_t>(Register::fog)]) {
+    find_shares(f, batch, context);
+    fill_fog(f, batch, context);
+  }
   context.stages ? run_stages(f, batch, context) : fill_textures(f, batch, context);
 }
 
@@ -313,23 +320,32 @@ HWY_INLINE void find_colors(LaneFragments& f, LaneBatch& batch, const DrawContex
   }
 }
 
-// Multiplies alpha by the coverage (rule 47). The compiler vectorizes the loop.
-HWY_INLINE void cover(const LaneFragments& f, LaneBatch& batch, std::uint32_t rounding) {
-  for (std::size_t i = 0; i < f.count; ++i) {
-    const std::uint32_t color = batch.color[i], alpha = ((color >> 24) * f.coverage[i] + rounding) / 255;
-    batch.color[i] = (color & 0xFFFFFF) | alpha << 24;
+// Multiplies alpha of smoothed primitives by the coverage (rule 47). The compiler vectorizes the inner loop.
+HWY_INLINE void cover(const LaneFragments& f, LaneBatch& batch, const PipelineState& state, std::uint32_t rounding) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    const SetupKind kind = f.run[r].primitive->kind;
+    const bool is_smooth = kind == SetupKind::line ? state.line_smooth : state.polygon_smooth;
+    if (!is_smooth || kind == SetupKind::point) continue;
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; ++i) {
+      const std::uint32_t color = batch.color[i], alpha = ((color >> 24) * f.coverage[i] + rounding) / 255;
+      batch.color[i] = (color & 0xFFFFFF) | alpha << 24;
+    }
   }
 }
 
 // Sends fragments through the combiners and the fragment operations.
 HWY_NOINLINE void finish(TilePlanes& tile, const LanePass& pass, LaneFragments& f) {
   const bool needs_color = pass.operations.needs_color();
+  pass.batch->left = tile.left;
+  pass.batch->bottom = tile.bottom;
   if (!(needs_color && pass.context.state.program)) {
     if (pass.context.stages_decide) run_stages(f, *pass.batch, pass.context);
     if (pass.context.kills_by_key) find_keyed(f, *pass.batch, pass.context);
   }
   if (needs_color) find_colors(f, *pass.batch, pass.context);
-  if (needs_color && pass.operations.smooths) cover(f, *pass.batch, pass.operations.coverage_rounding);
+  if (needs_color && pass.operations.smooths) {
+    cover(f, *pass.batch, pass.context.state, pass.operations.coverage_rounding);
+  }
   if (pass.operations.two_sided) {
     std::size_t r = 0;
     for (std::size_t s = 0; s < f.spans; ++s) {

@@ -19,6 +19,7 @@ struct LaneBatch {
   template <class T>
   using Lanes = LaneFragments::Lanes<T>;
 
+  int left = 0, bottom = 0;                            // of the tile
   alignas(64) Lanes<std::uint32_t> color;              // as in TilePlanes: primary, then the combiners' result
   alignas(64) std::array<Lanes<float>, 3> coordinate;  // of a texture
   // The changes of the vertices' shares and of the coordinates to the fragment on the right and to the one above, if

@@ -52,7 +52,7 @@ struct LaneFragments {
   alignas(64) Lanes<std::uint32_t> place;          // of the pixel in TilePlanes
   alignas(64) Lanes<std::uint32_t> depth;          // codes
   alignas(64) std::array<Lanes<float>, 3> weight;  // of the vertices: first edge function / w, later their shares
-  alignas(64) Lanes<std::uint32_t> coverage;       // of smoothed polygons: coverage_byte
+  alignas(64) Lanes<std::uint32_t> coverage;       // of smoothed polygons and lines: coverage_byte
 
   // True if all runs are plain.
   [[nodiscard]] bool are_plain() const {

@@ -35,9 +35,10 @@ HWY_INLINE void for_rows(D d, std::size_t place, hn::Mask<D> mask, Visit visit) 
   }
 }
 
-// The fragments of the mask that the pass's stipple pattern draws.
+// The fragments of the mask that the pass's stipple pattern draws: it leaves lines and points alone.
 template <class Rows, class D>
 HWY_INLINE hn::Mask<D> stippled(D d, const PrimitiveDraw& current, std::size_t place, hn::Mask<D> mask) {
+  if (current.primitive.kind == SetupKind::line || current.primitive.kind == SetupKind::point) return mask;
   const auto drawn = Rows::load(d, lanes_of(current.pass.stipple->data()) + place);
   return hn::And(mask, hn::Ne(drawn, hn::Zero(d)));
 }

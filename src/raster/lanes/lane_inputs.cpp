@@ -3,7 +3,70 @@
 #include <algorithm>
 #include <cstring>
 
+#include "src/raster/fragment/sprite_place.h"
+#include "src/raster/surface/tile_size.h"
+
 namespace ninebit {
+namespace {
+
+// Calls visit(i, at) for the fragments of a run of points.
+template <class Visit>
+void for_sprites(const LaneFragments& f, std::size_t r, const LaneBatch& batch, const DrawContext& context,
+                 const Visit& visit) {
+  const SetupPrimitive& point = *f.run[r].primitive;
+  const int eighths = eighths_of(context.state.point_size);
+  for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; ++i) {
+    const auto place = static_cast<int>(f.place[i]);
+    visit(i, sprite_place(point, eighths, batch.left + place % kTileSize, batch.bottom + place / kTileSize));
+  }
+}
+
+}  // namespace
+
+void place_points(const LaneFragments& f, LaneBatch& batch, const DrawContext& context, std::size_t unit,
+                  bool changes) {
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    if (f.run[r].primitive->kind != SetupKind::point) continue;
+    const auto fill = [&](LaneFragments::Lanes<float>& lanes, float value) {
+      std::fill(&lanes[f.run[r].first], &lanes[f.run[r + 1].first], value);
+    };
+    if (changes) fill(batch.dx.coordinate[0], context.point_change[unit]);
+    if (!has_sprites(context.state, unit)) continue;
+    float change = 0.0F;
+    for_sprites(f, r, batch, context, [&](std::size_t i, const SpritePlace& at) {
+      batch.coordinate[0][i] = at.s;
+      batch.coordinate[1][i] = at.t;
+      change = at.change;
+    });
+    fill(batch.coordinate[2], 0.0F);
+    if (!changes) continue;
+    for (LaneBatch::Changes* const by : {&batch.dx, &batch.dy}) {
+      for (auto& lanes : by->coordinate) fill(lanes, 0.0F);
+    }
+    fill(batch.dx.coordinate[0], change);
+    fill(batch.dy.coordinate[1], -change);
+  }
+}
+
+void place_stage_points(const LaneFragments& f, LaneBatch& batch, const DrawContext& context, std::size_t unit) {
+  FragmentStages& stages = *batch.stages;
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    if (f.run[r].primitive->kind != SetupKind::point) continue;
+    const float width = context.point_change[unit];
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first && stages.kinds() > 1 && width != 0.0F; ++i) {
+      stages.at(1, unit, 0)[i] = width * stages.at(0, unit, 3)[i];
+    }
+    if (!has_sprites(context.state, unit)) continue;
+    for_sprites(f, r, batch, context, [&](std::size_t i, const SpritePlace& at) {
+      const auto values = sprite_coordinates(at);
+      for (std::size_t kind = 0; kind < stages.kinds(); ++kind) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (stages.needs(unit, k)) stages.at(kind, unit, k)[i] = values[kind][k];
+        }
+      }
+    });
+  }
+}
 
 void unclip(const LaneFragments& f, std::array<LaneFragments::Lanes<float>, 3>& shares) {
   for (std::size_t r = 0; r < f.runs; ++r) {

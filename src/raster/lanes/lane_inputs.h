@@ -14,6 +14,14 @@ void unclip(const LaneFragments& fragments, std::array<LaneFragments::Lanes<floa
 // Fills in primary colours that are constant over each primitive.
 void fill_flat_colors(const LaneFragments& fragments, LaneBatch& batch, const DrawContext& context);
 
+// Replaces a unit's coordinates, and their changes if asked for, at fragments of points: the change of s is the one
+// that the context has, and coordinates of sprites run across their points.
+void place_points(const LaneFragments& fragments, LaneBatch& batch, const DrawContext& context, std::size_t unit,
+                  bool changes);
+
+// The same of a unit's coordinates for stages.
+void place_stage_points(const LaneFragments& fragments, LaneBatch& batch, const DrawContext& context, std::size_t unit);
+
 // Fills registers that are the same for all fragments: all of them the first time, later those that the program
 // overwrites.
 void refill_constants(LaneBatch& batch, const DrawContext& context);

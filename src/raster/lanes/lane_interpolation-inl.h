@@ -12,7 +12,9 @@
 #include <span>
 
 #include "hwy/highway.h"
+#include "ninebit/numerics/fixed9.h"
 #include "src/raster/fragment/draw_context.h"
+#include "src/raster/fragment/fog.h"
 #include "src/raster/fragment/interpolation.h"
 #include "src/raster/lanes/lane_batch.h"
 #include "src/raster/lanes/lane_fragments.h"
@@ -141,10 +143,11 @@ struct ShareLanes {
   }
 };
 
-HWY_INLINE ShareLanes eight_bit_weights(const ShareLanes& shares) {
+HWY_INLINE ShareLanes eight_bit_weights(const ShareLanes& shares, bool is_line) {
   const VectorValues<decltype(kD)> o;
-  const VF first = eight_bit_share(o, shares.a), third = eight_bit_share(o, shares.c);
-  return {first, remaining_weight(o, first, third), third};
+  const auto weights = HWY_UNLIKELY(is_line) ? eight_bit_line_weights(o, shares.a, shares.b, shares.c)
+                                             : eight_bit_weights(o, shares.a, shares.c);
+  return {weights.first, weights.second, weights.third};
 }
 
 // The colours of a run's vertices, as floats. A copy: the compiler would read them again for each vector, because the
@@ -166,10 +169,11 @@ struct CornerColors {
 template <bool kPlain, bool kEightBits>
 HWY_INLINE void fill_smooth_run(const LaneFragments& f, LaneBatch& batch, std::size_t r, const CornerColors& corner) {
   const VF alpha = hn::Set(kDF, corner.value[kAlpha][0]);
+  const bool is_line = !kPlain && f.run[r].primitive->kind == SetupKind::line;
   // The next run overwrites what is stored beyond this one's end.
   for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
     const ShareLanes exact(f.weight, i);
-    const ShareLanes shares = kEightBits ? eight_bit_weights(exact) : exact;
+    const ShareLanes shares = kEightBits ? eight_bit_weights(exact, is_line) : exact;
     const auto byte = [&](std::size_t k) HWY_ATTR {
       VF value = shares.interpolate(corner.value[k][0], corner.value[k][1], corner.value[k][2]);
       value = hn::Add(value, hn::Set(kDF, 0.5F));
@@ -247,6 +251,28 @@ HWY_NOINLINE void fill_flat_codes(const LaneFragments& f, LaneBatch& batch, cons
       for (; i < end; ++i) to[i] = code;
     }
   }
+}
+
+// The fog factors of fragments, as codes.
+HWY_NOINLINE void fill_fog(const LaneFragments& f, LaneBatch& batch, const DrawContext& context) {
+  const Fog fog = context.state.fog;
+  const std::span<const float> values = context.arrays.fog_factors;
+  LaneFragments::Lanes<float>& at_fragment = batch.coordinate[0];
+  for (std::size_t r = 0; r < f.runs; ++r) {
+    std::array<float, 3> corner{};
+    for (std::size_t n = 0; n < 3; ++n) corner[n] = fog_at_vertex(fog, values[f.run[r].corners->vertex[n]]);
+    for (std::size_t i = f.run[r].first; i < f.run[r + 1].first; i = next_vector(i, kLaneCount)) {
+      hn::StoreU(ShareLanes(f.weight, i).interpolate(corner[0], corner[1], corner[2]), kDF, at_fragment.data() + i);
+    }
+  }
+  const HardwareProfile& profile = context.state.profile;
+  s9* const codes = batch.registers(Register::fog, kAlpha);
+  // The compiler vectorizes the loop.
+  with_fog_function(fog.function, [&](auto function) HWY_ATTR {
+    std::array<std::uint8_t, kBatchSize> bytes;
+    for (std::size_t i = 0; i < f.count; ++i) bytes[i] = fog_byte_of<function()>(profile, fog, at_fragment[i]);
+    for (std::size_t i = 0; i < f.count; ++i) codes[i] = from_byte(profile, bytes[i]);
+  });
 }
 
 // Texture coordinates, or their changes: s and t, and r if there are three components. only_first: of the first vector.

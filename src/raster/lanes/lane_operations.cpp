@@ -49,7 +49,7 @@ LaneOperations::LaneOperations(const PipelineState& state, const RenderTarget& t
   blends = color && state.blend.enabled && !replaces(state.blend);
   if (blends) prepare_blend(state, target);
   stipples = state.polygon_stipple.has_value();
-  smooths = state.polygon_smooth;
+  smooths = state.polygon_smooth || state.line_smooth;
   coverage_rounding = state.profile.coverage_narrowing.value == Narrowing::toward_zero ? 0 : 127;
   if (stencil) prepare_stencil(state.stencil_test, stencil_bits(target.format));
   find_consequences(state.depth_test.function);

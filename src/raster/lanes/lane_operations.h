@@ -57,7 +57,7 @@ struct LaneOperations {
   bool blends = false;  // true if they are blended
   LaneBlend blend;
   bool stipples = false;                // true if a stipple pattern leaves pixels out
-  bool smooths = false;                 // true if alpha is multiplied by the coverage of polygons
+  bool smooths = false;                 // true if alpha is multiplied by the coverage of polygons or of lines
   std::uint32_t coverage_rounding = 0;  // added to the product before it is divided by 255
   LaneComparison alpha_test;
   LaneComparison depth_test;

@@ -17,6 +17,7 @@
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_equal_depth-inl.h"
+#include "src/raster/lanes/lane_lines-inl.h"
 #include "src/raster/lanes/lane_smooth-inl.h"
 #include "src/raster/lanes/lane_triangle-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
@@ -97,7 +98,7 @@ struct PrimitiveList {
   std::span<const ColorBytes> colors;  // of primitives, to be prefetched; empty where no colour is needed
 };
 
-// A group of primitives: as many triangles as are placed at a time, and the single pixels among them.
+// A group of primitives: as many triangles as are placed at a time, and the others among them.
 struct PrimitiveGroup {
   std::size_t end;  // in PrimitiveList::indices
   PlacedTriangles triangles;
@@ -117,7 +118,7 @@ HWY_INLINE PrimitiveGroup place_group(TileTriangles& t, const PrimitiveList& lis
     const SetupPrimitive& p = list.block.primitives[list.indices[end]];
     if (!list.colors.empty()) __builtin_prefetch(&list.colors[p.primitive]);
     index[count] = list.indices[end];
-    count += p.kind != SetupKind::pixel ? 1 : 0;
+    count += p.kind == SetupKind::triangle ? 1 : 0;
   }
   if (count == 0) return {end, {}};
   std::fill(index.begin() + static_cast<std::ptrdiff_t>(count), index.end(), index[0]);
@@ -160,10 +161,16 @@ void draw_all(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std
         draw_pixel<kDrawing>(current);
         continue;
       }
+      if constexpr (kDrawing == Drawing::gathers) {
+        if (HWY_UNLIKELY(p.kind != SetupKind::triangle)) {
+          gather_line_or_point(current);
+          continue;
+        }
+      }
       const std::size_t k = next_triangle++;
       if (!t.has_region(k) || is_lost(p, t.left[k], t.bottom[k], t.right[k], t.top[k])) continue;
       if constexpr (kDrawing == Drawing::gathers) {
-        if (HWY_UNLIKELY(pass.operations.smooths)) {
+        if (HWY_UNLIKELY(pass.operations.smooths) && pass.context.state.polygon_smooth) {
           if (t.place(k, p, true)) draw_smooth_triangle(Draw(current), t, k);
           continue;
         }
@@ -217,21 +224,13 @@ HWY_EXPORT(draw_triangles);
 
 bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   const PipelineState& state = context.state;
-  const VertexArrays& arrays = context.arrays;
-  const PrimitiveType type = context.assembly.type();
-  if (type == PrimitiveType::points || type == PrimitiveType::lines || type == PrimitiveType::line_strip ||
-      type == PrimitiveType::line_loop) {
-    return false;
-  }
-  if (state.front_mode != PolygonMode::fill || state.back_mode != PolygonMode::fill) return false;
+  // A tile costs more than the few pixels of a line that need no batch.
+  if (context.has_flat_result && (context.draws_lines || context.draws_points)) return false;
   if (!context.outputs.empty()) return false;
   // The tile does not hold a component that is masked.
   const bool holds_alpha = state.color_mask[kAlpha] || !target.color[kAlpha];
   if (state.blend.enabled && reads_stored_alpha(state.blend) && !holds_alpha) return false;
   if (!context.has_flat_result) {
-    if (state.fog.enabled && !arrays.fog_factors.empty() && context.reads[static_cast<std::size_t>(Register::fog)]) {
-      return false;
-    }
     if (!context.shades_flat() && state.profile.color_interpolation.value == ColorInterpolation::affine) return false;
   }
   return HWY_DYNAMIC_DISPATCH(are_lanes_there)();

@@ -6,18 +6,16 @@
 // four ways (`Drawing` in primitive_draw.h), chosen once for all its triangles:
 //
 // - nearest, noted, flat: one colour a triangle and no program. Vectors are written into the tile at once; `noted`
-// keeps
-//   the number of the triangle that left each depth (pixel_owners.h), so that a later pass for equal depth compares
-//   numbers instead of depths.
-// - gathers: fragments of many triangles fill a batch (lane_fragments.h), as combiners run over hundreds of fragments
-// at a
-//   time. No two fragments of a batch share a pixel: a batch may then be drawn in any order of its vectors.
+//   keeps the number of the triangle that left each depth (pixel_owners.h), so that a later pass for equal depth
+//   compares numbers instead of depths.
+// - gathers: fragments of many triangles fill a batch (lane_fragments.h), as combiners run over hundreds of fragments at
+//   a time. No two fragments of a batch share a pixel: a batch may then be drawn in any order of its vectors.
 //
 // The steps, each in its file: triangles of a block are placed in the tile several at a time, as 32-bit edge functions
 // and depth planes relative to the tile (tile_triangles-inl.h); slim ones are drawn with two or four rows in a vector
-// (lane_rows-inl.h), others row by row (lane_triangle-inl.h; smoothed ones: lane_smooth-inl.h); fragments that pass the
-// tests that can be made early are pushed into the batch (lane_gather-inl.h); a full batch is interpolated, textured,
-// combined and stored (lane_batch.cpp).
+// (lane_rows-inl.h), others row by row (lane_triangle-inl.h; smoothed ones: lane_smooth-inl.h); fragments of lines and
+// points are found one by one (lane_lines-inl.h); fragments that pass the tests that can be made early are pushed into
+// the batch (lane_gather-inl.h); a full batch is interpolated, textured, combined and stored (lane_batch.cpp).
 //
 // Exactness: coverage is decided by whole numbers, which are the edge functions or have their signs. Depth is a
 // fixed-point number whose error has a proven bound; within the bound of a whole number the exact plane of 64 bits is
@@ -25,7 +23,7 @@
 // do not depend on the target, on the order of batches, or on tile.cpp being used instead. Tests compare all of them.
 //
 // Passes that draw the same triangles share their fragments (fragment_reuse.h), which holds the proof.
-// What vectors do not draw, lanes_can_draw() lists: lines and points, output planes. tile.cpp draws those.
+// What vectors do not draw, lanes_can_draw() lists: lines and points of one colour, output planes. tile.cpp draws those.
 #pragma once
 
 #include <cstdint>

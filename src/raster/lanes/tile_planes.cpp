@@ -1,7 +1,9 @@
 #include "src/raster/lanes/tile_planes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 #include "hwy/cache_control.h"
 #include "src/numerics/simd_targets.h"
@@ -226,15 +228,30 @@ TileRow first_row(const TilePlanes& tile, bool depth, bool stencil) {
   return row;
 }
 
+// Samples one after the other. Steps that are constants let the compiler vectorize what it can.
+template <class T, class FromStep, class ToStep>
+void copy_steps(const T* __restrict from, FromStep from_step, T* __restrict to, ToStep to_step, std::ptrdiff_t count) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) to[i * to_step] = from[i * from_step];
+}
+
 // Copies the pixels that may be drawn, of the planes that both rows have.
 void copy(const TilePlanes& tile, const TileRow& from, const TileRow& to) {
   const int first = tile.pixels.left - tile.left, end = tile.pixels.right - tile.left;
   const auto copy_samples = [&](const auto& samples, const auto& target) {
     if (!samples || !target) return;
+    // A sample of a target with several for each pixel has a step of 2.
+    constexpr std::integral_constant<std::ptrdiff_t, 1> kOne{};
+    constexpr std::integral_constant<std::ptrdiff_t, 2> kTwo{};
+    const auto* const read = &samples.at(first, 0);
+    auto* const written = &target.at(first, 0);
     if (samples.step == 1 && target.step == 1) {
-      std::copy(samples.data + first, samples.data + end, target.data + first);
+      std::copy(read, read + (end - first), written);
+    } else if (samples.step == 2 && target.step == 1) {
+      copy_steps(read, kTwo, written, kOne, end - first);
+    } else if (samples.step == 1 && target.step == 2) {
+      copy_steps(read, kOne, written, kTwo, end - first);
     } else {
-      for (int x = first; x < end; ++x) target.at(x, 0) = samples.at(x, 0);
+      copy_steps(read, samples.step, written, target.step, end - first);
     }
   };
   copy_samples(from.depth, to.depth);

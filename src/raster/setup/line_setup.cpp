@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <optional>
 
-#include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/pixel_span.h"
 #include "src/raster/surface/floor_divider.h"
 
@@ -188,15 +187,37 @@ bool LineRectangle::span(int y, int& first, int& last) const {
   return low <= high;
 }
 
-int LineRectangle::samples_inside(int x, int y) const {
-  int inside = 0;
-  for (const CoverageSample& sample : kCoverageSamples) {
-    const auto is_within = [&](const Side& side) {
-      return side.value + side.step_x / 16 * (16 * x + sample.x_q4) + side.step_y / 16 * (16 * y + sample.y_q4) >= 0;
-    };
-    inside += std::all_of(sides_.begin(), sides_.end(), is_within) ? 1 : 0;
+SmoothRectangle::SmoothRectangle(const SetupPrimitive& line, int width_eighths) : LineRectangle(line, width_eighths) {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    for (std::size_t k = 0; k < kCoverageSamples.size(); ++k) {
+      const CoverageSample& sample = kCoverageSamples[k];
+      of_sample_[i][k] = sides_[i].step_x / 16 * sample.x_q4 + sides_[i].step_y / 16 * sample.y_q4;
+    }
+    most_[i] = *std::max_element(of_sample_[i].begin(), of_sample_[i].end());
   }
-  return inside;
+}
+
+bool SmoothRectangle::span(int y, int& first, int& last) const {
+  std::int64_t low = first, high = last;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Side& side = sides_[i];
+    if (!keep_inside(side.value + side.step_y * y + most_[i], side.step_x, low, high)) return false;
+  }
+  first = static_cast<int>(low);
+  last = static_cast<int>(high);
+  return low <= high;
+}
+
+// The compiler vectorizes both loops.
+int SmoothRectangle::samples_inside(int x, int y) const {
+  std::array<std::int64_t, kCoverageSamples.size()> signs{};
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const std::int64_t at_centre = sides_[i].value + sides_[i].step_x * x + sides_[i].step_y * y;
+    for (std::size_t k = 0; k < signs.size(); ++k) signs[k] |= at_centre + of_sample_[i][k];
+  }
+  std::uint64_t outside = 0;
+  for (const std::int64_t sign : signs) outside += static_cast<std::uint64_t>(sign) >> 63;
+  return static_cast<int>(signs.size() - outside);
 }
 
 LineWalk::LineWalk(const SetupPrimitive& line)

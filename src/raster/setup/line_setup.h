@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "src/raster/setup/coverage_samples.h"
 #include "src/raster/setup/setup_context.h"
 #include "src/raster/setup/window_primitives.h"
 
@@ -62,15 +63,29 @@ class LineRectangle {
   // Narrows [first, last] to the pixels of row y that the line draws; false: there are none.
   [[nodiscard]] bool span(int y, int& first, int& last) const;
 
-  // How many of a pixel's coverage samples it holds.
-  [[nodiscard]] int samples_inside(int x, int y) const;
-
- private:
+ protected:
   // value + step_x · x + step_y · y, for the centre of pixel (x, y), is not negative on the inner side.
   struct Side {
     std::int64_t value, step_x, step_y;
   };
   std::array<Side, 4> sides_;  // counter-clockwise, with d first
+};
+
+// The same of a smoothed line (rule 47).
+class SmoothRectangle : LineRectangle {
+ public:
+  SmoothRectangle(const SetupPrimitive& line, int width_eighths);
+
+  // Narrows [first, last] to the pixels of row y that may have a coverage sample inside; false: there are none.
+  [[nodiscard]] bool span(int y, int& first, int& last) const;
+
+  // How many of a pixel's coverage samples it holds.
+  [[nodiscard]] int samples_inside(int x, int y) const;
+
+ private:
+  // What a sample adds to each side's value at the centre, and what the samples add at most.
+  std::array<std::array<std::int64_t, kCoverageSamples.size()>, 4> of_sample_;
+  std::array<std::int64_t, 4> most_;
 };
 
 // Which pixels a line draws: the diamond-exit rule of OpenGL 1.3, 3.4.1, in integers.

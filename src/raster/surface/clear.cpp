@@ -54,16 +54,17 @@ std::uint8_t stencil_value(DepthStencilFormat format, int stencil) {
 }
 
 Status clear(const PipelineState& state, ClearBuffers buffers, const ClearValues& values, RenderTarget& target) {
-  if (target.samples != SampleMode::center_1) {
+  if (target.samples == SampleMode::center_1) {
+    if (Status checked = check_target(state, target); !checked) return checked;
+  } else {
     if (Status checked = check_samples(state, target); !checked) return checked;
-    for (const SamplePlace& sample : sample_places(target.samples)) {
-      RenderTarget planes = planes_of_sample(target, sample);
-      if (Status cleared = clear(state, buffers, values, planes); !cleared) return cleared;
-    }
-    return {};
+    const RenderTarget first = planes_of_sample(target, sample_places(target.samples)[0]);
+    if (Status checked = check_target(state, first); !checked) return checked;
   }
-  if (Status checked = check_target(state, target); !checked) return checked;
-  const PixelRect rect = scissored(state, target);
+  // All samples of a pixel, which lie side by side.
+  const PixelRect pixels = scissored(state, target);
+  const int columns = sample_columns(target.samples), rows = sample_rows(target.samples);
+  const PixelRect rect{pixels.x * columns, pixels.y * rows, pixels.width * columns, pixels.height * rows};
   if (buffers.color) {
     const std::array<std::uint8_t, 4> color = stored_color(target.color_format, values.color);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -54,12 +54,12 @@ std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::
   const auto wraps = [&sampler](Wrap mode) { return sampler.wrap_s == mode || sampler.wrap_t == mode; };
   const bool filters = is_linear(sampler.min_filter) || sampler.mag_filter == MagFilter::linear;
   const bool has_key = sampler.color_key.operation != ColorKeyOperation::disable;
-  // Lanes read a border and compare a key only where the nearest texel of level 0 is read.
-  const bool needs_nearest =
-      has_key || sampler.border_texels || wraps(Wrap::clamp_to_border) || has_words(of.texture_->format);
-  if (needs_nearest && (filters || of.needs_derivatives_)) return {};
-  if (filters && wraps(Wrap::clamp)) return {};
+  // Lanes compare a key only where the nearest texel of level 0 is read, and read a border only of level 0.
+  const bool has_border = sampler.border_texels || wraps(Wrap::clamp_to_border) || (filters && wraps(Wrap::clamp));
+  if ((has_key || has_words(of.texture_->format)) && (filters || of.needs_derivatives_)) return {};
+  if (has_border && of.needs_derivatives_) return {};
   const std::shared_ptr<const ByteSampler> made(new ByteSampler(of));
+  if (has_border && filters && !made->filters_border_words()) return {};
   if (of.needs_derivatives_ && made->method_ != Method::filtered_words) return {};
   if (has_key && made->method_ != Method::nearest_words) return {};
   return made;
@@ -139,6 +139,8 @@ bool TextureSampler::ByteSampler::find_level_words(const Texture& texture) {
             .wrap_s = level_.wrap_s,
             .wrap_t = level_.wrap_t};
   words_.cube = level_.cube;
+  words_.border_texels = level_.border_texels;
+  words_.border = word_of(border_);
   for (std::size_t k = 0; k < 4; ++k) words_.flip |= std::uint32_t{flip_[k]} << (8 * k);
   std::intptr_t first = 0;
   for (std::size_t f = 0; f < texture.face_count(); ++f) {

@@ -19,7 +19,8 @@ namespace ninebit {
 class TextureSampler::ByteSampler {
  public:
   // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, filters
-  // a border, or has a colour key or several levels and texels that do not lie in words.
+  // a border of several levels or of a cube map, or has a filtered border, a colour key or several levels and texels
+  // that do not lie in words.
   [[nodiscard]] static std::shared_ptr<const ByteSampler> make(const TextureSampler& of);
 
   // The codes of fragments [first, first + count), count from 1 to kBatchSize, to codes[component][fragment], and
@@ -52,6 +53,9 @@ class TextureSampler::ByteSampler {
   void find_planes(const Texture& texture);
   [[nodiscard]] bool find_face_words(std::size_t faces);
   [[nodiscard]] bool find_level_words(const Texture& texture);
+  [[nodiscard]] bool filters_border_words() const {
+    return method_ == Method::filtered_words && !level_.cube && words_.flip == 0;
+  }
   void find_texels(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
   void filter(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
   void fetch_words(const TextureCoordinates& at, std::size_t first, std::size_t count, LaneWords& to) const;

@@ -166,6 +166,53 @@ HWY_INLINE VI texels_along(const Axis& axis, VF s, const Rules& rules, VI& secon
   return hn::And(first, axis.last);  // `first` is -1 at least, and only where it repeats
 }
 
+// Two neighbours of a filter that may read a border.
+struct BorderedTexels {
+  VI first, second;  // places in the image
+  VI weight;
+  VI outside_first, outside_second;  // -1 where it is the border's colour, else 0
+};
+
+// linear_texels, or with border texels bordered_texels, of a side without them.
+template <class Rules>
+HWY_INLINE BorderedTexels bordered_texels_along(const Axis& axis, VF s, const Rules& rules, bool border_texels) {
+  const VI zero = hn::Zero(kDI), one = hn::Set(kDI, 1), moved = hn::Set(kDI, border_texels ? kStoredBorder : 0);
+  BorderedTexels at{zero, zero, zero, zero, zero};
+  if (axis.wrap != Wrap::clamp && axis.wrap != Wrap::clamp_to_border) {
+    at.first = hn::Add(texels_along(axis, s, rules, at.second, at.weight), moved);
+    at.second = hn::Add(at.second, moved);
+    return at;
+  }
+  // As in texels_along; to the side, one texel beyond it, or beyond the border of the image.
+  const bool reads_image = border_texels && axis.wrap == Wrap::clamp_to_border;
+  const float reach = reads_image ? 2.0F * kStoredBorder : axis.wrap == Wrap::clamp ? 0.0F : 1.0F;
+  const VF side = reads_image ? hn::Add(axis.size, axis.size) : axis.size;
+  const VF u = hn::Mul(hn::IfThenElseZero(hn::Eq(s, s), s), axis.size);
+  const int bits = rules.weight_bits;
+  const VF steps =
+      hn::Mul(hn::Min(hn::Max(u, set(-reach)), hn::Add(side, set(reach))), set(static_cast<float>(1 << bits)));
+  VF step = hn::Floor(steps);
+  if (!rules.cuts_weights) {
+    step = hn::Add(step, hn::IfThenElseZero(hn::Ge(hn::Sub(steps, step), set(0.5F)), set(1.0F)));
+  }
+  const VI fixed = hn::Sub(hn::ConvertTo(kDI, step), hn::Set(kDI, (1 << bits) / 2));
+  at.weight = hn::And(fixed, hn::Set(kDI, (1 << bits) - 1));
+  at.first = hn::ShiftRightSame(fixed, bits);
+  at.second = hn::Add(at.first, one);
+  if (reads_image) {
+    const VI last = hn::Add(hn::Add(axis.last, axis.last), one);
+    for (VI* const texel : {&at.first, &at.second}) *texel = hn::Min(hn::Max(hn::Add(*texel, moved), zero), last);
+    return at;
+  }
+  const auto outside = [&](VI texel) HWY_ATTR {
+    return hn::VecFromMask(kDI, hn::Or(hn::Lt(texel, zero), hn::Gt(texel, axis.last)));
+  };
+  at.outside_first = outside(at.first);
+  at.outside_second = outside(at.second);
+  for (VI* const texel : {&at.first, &at.second}) *texel = hn::Add(hn::Min(hn::Max(*texel, zero), axis.last), moved);
+  return at;
+}
+
 // Loads the coordinates of the next fragments: returns the face's number, sets the place on the face.
 HWY_INLINE VI load_place(bool cube, const std::array<const float*, 3>& at, std::size_t lane, VF& s, VF& t) {
   s = hn::LoadU(kDF, at[0] + lane);

@@ -261,8 +261,36 @@ HWY_INLINE void filter_by(const WordLevels& texture, const Rules& rules, const s
   }
 }
 
+// Level 0 of a texture that filters_border.
+template <class Sum>
+HWY_NOINLINE void filter_bordered(const WordLevels& texture, const FilterRules& rules,
+                                  const std::array<const float*, 3>& at, std::size_t count, LaneWords& to) {
+  const Level level(texture, 0);
+  const VU border = hn::Set(kDU, texture.border);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
+    const auto x = bordered_texels_along(level.across, hn::LoadU(kDF, at[0] + i), rules, texture.border_texels);
+    const auto y = bordered_texels_along(level.up, hn::LoadU(kDF, at[1] + i), rules, texture.border_texels);
+    const auto word = [&](VI column, VI row, VI beside, VI above) HWY_ATTR {
+      const VI place = hn::Add(hn::Add(level.begin, hn::Mul(row, level.stride)), column);
+      const M is_outside = hn::Ne(hn::Or(beside, above), hn::Zero(kDI));
+      return hn::IfThenElse(hn::RebindMask(kDU, is_outside), border, gather_words(texture, place));
+    };
+    const WordTaps taps{word(x.first, y.first, x.outside_first, y.outside_first),
+                        word(x.second, y.first, x.outside_second, y.outside_first),
+                        word(x.first, y.second, x.outside_first, y.outside_second),
+                        word(x.second, y.second, x.outside_second, y.outside_second),
+                        hn::BitCast(kDU, x.weight),
+                        hn::BitCast(kDU, y.weight)};
+    hn::StoreU(Sum(taps, rules.weight_bits).words(rules.weight_bits, false), kDU, to.data() + i);
+  }
+}
+
 void filter_words(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
                   const LevelLanes* levels, std::size_t count, LaneWords& to) {
+  if (HWY_UNLIKELY(levels == nullptr && filters_border(texture))) {
+    return rules.rounds_each_blend ? filter_bordered<SumEach>(texture, rules, at, count, to)
+                                   : filter_bordered<SumOnce>(texture, rules, at, count, to);
+  }
 #if HWY_TARGET != HWY_SCALAR
   if (rules.rounds_each_blend && rules.cuts_weights && rules.weight_bits == CutBytes::weight_bits) {
     return filter_by<SumEachByte>(texture, CutBytes{}, at, levels, count, to);

@@ -23,6 +23,8 @@ struct WordLevels {
   std::uint32_t flip = 0;  // the highest bits of signed components, which are filtered with that bit flipped
   Wrap wrap_s = Wrap::repeat;
   Wrap wrap_t = Wrap::repeat;
+  bool border_texels = false;                   // whether the one level holds a border; the sides are without it
+  std::uint32_t border = 0;                     // the border's colour
   std::array<std::int32_t, kRoom> stride{};     // by level
   std::array<std::int32_t, 6 * kRoom> begin{};  // by face × kRoom + level
 };
@@ -59,8 +61,14 @@ void find_detail(int width, int height, const ChangeLanes& s, const ChangeLanes&
 // choose_level of each fragment. The levels of detail have their bias.
 void choose_levels(const LevelRules& rules, const LaneIntegers& lambda_q8, std::size_t count, LevelLanes& to);
 
-// The filtered texels as words, components rounded to nearest, halves up, once or after each blend, for any mode but
-// Wrap::clamp, whose border is not a texel. Without `levels`, level 0 is filtered linearly.
+// True if a linear filter may read the border's colour or border texels. (Wrap::clamp reads half of the colour.)
+[[nodiscard]] constexpr bool filters_border(const WordLevels& texture) {
+  const auto reads = [](Wrap wrap) { return wrap == Wrap::clamp || wrap == Wrap::clamp_to_border; };
+  return texture.border_texels || reads(texture.wrap_s) || reads(texture.wrap_t);
+}
+
+// The filtered texels as words, components rounded to nearest, halves up, once or after each blend. Without `levels`,
+// level 0 is filtered linearly; so must be a texture that filters_border, which has one face.
 void filter_words(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
                   const LevelLanes* levels, std::size_t count, LaneWords& to);
 
