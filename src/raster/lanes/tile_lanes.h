@@ -8,7 +8,8 @@
 // - nearest, noted, flat: one colour a triangle and no program. Vectors are written into the tile at once; `noted`
 //   keeps the number of the triangle that left each depth (pixel_owners.h), so that a later pass for equal depth
 //   compares numbers instead of depths.
-// - gathers: fragments of many triangles fill a batch (lane_fragments.h), as combiners run over hundreds of fragments at
+// - gathers: fragments of many triangles fill a batch (lane_fragments.h), as combiners run over hundreds of fragments
+// at
 //   a time. No two fragments of a batch share a pixel: a batch may then be drawn in any order of its vectors.
 //
 // The steps, each in its file: triangles of a block are placed in the tile several at a time, as 32-bit edge functions
@@ -23,7 +24,8 @@
 // do not depend on the target, on the order of batches, or on tile.cpp being used instead. Tests compare all of them.
 //
 // Passes that draw the same triangles share their fragments (fragment_reuse.h), which holds the proof.
-// What vectors do not draw, lanes_can_draw() lists: lines and points of one colour, output planes. tile.cpp draws those.
+// What vectors do not draw, lanes_can_draw() lists: lines and points of one colour, output planes. tile.cpp draws
+// those.
 #pragma once
 
 #include <cstdint>
