@@ -9,8 +9,7 @@
 //   keeps the number of the triangle that left each depth (pixel_owners.h), so that a later pass for equal depth
 //   compares numbers instead of depths.
 // - gathers: fragments of many triangles fill a batch (lane_fragments.h), as combiners run over hundreds of fragments
-// at
-//   a time. No two fragments of a batch share a pixel: a batch may then be drawn in any order of its vectors.
+//   at a time. No two fragments of a batch share a pixel: a batch may then be drawn in any order of its vectors.
 //
 // The steps, each in its file: triangles of a block are placed in the tile several at a time, as 32-bit edge functions
 // and depth planes relative to the tile (tile_triangles-inl.h); slim ones are drawn with two or four rows in a vector
