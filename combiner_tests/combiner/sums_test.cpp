@@ -152,7 +152,7 @@ TEST_P(Sums, EveryPairOfDistinctProducts) {
   std::uint64_t sums = 0;
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
-    // Emulated vectors are the best target only of a build that has no others, as .ci/run makes one.
+    // Emulated vectors are the best target only of a build that has no others, as combiner_tests/builds/run makes.
     const bool best = target == simd_targets().front() && simd_target_name(target) != "EMU128";
     std::size_t stride = kSlowBuild ? 256 : !best ? 64 : profile.name == "geforce2" || one == 127 ? 1 : 16;
     if (all_of_all) stride = 1;

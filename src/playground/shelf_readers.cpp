@@ -152,8 +152,9 @@ Result<TextureSamples> ShelfReaders::samples_of(const std::string& name, bool op
   TextureSamples out{picture.width, picture.height, std::move(samples)};
   const auto is_power = [](int side) { return std::has_single_bit(static_cast<unsigned>(side)); };
   if (any_sides || (is_power(out.width) && is_power(out.height))) return out;
-  warnings_.push_back(name + ": " + std::to_string(out.width) + " x " + std::to_string(out.height) +
-                      " is resampled to powers of two; textures of the time have no other sizes");
+  warnings_.push_back(
+      name + ": " + std::to_string(out.width) + " x " + std::to_string(out.height) +
+      " is resampled to powers of two, as textures of the time have no other sizes but those named 'rectangle:'");
   resample_to_powers_of_two(out);
   return out;
 }

@@ -43,7 +43,8 @@ using TraceText =
 // The report has the pictures of the best and the worst point. If `question` names the scene's file, it also has the
 // commands that explain wrong pixels there, in rows of the table "worst":
 //   point, cause, x, y, radius, command   up to three pixels of a cause (worst_pixels); y counted from the top
-// Study::draw adds the texts that these commands print, for the page, unless `trace` is empty.
+// Study::draw adds the texts that these commands print, for the page, unless `trace` is empty. `allow_outside`: the
+// commands may read textures outside of the scene's folder.
 //
 // The scene has exactly one camera and one light. The settings, including the profile, are passed to Technique::render;
 // `question` names the scene, the settings and the grid. Reports an axis that does not apply to the technique, a
@@ -51,6 +52,6 @@ using TraceText =
 [[nodiscard]] Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene,
                                                                const Technique& technique,
                                                                const RenderSettings& settings, const ShadowGrid& grid,
-                                                               TraceText trace = {});
+                                                               TraceText trace = {}, bool allow_outside = false);
 
 }  // namespace ninebit

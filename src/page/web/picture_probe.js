@@ -27,9 +27,9 @@ function openTrace(title, note, command, text) {
   const copy = element(dialog, "button", "Copy the command", "copy");
   copy.type = "button";
   copy.addEventListener("click", async () => {
-    getSelection().selectAllChildren(line);  // what is left to do by hand where pages may not write to the clipboard
-    await navigator.clipboard?.writeText(command);
-    copy.textContent = "Copied";
+    const copied = await Promise.resolve(navigator.clipboard?.writeText(command).then(() => true)).catch(() => false);
+    getSelection().selectAllChildren(line);
+    copy.textContent = copied ? "Copied" : "Selected: press Ctrl+C";  // not every page may write to the clipboard
   });
   if (text) element(dialog, "pre", text, "text").tabIndex = 0;
   dialog.showModal();
@@ -53,8 +53,8 @@ export function pictureProbe(part, width, height, causes) {
     const known = row.traces.filter((one) => one.text && causeAt(row, one.x, one.y) === causeAt(row, x, y));
     const [nearest] = known.sort((a, b) => far(a) - far(b));
     if (nearest && far(nearest) === 0) return open(row, nearest);
-    const command = row.traces[0].command.replace(/--pixel \S+/, `--pixel ${x},${y}`);
-    const note = nearest ? `This page has no trace of this pixel; the command makes it. Below: the nearest one of its cause, pixel ${nearest.x},${nearest.y}.` : "";
+    const command = row.traces[0].command.replace(/--pixel \S+(?= --ground-truth$)/, `--pixel ${x},${y}`);
+    const note = nearest ? `This page has no trace of this pixel; the command makes it. Below: the nearest one of its cause, pixel ${nearest.x},${nearest.y}.` : "This page has no trace of this cause; the command makes it.";
     return openTrace(titleOf(row, x, y), note, command, nearest?.text);
   }
 
@@ -73,8 +73,11 @@ export function pictureProbe(part, width, height, causes) {
       const judgement = !row.plane ? "" : value === 0 ? ", right" : `, falsely ${value > 127 ? "lit" : "shadowed"}: ${causeAt(row, x, y)}`;
       line.textContent = `${row.name}, pixel ${x},${y}: ${[...row.rgba.slice(at, at + 3)].join(", ")}${judgement}`;
     });
+    let pressed;  // where; the click at the end of a drag opens nothing
+    shown.addEventListener("pointerdown", (event) => { pressed = event; });
     shown.addEventListener("click", (event) => {
       const one = found(event);
+      if (pressed && Math.hypot(event.clientX - pressed.clientX, event.clientY - pressed.clientY) > 3) return;
       if (!one || valueAt(one.row, one.x, one.y) === 0) return;
       if (one.row.traces?.length) openNearest(one.row, one.x, one.y);
       else line.textContent = `Pixel ${one.x},${one.y}: no command draws this picture alone.`;

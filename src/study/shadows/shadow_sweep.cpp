@@ -51,13 +51,14 @@ struct Judged {
 class ShadowSweep final : public Study {
  public:
   ShadowSweep(StudyQuestion question, Scene scene, const Technique& technique, const RenderSettings& settings,
-              SweptSettings known, TraceText trace)
+              SweptSettings known, TraceText trace, bool allow_outside)
       : question_(std::move(question)),
         scene_(std::move(scene)),
         technique_(technique),
         settings_(settings),
         known_(std::move(known)),
-        trace_(std::move(trace)) {
+        trace_(std::move(trace)),
+        allow_outside_(allow_outside) {
     settings_.evidence = true;
     question_.options.emplace_back("sha256 of the triangles", hash_of(scene_));
   }
@@ -192,6 +193,7 @@ class ShadowSweep final : public Study {
   // `ninebit trace` of a pixel of a point, but for the pixel.
   [[nodiscard]] std::string trace_command(std::size_t unit) const {
     std::string command = fmt::format("ninebit trace --scene {}", shell_word(question_.arguments));
+    if (allow_outside_) command += " --allow-outside";
     for (const auto& [flag, value] : question_.options) {
       const auto settings = technique_settings();
       const bool is_axis = flag == "--find-offset" ||
@@ -284,6 +286,7 @@ class ShadowSweep final : public Study {
   std::vector<SweepAxis> axes_;
   std::vector<std::vector<std::string>> texts_;  // the axes' values as in flags
   TraceText trace_;
+  bool allow_outside_;
   std::optional<GroundTruthScene> truth_;
 };
 
@@ -295,11 +298,11 @@ std::span<const OffsetArguments> offsets_to_search() {
 
 Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene, const Technique& technique,
                                                  const RenderSettings& settings, const ShadowGrid& grid,
-                                                 TraceText trace) {
+                                                 TraceText trace, bool allow_outside) {
   const auto known = swept_settings(technique, settings, grid);
   if (!known) return known.error();
   auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, *known,
-                                             std::move(trace));
+                                             std::move(trace), allow_outside);
   if (Status prepared = sweep->prepare(grid); !prepared) return prepared.error();
   return std::unique_ptr<Study>(std::move(sweep));
 }

@@ -61,10 +61,10 @@ Result<Texture> read_pictures(std::span<const std::filesystem::path> files, cons
     const std::string text = resampled_text(files[0], width, height);
     const auto says_it = [&](const std::string& warning) { return warning.starts_with(text); };
     if (std::any_of(warnings.begin(), warnings.end(), says_it)) return;  // and why
-    warnings.push_back(
-        fmt::format("{}, as 2D textures of the time have no other sizes; rectangle:{}, whose coordinates count texels, "
-                    "keeps its size",
-                    text, printable(files[0].string())));
+    warnings.push_back(fmt::format(
+        "{}, as textures of the time have no other sizes but those named 'rectangle:', whose coordinates count "
+        "texels",
+        text));
   };
   if (files.size() == 1) {
     return image_detail::read_texture(profile, files[0], options, image_detail::kPictureModule);

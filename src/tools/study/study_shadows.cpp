@@ -150,7 +150,8 @@ TraceText trace_text_of(const ShadowsFlags& flags) {
     const Result<DrawnScene>& drawn = **loaded;
     if (drawn) return judged_pixel_text(scene_flags, common, drawn->scene, settings, x, y, truth);
     if (drawn.error().fault == Fault::cancelled) return drawn.error();
-    if (is_first) say_warning(fmt::format("the report has the commands of traces alone: {}", drawn.error().text()));
+    if (is_first)
+      say_warning(fmt::format("the report has no traces, and their commands fail, too: {}", drawn.error().text()));
     return std::string();
   };
 }
@@ -168,7 +169,7 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   auto scene = load_scene(flags.scene, settings);
   if (!scene) return scene.error();
   return make_shadow_sweep(std::move(question).value(), std::move(scene).value(), *find_technique(technique), settings,
-                           grid_of(flags), trace_text_of(flags));
+                           grid_of(flags), trace_text_of(flags), flags.scene.allow_outside);
 }
 
 // Removes the flag of a single value where its list has the same name; else the two exclude each other.
