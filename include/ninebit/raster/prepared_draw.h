@@ -61,7 +61,8 @@ class PreparedDraw {
 // pass may read a plane of the target as a texture. Several threads may draw one PreparedDraw at the same time.
 //
 // Passes are drawn tile by tile, which reads and writes the target's planes once, if
-// - no pass draws lines or points, blends, or has a program that reads fog factors of vertices,
+// - vectors can draw all passes (docs/rasterizer.md lists what they cannot: lines and points of one colour, for
+// example),
 // - all passes write the same colour components,
 // - the target has neither output planes nor a probe.
 // The clear is part of that if, in addition, scissor and viewport cover the whole target, the passes write all of its

@@ -12,7 +12,7 @@
 
 namespace ninebit {
 
-// Nothing here branches at a fragment: compilers vectorize loops of it.
+// With the NV2A's rounding nothing here branches at a fragment: compilers vectorize loops of it.
 
 // 2^t for t <= 0, with sums and products alone, which give every machine the same bits. Its relative error is below
 // 2^-40; where t is below -64, or NaN, it is 0.

@@ -1,7 +1,6 @@
 #include "src/raster/fragment/fragment_batch.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ninebit/numerics/fixed9.h"
 #include "src/raster/fragment/fog.h"

@@ -18,9 +18,9 @@ namespace ninebit {
 // Gives the codes that TextureSampler computes fragment by fragment for other textures.
 class TextureSampler::ByteSampler {
  public:
-  // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, filters
-  // a border of several levels or of a cube map, or has a filtered border, a colour key or several levels and texels
-  // that do not lie in words.
+  // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, a
+  // border of several levels, a filtered border of a cube map or of signed components, a colour key with a filter or
+  // several levels, or has one of these and texels that do not lie in words.
   [[nodiscard]] static std::shared_ptr<const ByteSampler> make(const TextureSampler& of);
 
   // The codes of fragments [first, first + count), count from 1 to kBatchSize, to codes[component][fragment], and

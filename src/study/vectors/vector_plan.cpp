@@ -108,8 +108,8 @@ class Planner {
     return changed;
   }
 
-  // What one mistake more gains and breaks in the sample. Nothing as soon as it can no longer be `useful`: that is
-  // asked with what it has gained, if all fragments that are left and disagree were gained, too.
+  // What one mistake more gains and breaks in the sample. Zeros once a count in which every remaining fragment that
+  // disagrees is gained is not `useful`.
   template <class Useful>
   Count count_with(const std::vector<std::size_t>& accepted, std::size_t m, const Agreement& before,
                    const Useful& useful) {
@@ -122,7 +122,7 @@ class Planner {
     for (const std::size_t p : changed) left += disagreeing(before[p]);
     Count count;
     Agreement after(given_.size());
-    constexpr std::ptrdiff_t kBlock = 32;
+    constexpr std::ptrdiff_t kBlock = 64;
     for (auto first = changed.begin(); first != changed.end();) {
       if (stopped_ || !useful({count.gains + left, count.breaks})) return {};
       const auto last = first + std::min(kBlock, changed.end() - first);
