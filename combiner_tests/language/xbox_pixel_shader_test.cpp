@@ -452,7 +452,7 @@ TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
                                   "00-00 ",
                                   "DWORD a[] = {1, 2};",
                                   "0  00 "};
-  constexpr std::size_t kBytes = std::size_t{1} << (kSlowBuild ? 14 : 20);
+  constexpr std::size_t kBytes = std::size_t{1} << (kSlowBuild ? 14 : 18);
   for (const std::string& beginning : beginnings) {
     for (const std::string& piece : repeated) {
       std::string text = beginning;
@@ -460,7 +460,7 @@ TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
       const std::clock_t start = std::clock();
       const auto parsed = parse_xbox_pixel_shader({text, ""}, kShaderProfile);
       (void)is_xbox_pixel_shader(text);
-      EXPECT_LT((std::clock() - start) / CLOCKS_PER_SEC, 10) << "processor seconds: " << beginning << piece;
+      EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC) << "processor time: " << beginning << piece;
       EXPECT_LE(parsed.faults().size(), kMaxTextFaults);
       EXPECT_NE(bool(parsed), !parsed.faults().empty()) << beginning << piece;
     }
