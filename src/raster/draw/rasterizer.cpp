@@ -79,9 +79,9 @@ void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
   }
 }
 
-// Draws into a target with one sample for each pixel.
+// Draws into a target with one sample for each pixel. `is_sample`: TileActions::is_sample.
 Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
-                   std::span<const TextureUnit> units, RenderTarget& target, const SampleShift& shift) {
+                   std::span<const TextureUnit> units, RenderTarget& target, const SampleShift& shift, bool is_sample) {
   if (Status checked = check_call(state, arrays, units, target); !checked) return checked;
   if (Status checked = check_w(state, has_one_w(clip_from_object, arrays), target); !checked) return checked;
   if (Status checked = check_indices(arrays); !checked) return checked;
@@ -99,7 +99,7 @@ Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
   const DrawContext* const pass = &context;
   TileLoop tiles(
-      {.grid = grid, .drawn = drawn, .passes = {&pass, 1}, .target = target, .actions = {}, .probe = probe.get()});
+      {.grid = grid, .drawn = drawn, .passes = {&pass, 1}, .target = target, .actions = {.is_sample = is_sample}, .probe = probe.get()});
   draw(geometry, tiles, *scratch);
   return {};
 }
@@ -108,11 +108,11 @@ Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object
 
 Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                  std::span<const TextureUnit> units, RenderTarget& target) {
-  if (target.samples == SampleMode::center_1) return draw_sample(state, clip_from_object, arrays, units, target, {});
+  if (target.samples == SampleMode::center_1) return draw_sample(state, clip_from_object, arrays, units, target, {}, false);
   if (Status checked = check_samples(state, target); !checked) return checked;
   for (const SamplePlace& sample : sample_places(target.samples)) {
     RenderTarget planes = planes_of_sample(target, sample);
-    Status drawn = draw_sample(state, clip_from_object, arrays, units, planes, sample.shift);
+    Status drawn = draw_sample(state, clip_from_object, arrays, units, planes, sample.shift, true);
     if (!drawn) return drawn;
   }
   return {};
