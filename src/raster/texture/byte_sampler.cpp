@@ -54,13 +54,12 @@ std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::
   const auto wraps = [&sampler](Wrap mode) { return sampler.wrap_s == mode || sampler.wrap_t == mode; };
   const bool filters = is_linear(sampler.min_filter) || sampler.mag_filter == MagFilter::linear;
   const bool has_key = sampler.color_key.operation != ColorKeyOperation::disable;
-  // Lanes compare a key only where the nearest texel of level 0 is read, and read a border only of level 0.
+  // Lanes compare a key only where the nearest texel of level 0 is read.
   const bool has_border = sampler.border_texels || wraps(Wrap::clamp_to_border) || (filters && wraps(Wrap::clamp));
   if ((has_key || has_words(of.texture_->format)) && (filters || of.needs_derivatives_)) return {};
-  if (has_border && of.needs_derivatives_) return {};
   const std::shared_ptr<const ByteSampler> made(new ByteSampler(of));
-  if (has_border && filters && !made->filters_border_words()) return {};
-  if (of.needs_derivatives_ && made->method_ != Method::filtered_words) return {};
+  const bool needs_words = of.needs_derivatives_ || (has_border && filters);
+  if (needs_words && made->method_ != Method::filtered_words) return {};
   if (has_key && made->method_ != Method::nearest_words) return {};
   return made;
 }
