@@ -83,8 +83,8 @@ TEST(FogFunctions, VectorsTakeCoordinatesThatAreNotFiniteAsSingleFragmentsDo) {
         const float w = random.one_in(2) ? 1.0F : random.real_f(0.5, 3);
         positions.emplace_back(random.real_f(-1.3, 1.3) * w, random.real_f(-1.3, 1.3) * w, 0.0F, w);
         finite.push_back(random.real_f(-2, 2));
-        coordinates.push_back(
-            random.one_in(3) ? random.pick({kNan, -kNan, kInfinity, -kInfinity, 3e38F, -3e38F}) : finite.back());
+        coordinates.push_back(random.one_in(3) ? random.pick({kNan, -kNan, kInfinity, -kInfinity, 3e38F, -3e38F})
+                                               : finite.back());
       }
       const auto draw = [&](bool with_primitive, std::span<const float> given) {
         Surface surface = Surface::make(kSize, kSize, {.with_primitive = with_primitive}).value();

@@ -86,8 +86,7 @@ void expect_as_scalar(const HardwareProfile& profile, const Texture& texture, co
   const bool has_key = parameters.color_key.operation != ColorKeyOperation::disable;
   // A key that gives an alpha to texels without one is applied texel by texel.
   const bool adds_alpha = texture.format == InternalFormat::rgb8 && sampler->format() == TextureFormat::rgba;
-  const bool in_lanes = !adds_alpha && !(has_key && filters) &&
-                        !(has_border && filters && !in_words) &&
+  const bool in_lanes = !adds_alpha && !(has_key && filters) && !(has_border && filters && !in_words) &&
                         !((has_key || !in_words) && sampler->needs_derivatives());
   std::vector<Rgba9> expected;
   std::vector<std::uint8_t> expected_killed;

@@ -98,8 +98,12 @@ Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
   const DrawContext* const pass = &context;
-  TileLoop tiles(
-      {.grid = grid, .drawn = drawn, .passes = {&pass, 1}, .target = target, .actions = {.is_sample = is_sample}, .probe = probe.get()});
+  TileLoop tiles({.grid = grid,
+                  .drawn = drawn,
+                  .passes = {&pass, 1},
+                  .target = target,
+                  .actions = {.is_sample = is_sample},
+                  .probe = probe.get()});
   draw(geometry, tiles, *scratch);
   return {};
 }
@@ -108,7 +112,8 @@ Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object
 
 Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                  std::span<const TextureUnit> units, RenderTarget& target) {
-  if (target.samples == SampleMode::center_1) return draw_sample(state, clip_from_object, arrays, units, target, {}, false);
+  if (target.samples == SampleMode::center_1)
+    return draw_sample(state, clip_from_object, arrays, units, target, {}, false);
   if (Status checked = check_samples(state, target); !checked) return checked;
   for (const SamplePlace& sample : sample_places(target.samples)) {
     RenderTarget planes = planes_of_sample(target, sample);

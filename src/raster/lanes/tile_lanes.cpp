@@ -195,7 +195,7 @@ HWY_INLINE void draw_any(LaneTile& tile, const LanePass& pass, const SetupBlock&
 }
 
 void draw_primitives(LaneTile& tile, const LanePass& pass, const SetupBlock& block,
-                    std::span<const std::uint32_t> indices) {
+                     std::span<const std::uint32_t> indices) {
   if (pass.batch != nullptr) {
     draw_any<Drawing::gathers>(tile, pass, block, indices);
   } else if (pass.notes_owners) {
