@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/oracle/attribute_oracle.h"
 #include "combiner_tests/raster/support.h"
+#include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::test {
 namespace {
@@ -58,6 +60,50 @@ TEST(FogFunctions, ReachTheProgramAtEachFragment) {
   }
   EXPECT_GT(surface.color(kAlpha)[kSize / 2], 250);
   EXPECT_LT(surface.color(kAlpha)[0], 80);
+}
+
+// A surface with a further plane is drawn by single fragments, without one by vectors.
+TEST(FogFunctions, VectorsTakeCoordinatesThatAreNotFiniteAsSingleFragmentsDo) {
+  constexpr int kSize = 100, kVertices = 60;
+  for (int function = 0; function <= static_cast<int>(FogFunction::exp2_abs); ++function) {
+    std::ptrdiff_t changed = 0, runs = 0;
+    for (std::uint64_t index = 0; index < (kSlowBuild ? 1 : 6); ++index) {
+      Random random(0xF0609, 100 * static_cast<std::uint64_t>(function) + index);
+      PipelineState state;
+      state.profile = random.pick({profiles::nv2a, profiles::nv2a, profiles::geforce2, profiles::float_shader});
+      state.fog = {.enabled = true,
+                   .color = {},
+                   .function = static_cast<FogFunction>(function),
+                   .bias = random.real_f(0.5, 2.5),
+                   .slope = random.pick({0.0F, 1.0F, random.real_f(-1, 1)})};
+      state.program = pass_through(Register::fog, Register::fog, state.profile);
+      std::vector<glm::vec4> positions;
+      std::vector<float> coordinates, finite;
+      for (int i = 0; i < kVertices; ++i) {
+        const float w = random.one_in(2) ? 1.0F : random.real_f(0.5, 3);
+        positions.emplace_back(random.real_f(-1.3, 1.3) * w, random.real_f(-1.3, 1.3) * w, 0.0F, w);
+        finite.push_back(random.real_f(-2, 2));
+        coordinates.push_back(random.one_in(3) ? random.pick({kNan, -kNan, kInfinity, -kInfinity, 3e38F, -3e38F})
+                                               : finite.back());
+      }
+      const auto draw = [&](bool with_primitive, std::span<const float> given) {
+        Surface surface = Surface::make(kSize, kSize, {.with_primitive = with_primitive}).value();
+        RenderTarget target = surface.target();
+        const VertexArrays arrays{.homogeneous_positions = positions, .fog_factors = given};
+        EXPECT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok());
+        return surface.color(kAlpha);
+      };
+      const PlaneSamples<std::uint8_t> expected = draw(true, coordinates), other = draw(true, finite);
+      for (std::size_t i = 0; i < expected.size(); ++i) changed += expected[i] != other[i] ? 1 : 0;
+      for (const std::int64_t on : simd_targets()) {
+        const OnTarget only(on);
+        ASSERT_TRUE(draw(false, coordinates) == expected) << function << ' ' << index << ' ' << simd_target_name(on);
+        runs += only.ran() ? 1 : 0;
+      }
+    }
+    EXPECT_GT(changed, 1000) << function;
+    EXPECT_GT(runs, 0) << function;
+  }
 }
 
 TEST(FogFunctions, NumbersMustBeFinite) {

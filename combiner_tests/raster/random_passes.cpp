@@ -132,7 +132,7 @@ void add_texture(Random& random, RandomPass& pass, std::size_t unit, std::size_t
   int width = 1 << random.below(5), height = cube ? width : 1 << random.below(5);
   if (cube && is_depth(format)) return;
   const bool linear = random.one_in(2), plain = !cube && !mipmaps && !linear;
-  const bool has_border_texels = plain && random.one_in(6);
+  const bool has_border_texels = !cube && !mipmaps && random.one_in(6);
   if (has_border_texels) width = height = 16;
   const bool has_key = plain && format == InternalFormat::rgba8 && random.one_in(3);
   if (has_key && !has_border_texels) width = height = 2;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <string>
 
+#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/fragment_support.h"
+#include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/support.h"
 #include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/prepared_draw.h"
@@ -73,6 +75,62 @@ TEST(Samples, AreCoveredAndHaveDepthsAtTheirPlaces) {
   }
   EXPECT_GE(drawn, kSlowBuild ? 5'000U : 100'000U);
   EXPECT_GE(partly, kSlowBuild ? 200U : 5'000U);
+}
+
+// Vectors read and write every second sample of rows as wide as a tile. A surface with a further plane is drawn by
+// single fragments.
+TEST(Samples, OfWideRowsAreDrawnAsSingleOnesOnEveryTarget) {
+  std::uint64_t runs = 0, changed = 0;
+  for (std::uint64_t index = 0; index < (kSlowBuild ? 6 : 60); ++index) {
+    Random random(0x3EC04D, index);
+    const int width = random.pick({64, 128, 150, 192}), height = random.between(1, 70);
+    const SampleMode mode = kModes[random.between(1, 2)];
+    const DepthStencilFormat format = random.pick({DepthStencilFormat::d24s8, DepthStencilFormat::d16});
+    Surface single =
+        Surface::make(width, height, {.depth_stencil = format, .with_primitive = true, .samples = mode}).value();
+    RenderTarget expected = single.target();
+    const int columns = width * sample_columns(mode), rows = height * sample_rows(mode);
+    const oracle::Picture start = random_picture(random, columns, rows, format);
+    const auto fill = [&](RenderTarget& target) {
+      for (std::size_t i = 0; i < start.color.size(); ++i) {
+        for (std::size_t k = 0; k < 4; ++k) target.color[k].data[i] = static_cast<std::uint8_t>(start.color[i][k]);
+      }
+      std::copy(start.depth.begin(), start.depth.end(), target.depth.data);
+      if (target.stencil) std::copy(start.stencil.begin(), start.stencil.end(), target.stencil.data);
+    };
+    PipelineState state;
+    randomize_fragment_operations(random, state);
+    state.profile = profiles::nv2a;
+    if (random.one_in(2)) {
+      state.depth_test = {true, CompareFunction::always, true};
+      state.alpha_test.enabled = state.stencil_test.enabled = false;
+    }
+    if (random.one_in(2)) state.program = pass_through(Register::primary, Register::primary, state.profile);
+    std::vector<glm::vec3> positions;
+    std::vector<ColorBytes> colors;
+    for (int i = 0; i < 12; ++i) {
+      positions.emplace_back(random.real_f(-2, 2), random.real_f(-2, 2), random.real_f(-1, 1));
+      colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
+    }
+    const VertexArrays arrays{.positions = positions, .vertex_colors = colors};
+    const auto draw = [&](RenderTarget& target) { ASSERT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok()); };
+    fill(expected);
+    draw(expected);
+    changed += std::equal(start.depth.begin(), start.depth.end(), single.depth().begin()) ? 0U : 1U;
+    for (const std::int64_t on : simd_targets()) {
+      const OnTarget only(on);
+      Surface surface = Surface::make(width, height, {.depth_stencil = format, .samples = mode}).value();
+      RenderTarget target = surface.target();
+      fill(target);
+      with_threads(random.pick({1, 3}), [&] { draw(target); });
+      bool is_same = surface.depth() == single.depth() && surface.stencil() == single.stencil();
+      for (int k = 0; k < 4; ++k) is_same = is_same && surface.color(k) == single.color(k);
+      ASSERT_TRUE(is_same) << index << ", " << simd_target_name(on) << ", " << describe_operations(state);
+      runs += only.ran() ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(changed, kSlowBuild ? 2U : 20U);
+  EXPECT_GT(runs, 0U);
 }
 
 TEST(Samples, AreClearedWithinTheScissorAndOfOtherPlanesToo) {

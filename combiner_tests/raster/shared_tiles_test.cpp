@@ -334,8 +334,8 @@ TEST(SharedTiles, LargeTargetsHoldWhatPaddedOnesHold) {
       EXPECT_EQ(differences, 0) << simd_target_name(on);
       const TileContents all{
           .writes_depth = true, .writes_stencil = true, .color = {true, true, true, true}, .clears = true};
-      EXPECT_TRUE(TilePlanes(whole, all).streams);
-      EXPECT_FALSE(TilePlanes(padded.target, all).streams);
+      EXPECT_EQ(TilePlanes(whole, all).form, RowForm::streamed);
+      EXPECT_EQ(TilePlanes(padded.target, all).form, RowForm::side_by_side);
     }
   }
 }

@@ -318,12 +318,22 @@ TEST(TextureShaderDraws, EveryPlaneIsAsTheOraclesDrawIt) {
   EXPECT_GE(all.drawn, all.fragments / 10);
 }
 
+// The same draw of points, with coordinates across them in some units.
+void make_sprites(StageDraw& d, std::uint64_t number) {
+  d.type = PrimitiveType::points;
+  d.state.point_size = std::array{9.0F, 0.0F, 2.5F, 24.0F}[number % 4];
+  d.state.point_sprite.enabled = true;
+  for (std::size_t u = 0; u < kTextureStages; ++u) d.state.point_sprite.coord_replace[u] = ((number >> u) & 1U) == 0;
+}
+
 // With mip-maps there is no oracle: single fragments, which the probe evaluates, and vectors agree.
 TEST(TextureShaderDraws, LevelsOfDetailAreThoseOfSingleFragments) {
-  std::size_t probed = 0;
+  std::size_t probed = 0, of_sprites = 0;
   for (int n = 0; n < static_cast<int>(TextureOperation::brdf); ++n) {
-    for (std::uint64_t index = 0; index < (kSlowBuild ? 1 : 4); ++index) {
-      const StageDraw d = random_stage_draw(4211, static_cast<TextureOperation>(n), index, true);
+    for (std::uint64_t index = 0; index < (kSlowBuild ? 2 : 8); ++index) {
+      StageDraw d = random_stage_draw(4211, static_cast<TextureOperation>(n), index / 2, true);
+      const bool are_sprites = index % 2 == 1;
+      if (are_sprites) make_sprites(d, static_cast<std::uint64_t>(n) + index / 2);
       const std::string name = name_of_case(static_cast<TextureOperation>(n), index);
       const oracle::Picture first = drawn_by_library(d, true);
       for (const std::int64_t target : simd_targets()) {
@@ -339,12 +349,13 @@ TEST(TextureShaderDraws, LevelsOfDetailAreThoseOfSingleFragments) {
           for (std::size_t u = 0; u < kTextureStages; ++u) {
             ASSERT_EQ(f.registers[texture_register(static_cast<int>(u))], f.stages->stage[u].codes) << name;
           }
-          ++probed;
+          ++(are_sprites ? of_sprites : probed);
         }
       }
     }
   }
   EXPECT_GT(probed, 100U);
+  EXPECT_GT(of_sprites, 100U);
 }
 
 // A quad over the whole target.

@@ -79,9 +79,9 @@ void draw(const DrawGeometry& geometry, TileLoop& tiles, DrawScratch& scratch) {
   }
 }
 
-// Draws into a target with one sample for each pixel.
+// Draws into a target with one sample for each pixel: `sample` of another target's pixels, if it is not null.
 Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
-                   std::span<const TextureUnit> units, RenderTarget& target, const SampleShift& shift) {
+                   std::span<const TextureUnit> units, RenderTarget& target, const SamplePlace* sample) {
   if (Status checked = check_call(state, arrays, units, target); !checked) return checked;
   if (Status checked = check_w(state, has_one_w(clip_from_object, arrays), target); !checked) return checked;
   if (Status checked = check_indices(arrays); !checked) return checked;
@@ -93,13 +93,18 @@ Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object
   const ScratchLease scratch;
   const TileGrid grid(target.width, target.height);
   const SetupContext setup(state, viewport_of(state, target), drawn, target.format,
-                           !context.has_flat_result || target.probe != nullptr, shift);
+                           !context.has_flat_result || target.probe != nullptr,
+                           sample == nullptr ? SampleShift{} : sample->shift);
   const DrawGeometry geometry(setup, clip_from_object, arrays, grid, scratch->packed);
   std::unique_ptr<PixelProbe> probe;
   if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
   const DrawContext* const pass = &context;
-  TileLoop tiles(
-      {.grid = grid, .drawn = drawn, .passes = {&pass, 1}, .target = target, .actions = {}, .probe = probe.get()});
+  TileLoop tiles({.grid = grid,
+                  .drawn = drawn,
+                  .passes = {&pass, 1},
+                  .target = target,
+                  .actions = {.is_sample = sample != nullptr},
+                  .probe = probe.get()});
   draw(geometry, tiles, *scratch);
   return {};
 }
@@ -108,11 +113,13 @@ Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object
 
 Status rasterize(const PipelineState& state, const glm::mat4& clip_from_object, const VertexArrays& arrays,
                  std::span<const TextureUnit> units, RenderTarget& target) {
-  if (target.samples == SampleMode::center_1) return draw_sample(state, clip_from_object, arrays, units, target, {});
+  if (target.samples == SampleMode::center_1) {
+    return draw_sample(state, clip_from_object, arrays, units, target, nullptr);
+  }
   if (Status checked = check_samples(state, target); !checked) return checked;
   for (const SamplePlace& sample : sample_places(target.samples)) {
     RenderTarget planes = planes_of_sample(target, sample);
-    Status drawn = draw_sample(state, clip_from_object, arrays, units, planes, sample.shift);
+    Status drawn = draw_sample(state, clip_from_object, arrays, units, planes, &sample);
     if (!drawn) return drawn;
   }
   return {};

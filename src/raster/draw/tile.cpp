@@ -40,6 +40,7 @@ TileContents tile_contents(std::span<const LanePass> passes, const RenderTarget&
     for (std::size_t k = 0; k < 4; ++k) all.color[k] = static_cast<bool>(target.color[k]);
   }
   if (actions.discards_depth) all.writes_depth = false;
+  all.is_sample = actions.is_sample;
   return all;
 }
 

@@ -24,6 +24,7 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
 struct TileActions {
   const ClearValues* clear = nullptr;  // fills all planes first; nullptr: they keep their contents
   bool discards_depth = false;         // the depth plane need not be written
+  bool is_sample = false;              // TileContents::is_sample
 };
 
 // Draws tile after tile in one thread, in each tile pass after pass. Large: one is used for many tiles.

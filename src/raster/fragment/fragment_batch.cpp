@@ -117,7 +117,7 @@ void FragmentBatch::fill_texture(std::size_t unit) {
     if (!is_sprite(i, unit)) continue;
     const int eighths = eighths_of(context_.state.point_size);
     const SpritePlace at = sprite_place(*place_[i].primitive, eighths, fragment_[i].x, fragment_[i].y);
-    const std::array<std::array<float, 4>, 3> values = sprite_coordinates(at);
+    const std::array<std::array<float, 4>, 3> values = sprite_coordinates(at, sprite_change(eighths));
     for (std::size_t kind = 0; kind < kinds; ++kind) {
       for (std::size_t k = 0; k < components; ++k) coordinates_[kind][k][i] = values[kind][k];
     }
@@ -166,7 +166,7 @@ void FragmentBatch::run_stages() {
       if (!is_sprite(i, unit)) continue;
       const int eighths = eighths_of(context_.state.point_size);
       const SpritePlace at = sprite_place(*place_[i].primitive, eighths, fragment_[i].x, fragment_[i].y);
-      const std::array<std::array<float, 4>, 3> values = sprite_coordinates(at);
+      const std::array<std::array<float, 4>, 3> values = sprite_coordinates(at, sprite_change(eighths));
       for (std::size_t kind = 0; kind < stages_->kinds(); ++kind) {
         for (std::size_t k = 0; k < 4; ++k) {
           if (stages_->needs(unit, k)) stages_->at(kind, unit, k)[i] = values[kind][k];

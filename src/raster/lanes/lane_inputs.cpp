@@ -25,6 +25,7 @@ void for_sprites(const LaneFragments& f, std::size_t r, const LaneBatch& batch, 
 
 void place_points(const LaneFragments& f, LaneBatch& batch, const DrawContext& context, std::size_t unit,
                   bool changes) {
+  const float change = sprite_change(eighths_of(context.state.point_size));
   for (std::size_t r = 0; r < f.runs; ++r) {
     if (f.run[r].primitive->kind != SetupKind::point) continue;
     const auto fill = [&](LaneFragments::Lanes<float>& lanes, float value) {
@@ -32,11 +33,9 @@ void place_points(const LaneFragments& f, LaneBatch& batch, const DrawContext& c
     };
     if (changes) fill(batch.dx.coordinate[0], context.point_change[unit]);
     if (!has_sprites(context.state, unit)) continue;
-    float change = 0.0F;
     for_sprites(f, r, batch, context, [&](std::size_t i, const SpritePlace& at) {
       batch.coordinate[0][i] = at.s;
       batch.coordinate[1][i] = at.t;
-      change = at.change;
     });
     fill(batch.coordinate[2], 0.0F);
     if (!changes) continue;
@@ -50,6 +49,7 @@ void place_points(const LaneFragments& f, LaneBatch& batch, const DrawContext& c
 
 void place_stage_points(const LaneFragments& f, LaneBatch& batch, const DrawContext& context, std::size_t unit) {
   FragmentStages& stages = *batch.stages;
+  const float change = sprite_change(eighths_of(context.state.point_size));
   for (std::size_t r = 0; r < f.runs; ++r) {
     if (f.run[r].primitive->kind != SetupKind::point) continue;
     const float width = context.point_change[unit];
@@ -58,7 +58,7 @@ void place_stage_points(const LaneFragments& f, LaneBatch& batch, const DrawCont
     }
     if (!has_sprites(context.state, unit)) continue;
     for_sprites(f, r, batch, context, [&](std::size_t i, const SpritePlace& at) {
-      const auto values = sprite_coordinates(at);
+      const auto values = sprite_coordinates(at, change);
       for (std::size_t kind = 0; kind < stages.kinds(); ++kind) {
         for (std::size_t k = 0; k < 4; ++k) {
           if (stages.needs(unit, k)) stages.at(kind, unit, k)[i] = values[kind][k];

@@ -29,7 +29,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR  // its single lane has no numbers wider than 32 bits
 
-void draw_triangles(LaneTile&, const LanePass&, const SetupBlock&, std::span<const std::uint32_t>) {}
+void draw_primitives(LaneTile&, const LanePass&, const SetupBlock&, std::span<const std::uint32_t>) {}
 
 #else
 
@@ -194,8 +194,8 @@ HWY_INLINE void draw_any(LaneTile& tile, const LanePass& pass, const SetupBlock&
                                : draw_all<kDrawing, PrimitiveDraw>(tile, pass, block, indices);
 }
 
-void draw_triangles(LaneTile& tile, const LanePass& pass, const SetupBlock& block,
-                    std::span<const std::uint32_t> indices) {
+void draw_primitives(LaneTile& tile, const LanePass& pass, const SetupBlock& block,
+                     std::span<const std::uint32_t> indices) {
   if (pass.batch != nullptr) {
     draw_any<Drawing::gathers>(tile, pass, block, indices);
   } else if (pass.notes_owners) {
@@ -220,7 +220,7 @@ HWY_AFTER_NAMESPACE();
 namespace ninebit {
 
 HWY_EXPORT(are_lanes_there);
-HWY_EXPORT(draw_triangles);
+HWY_EXPORT(draw_primitives);
 
 bool lanes_can_draw(const DrawContext& context, const RenderTarget& target) {
   const PipelineState& state = context.state;
@@ -251,7 +251,7 @@ void begin_pass(LaneTile& tile, const LanePass& pass) {
 
 void draw_lanes(LaneTile& tile, const LanePass& pass, const SetupBlock& block, std::span<const std::uint32_t> indices) {
   if (tile.fragments.repeats(pass.role)) return;
-  HWY_DYNAMIC_DISPATCH(draw_triangles)(tile, pass, block, indices);
+  HWY_DYNAMIC_DISPATCH(draw_primitives)(tile, pass, block, indices);
 }
 
 // Not inlined into the loops that gather: it runs once for hundreds of fragments.

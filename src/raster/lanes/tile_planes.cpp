@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <type_traits>
 
 #include "hwy/cache_control.h"
 #include "src/numerics/simd_targets.h"
@@ -21,8 +20,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-void load_rows(TilePlanes&, TileRow, int, int) {}
-void store_rows(const TilePlanes&, TileRow, int, int, bool) {}
+void load_rows(TilePlanes&, TileRow, int, int, RowForm) {}
+void store_rows(const TilePlanes&, TileRow, int, int, RowForm) {}
 void find_farthest(const TilePlanes&, FarthestDepths&) {}
 void fill_words(TileWords&, std::uint32_t) {}
 
@@ -79,83 +78,128 @@ struct ColorLanes {
   }
 };
 
-// kStreams: past the caches, to an aligned address.
-template <bool kStreams, class D, class T>
-HWY_INLINE void put(hn::Vec<D> v, D d, T* to) {
-  if constexpr (kStreams) {
-    hn::Stream(v, d, to);
+// The distance of a row's samples.
+constexpr std::size_t step_of(RowForm form) {
+  return form == RowForm::every_second ? 2 : 1;
+}
+
+// A vector of a row's samples. The second half of every second sample begins a sample early: nothing behind the last
+// one is read, or written by put().
+template <RowForm kForm, class D>
+HWY_INLINE hn::Vec<D> load(D d, const hn::TFromD<D>* from) {
+  if constexpr (kForm != RowForm::every_second) {
+    return hn::LoadU(d, from);
   } else {
+    const hn::RepartitionToWide<D> pairs;
+    const auto high = hn::BitCast(pairs, hn::LoadU(d, from + hn::Lanes(d) - 1));
+    return hn::ConcatEven(d, hn::BitCast(d, hn::ShiftRight<8 * sizeof(*from)>(high)), hn::LoadU(d, from));
+  }
+}
+
+template <RowForm kForm, class D>
+HWY_INLINE void put(hn::Vec<D> v, D d, hn::TFromD<D>* to) {
+  if constexpr (kForm == RowForm::streamed) {
+    hn::Stream(v, d, to);
+  } else if constexpr (kForm == RowForm::side_by_side) {
     hn::StoreU(v, d, to);
+  } else {
+    const hn::Half<D> half;
+    const hn::RepartitionToWide<D> pairs;
+    hn::TFromD<D>* const above = to + hn::Lanes(d) - 1;
+    const auto low = hn::BitCast(d, hn::PromoteTo(pairs, hn::LowerHalf(half, v)));
+    const auto high = hn::BitCast(d, hn::ShiftLeft<8 * sizeof(*to)>(hn::PromoteTo(pairs, hn::UpperHalf(half, v))));
+    const auto between_low = hn::LoadU(d, to), between_high = hn::LoadU(d, above);
+    hn::StoreU(hn::OddEven(between_low, low), d, to);
+    hn::StoreU(hn::OddEven(high, between_high), d, above);
   }
 }
 
 // Copies a row of colour words, at any address.
-template <bool kStreams>
+template <RowForm kForm>
 HWY_INLINE void copy_words(const void* from, void* to) {
   for (std::size_t i = 0; i < kTileSize; i += kLanes) {
     const auto words = hn::LoadU(kBytes, static_cast<const std::uint8_t*>(from) + 4 * i);
-    put<kStreams>(words, kBytes, static_cast<std::uint8_t*>(to) + 4 * i);
+    put<kForm>(words, kBytes, static_cast<std::uint8_t*>(to) + 4 * i);
   }
 }
 
-void load_row(TilePlanes& tile, const TileRow& from, std::size_t place) {
+template <RowForm kForm>
+HWY_INLINE void load_row(TilePlanes& tile, const TileRow& from, std::size_t place) {
+  constexpr std::size_t kStep = step_of(kForm);
   if (tile.contents.depth || tile.contents.stencil) {
     for (std::size_t i = 0; i < kTileSize; i += kLanes) {
       auto v = hn::Zero(kD32);
-      if (tile.contents.depth) v = hn::ShiftLeft<8>(hn::LoadU(kD32, from.depth.data + i));
-      if (tile.contents.stencil) v = hn::Or(v, hn::PromoteTo(kD32, hn::LoadU(kD8, from.stencil.data + i)));
+      if (tile.contents.depth) v = hn::ShiftLeft<8>(load<kForm>(kD32, from.depth.data + i * kStep));
+      if (tile.contents.stencil) v = hn::Or(v, hn::PromoteTo(kD32, load<kForm>(kD8, from.stencil.data + i * kStep)));
       hn::Store(v, kD32, tile.depth_stencil.data() + place + i);
     }
   }
   if (!tile.contents.has_color()) return;
-  if (tile.colors_are_words) return copy_words<false>(from.color[0].data, tile.color.data() + place);
+  if (tile.colors_are_words) return copy_words<RowForm::side_by_side>(from.color[0].data, tile.color.data() + place);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto bytes = tile.contents.color[k] ? hn::LoadU(kBytes, from.color[k].data + i) : hn::Zero(kBytes);
+      const bool is_held = tile.contents.color[k];
+      const auto bytes = is_held ? load<kForm>(kBytes, from.color[k].data + i * kStep) : hn::Zero(kBytes);
       color.v[k] = hn::BitCast(kD32, bytes);
     }
     color.store(tile.color.data() + place + i);
   }
 }
 
-template <bool kStreams>
+template <RowForm kForm>
 HWY_INLINE void store_row(const TilePlanes& tile, const TileRow& to, std::size_t place) {
+  constexpr std::size_t kStep = step_of(kForm);
   const std::uint32_t* const depth_stencil = tile.depth_stencil.data() + place;
   for (std::size_t i = 0; i < kTileSize && tile.contents.writes_depth; i += kLanes) {
-    put<kStreams>(hn::ShiftRight<8>(hn::Load(kD32, depth_stencil + i)), kD32, to.depth.data + i);
+    put<kForm>(hn::ShiftRight<8>(hn::Load(kD32, depth_stencil + i)), kD32, to.depth.data + i * kStep);
   }
   for (std::size_t i = 0; i < kTileSize && tile.contents.writes_stencil; i += kQuads * kLanes) {
     V32 v[kQuads];
     for (std::size_t q = 0; q < kQuads; ++q) v[q] = sorted_bytes(hn::Load(kD32, depth_stencil + i + q * kLanes));
     const V32 values = hn::ConcatEven(kD32, hn::ConcatEven(kD32, v[3], v[2]), hn::ConcatEven(kD32, v[1], v[0]));
-    put<kStreams>(hn::BitCast(kBytes, values), kBytes, to.stencil.data + i);
+    put<kForm>(hn::BitCast(kBytes, values), kBytes, to.stencil.data + i * kStep);
   }
   if (!tile.contents.has_color()) return;
-  if (tile.colors_are_words) return copy_words<kStreams>(tile.color.data() + place, to.color[0].data);
+  if (tile.colors_are_words) return copy_words<kForm>(tile.color.data() + place, to.color[0].data);
   for (std::size_t i = 0; i < kTileSize; i += kQuads * kLanes) {
     ColorLanes color;
     color.load(tile.color.data() + place + i);
     for (std::size_t k = 0; k < 4; ++k) {
-      if (tile.contents.color[k]) put<kStreams>(hn::BitCast(kBytes, color.v[k]), kBytes, to.color[k].data + i);
+      if (!tile.contents.color[k]) continue;
+      put<kForm>(hn::BitCast(kBytes, color.v[k]), kBytes, to.color[k].data + i * kStep);
     }
   }
 }
 
 // `count` rows, the first of which is `row` of the tile.
-void load_rows(TilePlanes& tile, TileRow from, int row, int count) {
-  for (int y = row; y < row + count; ++y, from.move_up()) load_row(tile, from, static_cast<std::size_t>(y * kTileSize));
+void load_rows(TilePlanes& tile, TileRow from, int row, int count, RowForm form) {
+  for (int y = row; y < row + count; ++y, from.move_up()) {
+    const auto place = static_cast<std::size_t>(y * kTileSize);
+    form == RowForm::every_second ? load_row<RowForm::every_second>(tile, from, place)
+                                  : load_row<RowForm::side_by_side>(tile, from, place);
+  }
 }
 
-// `streams`: past the caches.
-void store_rows(const TilePlanes& tile, TileRow to, int row, int count, bool streams) {
-  const auto place = [](int y) { return static_cast<std::size_t>(y * kTileSize); };
-  if (!streams) {
-    for (int y = row; y < row + count; ++y, to.move_up()) store_row<false>(tile, to, place(y));
-    return;
+template <RowForm kForm>
+void store_rows_of(const TilePlanes& tile, TileRow to, int row, int count) {
+  for (int y = row; y < row + count; ++y, to.move_up()) {
+    store_row<kForm>(tile, to, static_cast<std::size_t>(y * kTileSize));
   }
-  for (int y = row; y < row + count; ++y, to.move_up()) store_row<true>(tile, to, place(y));
-  hwy::FlushStream();
+}
+
+void store_rows(const TilePlanes& tile, TileRow to, int row, int count, RowForm form) {
+  switch (form) {
+    case RowForm::side_by_side:
+      return store_rows_of<RowForm::side_by_side>(tile, to, row, count);
+    case RowForm::every_second:
+      return store_rows_of<RowForm::every_second>(tile, to, row, count);
+    case RowForm::streamed:
+      store_rows_of<RowForm::streamed>(tile, to, row, count);
+      return hwy::FlushStream();
+    case RowForm::scattered:
+      return;  // vectors cannot
+  }
 }
 
 void fill_words(TileWords& words, std::uint32_t value) {
@@ -228,30 +272,15 @@ TileRow first_row(const TilePlanes& tile, bool depth, bool stencil) {
   return row;
 }
 
-// Samples one after the other. Steps that are constants let the compiler vectorize what it can.
-template <class T, class FromStep, class ToStep>
-void copy_steps(const T* __restrict from, FromStep from_step, T* __restrict to, ToStep to_step, std::ptrdiff_t count) {
-  for (std::ptrdiff_t i = 0; i < count; ++i) to[i * to_step] = from[i * from_step];
-}
-
 // Copies the pixels that may be drawn, of the planes that both rows have.
 void copy(const TilePlanes& tile, const TileRow& from, const TileRow& to) {
   const int first = tile.pixels.left - tile.left, end = tile.pixels.right - tile.left;
   const auto copy_samples = [&](const auto& samples, const auto& target) {
     if (!samples || !target) return;
-    // A sample of a target with several for each pixel has a step of 2.
-    constexpr std::integral_constant<std::ptrdiff_t, 1> kOne{};
-    constexpr std::integral_constant<std::ptrdiff_t, 2> kTwo{};
-    const auto* const read = &samples.at(first, 0);
-    auto* const written = &target.at(first, 0);
     if (samples.step == 1 && target.step == 1) {
-      std::copy(read, read + (end - first), written);
-    } else if (samples.step == 2 && target.step == 1) {
-      copy_steps(read, kTwo, written, kOne, end - first);
-    } else if (samples.step == 1 && target.step == 2) {
-      copy_steps(read, kOne, written, kTwo, end - first);
+      std::copy(&samples.at(first, 0), &samples.at(end, 0), &target.at(first, 0));
     } else {
-      copy_steps(read, samples.step, written, target.step, end - first);
+      for (int x = first; x < end; ++x) target.at(x, 0) = samples.at(x, 0);
     }
   };
   copy_samples(from.depth, to.depth);
@@ -264,21 +293,21 @@ bool has_color_words(const RenderTarget& target, const TileContents& contents) {
   return color[0] && color[1] && color[2] && color[3] && are_words(target.color);
 }
 
-// True if samples of a plane that the tile holds do not lie side by side, except for colours that are words.
-bool any_gap(const RenderTarget& target, const TileContents& contents, bool colors_are_words) {
-  bool gaps = (contents.depth && target.depth.step != 1) || (contents.stencil && target.stencil.step != 1);
+// True if samples of all planes that the tile holds have this step, except for colours that are words.
+bool have_step(const RenderTarget& target, const TileContents& contents, bool colors_are_words, std::ptrdiff_t step) {
+  bool have = (!contents.depth || target.depth.step == step) && (!contents.stencil || target.stencil.step == step);
   for (std::size_t k = 0; k < 4 && !colors_are_words; ++k) {
-    gaps = gaps || (contents.color[k] && target.color[k].step != 1);
+    have = have && (!contents.color[k] || target.color[k].step == step);
   }
-  return gaps;
+  return have;
 }
 
 // True if stored rows should bypass the caches: the target is cleared, so that its old contents are not read, and is
 // larger than a core's caches. An ordinary store would first fetch each line. Small maps stay cached for the next pass.
-bool streams_rows(const RenderTarget& target, const TileContents& contents, bool has_gaps) {
+bool streams_rows(const RenderTarget& target, const TileContents& contents) {
   constexpr std::size_t kSmall = std::size_t{1} << 22;  // bytes
   constexpr std::size_t kLine = 64;
-  if (!contents.clears || has_gaps) return false;
+  if (!contents.clears) return false;
   std::size_t bytes_a_pixel = 0;
   bool are_aligned = true;
   const auto take = [&](const auto& plane) {
@@ -301,9 +330,17 @@ bool streams_rows(const RenderTarget& target, const TileContents& contents, bool
          bytes_a_pixel * static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height) > kSmall;
 }
 
+RowForm form_of(const RenderTarget& target, const TileContents& contents, bool colors_are_words) {
+  if (have_step(target, contents, colors_are_words, 1)) {
+    return streams_rows(target, contents) ? RowForm::streamed : RowForm::side_by_side;
+  }
+  const bool skips_samples = contents.is_sample && !colors_are_words && have_step(target, contents, false, 2);
+  return skips_samples ? RowForm::every_second : RowForm::scattered;
+}
+
 // True if vectors can read and write the target's rows.
 bool has_whole_rows(const TilePlanes& tile) {
-  return tile.pixels.right - tile.pixels.left == kTileSize && !tile.has_gaps;
+  return tile.pixels.right - tile.pixels.left == kTileSize && tile.form != RowForm::scattered;
 }
 
 }  // namespace
@@ -312,8 +349,7 @@ TilePlanes::TilePlanes(const RenderTarget& render_target, const TileContents& pl
     : target(render_target),
       contents(planes),
       colors_are_words(has_color_words(target, contents)),
-      has_gaps(any_gap(target, contents, colors_are_words)),
-      streams(streams_rows(target, contents, has_gaps)) {}
+      form(form_of(target, contents, colors_are_words)) {}
 
 void TilePlanes::move_to(const PixelBox& drawn) {
   pixels = drawn;
@@ -324,11 +360,11 @@ void TilePlanes::move_to(const PixelBox& drawn) {
 void load_tile(TilePlanes& tile) {
   TileRow row = first_row(tile, tile.contents.depth, tile.contents.stencil);
   const int first = tile.pixels.bottom - tile.bottom, end = tile.pixels.top - tile.bottom;
-  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(load_rows)(tile, row, first, end - first);
+  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(load_rows)(tile, row, first, end - first, tile.form);
   Staging staging;
   for (int y = first; y < end; ++y, row.move_up()) {
     copy(tile, row, staging.row(tile));
-    HWY_DYNAMIC_DISPATCH(load_rows)(tile, staging.row(tile), y, 1);
+    HWY_DYNAMIC_DISPATCH(load_rows)(tile, staging.row(tile), y, 1, RowForm::side_by_side);
   }
 }
 
@@ -341,7 +377,7 @@ void fill_tile(TilePlanes& tile, const ClearValues& values) {
     }
   };
   TileRow row = first_row(tile, tile.contents.writes_depth, tile.contents.writes_stencil);
-  const bool fetches = has_whole_rows(tile) && !tile.streams;
+  const bool fetches = has_whole_rows(tile) && tile.form != RowForm::streamed;
   for (int y = tile.pixels.bottom; y < tile.pixels.top && fetches; ++y, row.move_up()) {
     fetch(row.depth);
     fetch(row.stencil);
@@ -361,10 +397,10 @@ void fill_tile(TilePlanes& tile, const ClearValues& values) {
 void store_tile(const TilePlanes& tile) {
   TileRow row = first_row(tile, tile.contents.writes_depth, tile.contents.writes_stencil);
   const int first = tile.pixels.bottom - tile.bottom, end = tile.pixels.top - tile.bottom;
-  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(store_rows)(tile, row, first, end - first, tile.streams);
+  if (has_whole_rows(tile)) return HWY_DYNAMIC_DISPATCH(store_rows)(tile, row, first, end - first, tile.form);
   Staging staging;
   for (int y = first; y < end; ++y, row.move_up()) {
-    HWY_DYNAMIC_DISPATCH(store_rows)(tile, staging.row(tile), y, 1, false);  // it is read at once
+    HWY_DYNAMIC_DISPATCH(store_rows)(tile, staging.row(tile), y, 1, RowForm::side_by_side);
     copy(tile, staging.row(tile), row);
   }
 }

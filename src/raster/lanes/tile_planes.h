@@ -28,8 +28,17 @@ struct TileContents {
   bool draws_depth_stencil = false;  // true if a pass writes depth or stencil
   bool clears = false;  // true if tiles begin with clear values: all planes are held, and written but for a depth that
                         // is discarded
+  bool is_sample = false;  // true if the samples between the target's are others of the same pixels
 
   [[nodiscard]] bool has_color() const { return color[0] || color[1] || color[2] || color[3]; }
+};
+
+// How a row's samples lie in the target's planes.
+enum class RowForm : std::uint8_t {
+  side_by_side,  // or colours in words, as they lie in the tile
+  streamed,      // the same, and whole rows are stored past the caches
+  every_second,  // those between are not the target's; vectors write them back
+  scattered      // vectors cannot read and write them
 };
 
 // The tile's planes: large. The target must outlive them.
@@ -42,8 +51,7 @@ struct TilePlanes {
   const RenderTarget& target;
   const TileContents contents;
   const bool colors_are_words;  // true if the target's colours lie in memory as they do here
-  const bool has_gaps;          // true if planes have other gaps between samples, which vectors cannot skip
-  const bool streams;           // true if whole rows are stored past the caches
+  const RowForm form;           // of the planes that the tile holds
 
   PixelBox pixels{};         // the pixels that may be drawn
   int left = 0, bottom = 0;  // the tile's lowest corner

@@ -23,6 +23,7 @@ void fill(const PixelRect& rect, const Plane<T>& plane, T value) {
 }
 
 void fill_masked(const PixelRect& rect, const Plane<std::uint8_t>& plane, unsigned value, unsigned mask) {
+  if (mask == 0xFF) return fill(rect, plane, static_cast<std::uint8_t>(value));
   if (!plane || mask == 0) return;
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     for (int x = rect.x; x < rect.x + rect.width; ++x) {

@@ -39,10 +39,10 @@ int cube_detail_q8(int size, const TextureCoordinates& at, std::size_t i) {
 }
 
 // The level of detail that all fragments share, if their coordinates have one_change.
-int one_detail_q8(const LaneLevel& level, const TextureCoordinates& at) {
+int one_detail_q8(int width, int height, const TextureCoordinates& at) {
   TexelChanges changes{at.dx[0][0], at.dx[1][0], at.dy[0][0], at.dy[1][0]};
-  for (double* const change : {&changes.ux, &changes.uy}) *change *= level.width;
-  for (double* const change : {&changes.vx, &changes.vy}) *change *= level.height;
+  for (double* const change : {&changes.ux, &changes.uy}) *change *= width;
+  for (double* const change : {&changes.vx, &changes.vy}) *change *= height;
   return level_of_detail_q8(rho_squared(changes));
 }
 
@@ -54,13 +54,12 @@ std::shared_ptr<const TextureSampler::ByteSampler> TextureSampler::ByteSampler::
   const auto wraps = [&sampler](Wrap mode) { return sampler.wrap_s == mode || sampler.wrap_t == mode; };
   const bool filters = is_linear(sampler.min_filter) || sampler.mag_filter == MagFilter::linear;
   const bool has_key = sampler.color_key.operation != ColorKeyOperation::disable;
-  // Lanes compare a key only where the nearest texel of level 0 is read, and read a border only of level 0.
+  // Lanes compare a key only where the nearest texel of level 0 is read.
   const bool has_border = sampler.border_texels || wraps(Wrap::clamp_to_border) || (filters && wraps(Wrap::clamp));
   if ((has_key || has_words(of.texture_->format)) && (filters || of.needs_derivatives_)) return {};
-  if (has_border && of.needs_derivatives_) return {};
   const std::shared_ptr<const ByteSampler> made(new ByteSampler(of));
-  if (has_border && filters && !made->filters_border_words()) return {};
-  if (of.needs_derivatives_ && made->method_ != Method::filtered_words) return {};
+  const bool needs_words = of.needs_derivatives_ || (has_border && filters);
+  if (needs_words && made->method_ != Method::filtered_words) return {};
   if (has_key && made->method_ != Method::nearest_words) return {};
   return made;
 }
@@ -188,16 +187,18 @@ void TextureSampler::ByteSampler::filter(const TextureCoordinates& at, std::size
   const std::size_t components = level_.cube ? 3 : 2;
   const auto value = whole_batch(at.value, first, count, components, room);
   if (!needs_detail_) return filter_words(words_, rules_.filter, value, nullptr, count, to.words);
+  const int images = level_.border_texels ? 2 : 1;  // the level of detail is that of the whole image
+  const int width = images * level_.width, height = images * level_.height;
   to.levels.are_same = at.one_change && !level_.cube;
   const std::size_t chosen = to.levels.are_same ? kMostLanes : count;
   if (to.levels.are_same) {
-    std::fill_n(to.lambda_q8.begin(), chosen, one_detail_q8(level_, at));
+    std::fill_n(to.lambda_q8.begin(), chosen, one_detail_q8(width, height, at));
   } else if (level_.cube) {
-    for (std::size_t i = 0; i < count; ++i) to.lambda_q8[i] = cube_detail_q8(level_.width, at, first + i);
+    for (std::size_t i = 0; i < count; ++i) to.lambda_q8[i] = cube_detail_q8(width, at, first + i);
     std::fill(to.lambda_q8.begin() + static_cast<std::ptrdiff_t>(count), to.lambda_q8.end(), 0);
   } else {
     const auto dx = whole_batch(at.dx, first, count, 2, dx_room), dy = whole_batch(at.dy, first, count, 2, dy_room);
-    find_detail(level_.width, level_.height, {dx[0], dy[0]}, {dx[1], dy[1]}, count, to.lambda_q8);
+    find_detail(width, height, {dx[0], dy[0]}, {dx[1], dy[1]}, count, to.lambda_q8);
   }
   for (std::size_t i = 0; i < chosen; ++i) to.lambda_q8[i] += lod_bias_q8_;
   choose_levels(rules_, to.lambda_q8, chosen, to.levels);

@@ -18,9 +18,9 @@ namespace ninebit {
 // Gives the codes that TextureSampler computes fragment by fragment for other textures.
 class TextureSampler::ByteSampler {
  public:
-  // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, a
-  // border of several levels, a filtered border of a cube map or of signed components, a colour key with a filter or
-  // several levels, or has one of these and texels that do not lie in words.
+  // Copies what it needs of `of`, whose texture must outlive it. Empty if `of` reads other samples than bytes, or a
+  // colour key with a filter or several levels, or if its texels do not lie in words and it filters a border or has a
+  // colour key or several levels.
   [[nodiscard]] static std::shared_ptr<const ByteSampler> make(const TextureSampler& of);
 
   // The codes of fragments [first, first + count), count from 1 to kBatchSize, to codes[component][fragment], and
@@ -53,9 +53,6 @@ class TextureSampler::ByteSampler {
   void find_planes(const Texture& texture);
   [[nodiscard]] bool find_face_words(std::size_t faces);
   [[nodiscard]] bool find_level_words(const Texture& texture);
-  [[nodiscard]] bool filters_border_words() const {
-    return method_ == Method::filtered_words && !level_.cube && words_.flip == 0;
-  }
   void find_texels(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
   void filter(const TextureCoordinates& at, std::size_t first, std::size_t count, Texels& to) const;
   void fetch_words(const TextureCoordinates& at, std::size_t first, std::size_t count, LaneWords& to) const;

@@ -261,35 +261,69 @@ HWY_INLINE void filter_by(const WordLevels& texture, const Rules& rules, const s
   }
 }
 
-// Level 0 of a texture that filters_border.
+// The same of a texture that filters_border.
+HWY_INLINE WordTaps read_bordered_taps(const WordLevels& texture, const FilterRules& rules, const Places& at,
+                                       const Level& level, VI linear) {
+  const M blends = hn::Ne(linear, hn::Zero(kDI));
+  const bool all_blend = hn::AllTrue(kDI, blends);
+  const auto texels_of = [&](const Axis& axis, VF s) HWY_ATTR {
+    BorderedTexels texels = bordered_texels_along(axis, s, rules, texture.border_texels);
+    if (all_blend) return texels;
+    const VI nearest = texture.border_texels ? stored_texel_along(axis, s) : texel_along(axis, s);
+    const VI outside = texture.border_texels ? hn::Zero(kDI) : reads_border(axis, s);
+    texels.weight = hn::IfThenElseZero(blends, texels.weight);
+    for (VI* const texel : {&texels.first, &texels.second}) *texel = hn::IfThenElse(blends, *texel, nearest);
+    for (VI* const is : {&texels.outside_first, &texels.outside_second}) *is = hn::IfThenElse(blends, *is, outside);
+    return texels;
+  };
+  const BorderedTexels x = texels_of(level.across, at.s), y = texels_of(level.up, at.t);
+  const VU border = hn::Set(kDU, texture.border), flip = hn::Set(kDU, texture.flip);
+  const auto word = [&](VI column, VI row, VI beside, VI above) HWY_ATTR {
+    const VI place = hn::Add(hn::Add(level.begin, hn::Mul(row, level.stride)), column);
+    const M is_outside = hn::Ne(hn::Or(beside, above), hn::Zero(kDI));
+    return hn::Xor(hn::IfThenElse(hn::RebindMask(kDU, is_outside), border, gather_words(texture, place)), flip);
+  };
+  return {word(x.first, y.first, x.outside_first, y.outside_first),
+          word(x.second, y.first, x.outside_second, y.outside_first),
+          word(x.first, y.second, x.outside_first, y.outside_second),
+          word(x.second, y.second, x.outside_second, y.outside_second),
+          hn::BitCast(kDU, x.weight),
+          hn::BitCast(kDU, y.weight)};
+}
+
 template <class Sum>
 HWY_NOINLINE void filter_bordered(const WordLevels& texture, const FilterRules& rules,
-                                  const std::array<const float*, 3>& at, std::size_t count, LaneWords& to) {
-  const Level level(texture, 0);
-  const VU border = hn::Set(kDU, texture.border);
+                                  const std::array<const float*, 3>& at, const LevelLanes* levels, std::size_t count,
+                                  LaneWords& to) {
+  const int bits = rules.weight_bits;
+  const bool has_next = levels != nullptr && levels->has_next, is_one = levels == nullptr && !texture.cube;
+  const VI coarsest = hn::Set(kDI, texture.count - 1);
+  VI level = hn::Zero(kDI), linear = hn::Set(kDI, -1);
+  Level fine(texture, 0);
   for (std::size_t i = 0; i < count; i += hn::Lanes(kDF)) {
-    const auto x = bordered_texels_along(level.across, hn::LoadU(kDF, at[0] + i), rules, texture.border_texels);
-    const auto y = bordered_texels_along(level.up, hn::LoadU(kDF, at[1] + i), rules, texture.border_texels);
-    const auto word = [&](VI column, VI row, VI beside, VI above) HWY_ATTR {
-      const VI place = hn::Add(hn::Add(level.begin, hn::Mul(row, level.stride)), column);
-      const M is_outside = hn::Ne(hn::Or(beside, above), hn::Zero(kDI));
-      return hn::IfThenElse(hn::RebindMask(kDU, is_outside), border, gather_words(texture, place));
-    };
-    const WordTaps taps{word(x.first, y.first, x.outside_first, y.outside_first),
-                        word(x.second, y.first, x.outside_second, y.outside_first),
-                        word(x.first, y.second, x.outside_first, y.outside_second),
-                        word(x.second, y.second, x.outside_second, y.outside_second),
-                        hn::BitCast(kDU, x.weight),
-                        hn::BitCast(kDU, y.weight)};
-    hn::StoreU(Sum(taps, rules.weight_bits).words(rules.weight_bits, false), kDU, to.data() + i);
+    Places places;
+    places.face = load_place(texture.cube, at, i, places.s, places.t);
+    const std::size_t chosen = levels != nullptr && levels->are_same ? 0 : i;
+    if (levels != nullptr) {
+      level = hn::LoadU(kDI, levels->level.data() + chosen);
+      linear = hn::LoadU(kDI, levels->linear.data() + chosen);
+    }
+    if (!is_one) fine = Level(texture, places.face, level);
+    Sum sum(read_bordered_taps(texture, rules, places, fine, linear), bits);
+    if (has_next) {
+      const Level coarse(texture, places.face, hn::Min(hn::Add(level, hn::Set(kDI, 1)), coarsest));
+      sum.blend(Sum(read_bordered_taps(texture, rules, places, coarse, linear), bits),
+                hn::BitCast(kDU, hn::LoadU(kDI, levels->next.data() + chosen)), bits);
+    }
+    hn::StoreU(hn::Xor(sum.words(bits, has_next), hn::Set(kDU, texture.flip)), kDU, to.data() + i);
   }
 }
 
 void filter_words(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
                   const LevelLanes* levels, std::size_t count, LaneWords& to) {
-  if (HWY_UNLIKELY(levels == nullptr && filters_border(texture))) {
-    return rules.rounds_each_blend ? filter_bordered<SumEach>(texture, rules, at, count, to)
-                                   : filter_bordered<SumOnce>(texture, rules, at, count, to);
+  if (HWY_UNLIKELY(filters_border(texture))) {
+    return rules.rounds_each_blend ? filter_bordered<SumEach>(texture, rules, at, levels, count, to)
+                                   : filter_bordered<SumOnce>(texture, rules, at, levels, count, to);
   }
 #if HWY_TARGET != HWY_SCALAR
   if (rules.rounds_each_blend && rules.cuts_weights && rules.weight_bits == CutBytes::weight_bits) {

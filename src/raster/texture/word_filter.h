@@ -68,7 +68,7 @@ void choose_levels(const LevelRules& rules, const LaneIntegers& lambda_q8, std::
 }
 
 // The filtered texels as words, components rounded to nearest, halves up, once or after each blend. Without `levels`,
-// level 0 is filtered linearly; so must be a texture that filters_border, which has one face.
+// level 0 is filtered linearly.
 void filter_words(const WordLevels& texture, const FilterRules& rules, const std::array<const float*, 3>& at,
                   const LevelLanes* levels, std::size_t count, LaneWords& to);
 
