@@ -8,7 +8,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/codes.h"
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 

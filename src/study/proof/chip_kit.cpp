@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit {
 namespace {
