@@ -104,6 +104,14 @@ constexpr bool final_reads(const FinalCombiner& f, Register r) {
   return reads_directly(f, r) || f.e.reg == r || f.f.reg == r;
 }
 
+// Whether a portion or the final combiner reads the register.
+constexpr bool program_reads(const Program& program, Register r) {
+  for (int i = 0; i < program.num_general_combiners; ++i) {
+    if (stage_reads(program.general[static_cast<std::size_t>(i)], r)) return true;
+  }
+  return final_reads(program.final_combiner, r);
+}
+
 }  // namespace detail
 
 // The constants that the program reads and that are not set, each once.
