@@ -19,8 +19,9 @@ TEST(Corpus, Json) {
 TEST(Corpus, AnyForm) {
   for (const char* const name : {"form", "gl", "rc10", "ps", "source", "words", "xbox", "log", "json"}) {
     SCOPED_TRACE(name);
-    replay(name, check_form,
-           [](std::string_view text) { return bool(parse_program({text, ""}, form_of(text), profiles::nv2a)); });
+    replay(name, check_form, [](std::string_view text) {
+      return bool(parse_program({text, ""}, form_of(text), profiles::nv2a));
+    });
   }
 }
 
