@@ -54,9 +54,9 @@ def datapath_fields():
     return [field for field in re.findall(r'^  \w+ (\w+) = ', body, re.M) if field != 'arithmetic']
 
 
-def datapath_macro():
-    members = ' '.join('X(%s)' % field for field in datapath_fields())
-    return ' \\\n  '.join(['#define NBC_ARITHMETIC(X)', *textwrap.wrap(members, WIDTH - 4)]) + '\n'
+def fields_macro(name, fields):
+    members = ' '.join('X(%s)' % field for field in fields)
+    return ' \\\n  '.join(['#define ' + name + '(X)', *textwrap.wrap(members, WIDTH - 4)]) + '\n'
 
 
 def profile_fields():
@@ -293,7 +293,8 @@ def generate():
     part = re.search(r'/\* @FINDINGS \*/\n(.*?)/\* FINDINGS@ \*/\n',
                      (HERE / 'ninebit_combiner.c.in').read_text(encoding='utf-8'), re.S).group(1)
     code = code.replace('@FINDINGS@', part)
-    for mark, text in (('@TYPES@', types), ('@PROFILE@', profile), ('@DATAPATH@', datapath_macro()),
+    for mark, text in (('@TYPES@', types), ('@PROFILE@', profile), ('@ARITHMETIC@', fields_macro('NBC_ARITHMETIC', datapath_fields())),
+                       ('@CHIP@', fields_macro('NBC_CHIP', [f for f in profile_fields() if f not in datapath_fields()])),
                        ('@STATES@', states), ('@PROGRAMS@', programs),
                        ('@FAULTS@', faults), ('@CODE@', code), ('@FAULT_TEXTS@', fault_texts()),
                        ('@REGISTER_NAMES@', names_of('Register')), ('@MAPPING_NAMES@', names_of('InputMapping')),
