@@ -36,27 +36,9 @@ constexpr FieldInC field_in_c(const char* name) {
           [](nbc_profile& p, int v) { p.*kMember = static_cast<std::decay_t<decltype(p.*kMember)>>(v); }};
 }
 
-constexpr std::array kFieldsInC{field_in_c<&nbc_profile::one>("one"),
-                                field_in_c<&nbc_profile::lowest>("lowest"),
-                                field_in_c<&nbc_profile::lowest_output>("lowest_output"),
-                                field_in_c<&nbc_profile::half>("half"),
-                                field_in_c<&nbc_profile::expand_offset>("expand_offset"),
-                                field_in_c<&nbc_profile::byte_shift>("byte_shift"),
-                                field_in_c<&nbc_profile::general_narrowing>("general_narrowing"),
-                                field_in_c<&nbc_profile::narrowing_point>("narrowing_point"),
-                                field_in_c<&nbc_profile::final_narrowing>("final_narrowing"),
-                                field_in_c<&nbc_profile::general_combiners>("general_combiners"),
-                                field_in_c<&nbc_profile::texture_units>("texture_units"),
-                                field_in_c<&nbc_profile::per_stage_constants>("per_stage_constants"),
-                                field_in_c<&nbc_profile::blue_to_alpha>("blue_to_alpha"),
-                                field_in_c<&nbc_profile::mux_by_lowest_bit>("mux_by_lowest_bit"),
-                                field_in_c<&nbc_profile::color_sum_inverts>("color_sum_inverts")};
-
-// Does not compile where nbc_profile has another number of fields: then change kFieldsInC, too.
-static_assert(kFieldsInC.size() == 15);
-[[maybe_unused]] void take_all_fields(const nbc_profile& profile) {
-  [[maybe_unused]] const auto& [name, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = profile;
-}
+#define NINEBIT_FIELD(member) field_in_c<&nbc_profile::member>(#member),
+constexpr std::array kFieldsInC{NBC_ARITHMETIC(NINEBIT_FIELD) NBC_CHIP(NINEBIT_FIELD)};
+#undef NINEBIT_FIELD
 
 nbc_profile profile_in_c(const HardwareProfile& profile) {
   nbc_profile c{};

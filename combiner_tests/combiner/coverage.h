@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 

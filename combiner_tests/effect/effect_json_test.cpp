@@ -120,7 +120,7 @@ TEST(EffectJson, NamesEveryMistakeWithItsPlace) {
       {"\n\"passes\": [{}, \n{\"units\": [{\"texture\": \"nothing\"}]}]", 3, "unknown texture 'nothing'"},
       {"\n\"passes\": [{\"target\": \"nowhere\"}]", 2, "unknown target 'nowhere'; expected 'picture'"},
       {"\n\"targets\": {\"a\\u001bb\": {\"size\": 4}}, \"passes\": [{\"target\": \"\\n\"}]", 2,
-       "unknown target '?'; expected 'picture', 'a?b'"},
+       "unknown target '\\n'; expected 'picture', 'a\\x1bb'"},
       {"\n\"passes\": [{\"draw\": \"mesh\"}]", 2, "the effect has none"},
       {"\n\"passes\": [{\"primary\": \"uv\"}]", 2, "is not a source of colours"},
       {"\n\"passes\": [{\"primary\": \"constant:2,0,0\"}]", 2, "numbers from 0 to 1"},

@@ -13,3 +13,12 @@ TEST(Examples, HardwareProfile) {
   EXPECT_TRUE(chip->final_narrowing == Narrowing::nearest_halves_up);  // a field reads as its value
   EXPECT_TRUE(what_if.final_narrowing == Narrowing::toward_zero);
 }
+
+TEST(Examples, Datapath) {
+  using namespace ninebit;
+  const Datapath chip = datapath_of(profiles::geforce2);
+  const Datapath rival = datapath_of(profiles::geforce2_early_truncation);
+  EXPECT_EQ(chip.one, 255);
+  EXPECT_EQ(rival.narrowing_point, NarrowingPoint::before_scale);
+  EXPECT_NE(chip, rival);
+}

@@ -1,9 +1,10 @@
-// The JSON forms.
+// The JSON forms, and whatever form a text has.
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
+#include "ninebit/language/program_text.h"
 
 namespace ninebit::fuzz {
 namespace {
@@ -38,7 +39,34 @@ std::string wrong_with_words(std::string_view text, ChipClass chip, const Hardwa
   return wrong_with_state(*parsed, profile);
 }
 
+// What is wrong with the forms that print a program and read it again. It need not be the same state: a pixel shader
+// has no register that is zero, and takes a constant.
+std::string wrong_with_forms(const TextProgram& program, const HardwareProfile& profile) {
+  const ChipClass chip = chip_of(profile);
+  for (const Form& form : forms()) {
+    if (form.print == nullptr) continue;
+    const auto text = form.print(program, chip, profile);
+    if (!text || form.parse == nullptr) continue;
+    const auto back = parse_program({*text, kFile}, form_id(form), profile);
+    if (!back) {
+      return "what " + std::string(form.name) + " printed it refuses: " + back.faults().front().text() + "\n" + *text;
+    }
+    if (!validate(*back, profile).empty()) return "an invalid program in " + std::string(form.name) + ":\n" + *text;
+  }
+  return "";
+}
+
 }  // namespace
+
+std::string check_form(std::string_view bytes) {
+  for (const HardwareProfile* const profile : kProfiles) {
+    const auto parsed = parse_program({bytes, kFile}, form_of(bytes), *profile);
+    std::string wrong = wrong_with_answer(parsed, bytes);
+    if (wrong.empty() && parsed && validate(*parsed, *profile).empty()) wrong = wrong_with_forms(*parsed, *profile);
+    if (!wrong.empty()) return wrong;
+  }
+  return {};
+}
 
 std::string check_json(std::string_view bytes) {
   for (const HardwareProfile* const profile : kProfiles) {

@@ -20,6 +20,7 @@ std::string check_words(std::string_view bytes);    // register words as NAME = 
 std::string check_xbox(std::string_view bytes);     // the Xbox's pixel shader definition, in every shape
 std::string check_log(std::string_view bytes);      // a log of register writes, which reads alike in any pieces
 std::string check_json(std::string_view bytes);     // the canonical form, and register words as JSON
+std::string check_form(std::string_view bytes);     // any form, found by its content, and back through every other
 std::string check_profile(std::string_view bytes);  // a hardware profile, which must compute alike in both evaluators
 std::string check_csv(std::string_view bytes);      // a table for `eval`, which reads alike in any pieces
 

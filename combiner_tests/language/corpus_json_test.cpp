@@ -1,9 +1,10 @@
-// The fuzzers' corpora of the JSON forms, replayed without libFuzzer.
+// The fuzzers' corpora of the JSON forms and of any form, replayed without libFuzzer.
 #include <gtest/gtest.h>
 
 #include "combiner_tests/fuzz/corpus.h"
 #include "ninebit/language/json.h"
 #include "ninebit/language/profile_json.h"
+#include "ninebit/language/program_text.h"
 
 namespace ninebit::fuzz {
 namespace {
@@ -13,6 +14,15 @@ TEST(Corpus, Json) {
     return parse_json_program({text, ""}, profiles::nv2a) ||
            parse_json_register_words({text, ""}, ChipClass::nv20, profiles::nv2a);
   });
+}
+
+TEST(Corpus, AnyForm) {
+  for (const char* const name : {"form", "gl", "rc10", "ps", "source", "words", "xbox", "log", "json"}) {
+    SCOPED_TRACE(name);
+    replay(name, check_form, [](std::string_view text) {
+      return bool(parse_program({text, ""}, form_of(text), profiles::nv2a));
+    });
+  }
 }
 
 TEST(Corpus, Profile) {

@@ -38,15 +38,11 @@ Rgba9 codes_of(const std::int16_t (&codes)[4]) {
 }
 
 Datapath datapath_of(const nbc_profile& p) {
-  return {Arithmetic::integer,
-          p.one,
-          p.lowest,
-          p.lowest_output,
-          p.half,
-          p.expand_offset,
-          static_cast<Narrowing>(p.general_narrowing),
-          static_cast<NarrowingPoint>(p.narrowing_point),
-          static_cast<Narrowing>(p.final_narrowing)};
+  Datapath datapath;
+#define NINEBIT_COPY(member) datapath.member = static_cast<decltype(datapath.member)>(p.member);
+  NBC_ARITHMETIC(NINEBIT_COPY)
+#undef NINEBIT_COPY
+  return datapath;
 }
 
 Program program_of(const nbc_program& c) {

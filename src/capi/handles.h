@@ -14,7 +14,7 @@
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_nv.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/stage_program.h"
 
 struct ninebit_state {

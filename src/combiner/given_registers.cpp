@@ -51,13 +51,9 @@ std::optional<std::array<std::optional<ConstantName>, 2>> varying_constants(cons
       return fits;
     };
     for (const ProgramStage& stage : program.general) {
-      if (!add(detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg), stage.unset[which])) {
-        return std::nullopt;
-      }
+      if (!add(detail::stage_reads(stage, reg), stage.unset[which])) return std::nullopt;
     }
-    const FinalCombiner& f = program.final_combiner;
-    const bool final_reads = detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
-    if (!add(final_reads, program.unset[which])) return std::nullopt;
+    if (!add(detail::final_reads(program.final_combiner, reg), program.unset[which])) return std::nullopt;
   }
   return varying;
 }

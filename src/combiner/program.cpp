@@ -35,8 +35,7 @@ ByConstant<bool> constants_read(const CombinerState& state) {
       all[i][which] = detail::reads(detail::normalize_portion(stage.rgb), reg) ||
                       detail::reads(detail::normalize_portion(stage.alpha), reg);
     }
-    const FinalCombiner f = detail::normalize_final(state.final_combiner);
-    all[kFinalConstants][which] = detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
+    all[kFinalConstants][which] = detail::final_reads(detail::normalize_final(state.final_combiner), reg);
   }
   return all;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ninebit/combiner/registers.h"
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/combiner/interval.h"
 #include "src/combiner/vector_code.h"
 

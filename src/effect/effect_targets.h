@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ninebit/effect/effect.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/surface.h"
 #include "ninebit/raster/texture.h"
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "src/system/quoting.h"
+
 namespace ninebit {
 
 using namespace effect_detail;
@@ -133,16 +135,7 @@ Result<EffectTexture> files(std::string_view text) {
 namespace effect_detail {
 
 std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kLongest = 80;
-  const bool whole = text.size() <= kLongest;
-  if (!whole) {
-    std::size_t end = kLongest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a UTF-8 character
-    text = text.substr(0, end);
-  }
-  std::string shown = "'";
-  for (const char c : text) shown += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? '?' : c;
-  return shown + (whole ? "'" : "...'");
+  return quoted_briefly(text, '\'', 80);
 }
 
 std::string source_words(bool (*fits)(VertexSource)) {

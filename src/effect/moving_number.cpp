@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "src/system/characters.h"
+
 namespace ninebit::effect_detail {
 namespace {
 
@@ -47,20 +49,12 @@ constexpr std::array kFunctions{
     Function{"max", 2, [](double x, double y) { return x > y ? x : y; }},
 };
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
 // Whether a number that is out of a double's range is too small, not too large.
 bool is_tiny(std::string_view number) {
   long long magnitude = 0;  // how many digits before the point, from the first that is not 0; below 0: zeros behind it
   bool begun = false, behind_point = false;
   std::size_t i = 0;
-  for (; i < number.size() && (is_digit(number[i]) || number[i] == '.'); ++i) {
+  for (; i < number.size() && (detail::is_digit(number[i]) || number[i] == '.'); ++i) {
     begun = begun || (number[i] != '0' && number[i] != '.');
     if (number[i] == '.') {
       behind_point = true;
@@ -159,13 +153,13 @@ class Expression {
       const double value = sum();
       return takes(')') ? value : refuse();
     }
-    return is_letter(next()) ? named() : number();
+    return detail::is_letter(next()) ? named() : number();
   }
 
   double number() {
     // from_chars would take "inf", "nan" and a sign.
     const char first = next();
-    if (!is_digit(first) && first != '.') return refuse();
+    if (!detail::is_digit(first) && first != '.') return refuse();
     double value = 0.0;
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
     const std::string_view read = rest_.substr(0, static_cast<std::size_t>(end - rest_.data()));
@@ -180,7 +174,7 @@ class Expression {
 
   double named() {
     std::size_t length = 0;
-    while (length < rest_.size() && is_letter(rest_[length])) ++length;
+    while (length < rest_.size() && detail::is_letter(rest_[length])) ++length;
     const std::string_view name = rest_.substr(0, length);
     for (const Function& function : kFunctions) {
       if (function.name == name) return called(function);

@@ -5,16 +5,11 @@
 
 #include "ninebit/numerics/fixed9.h"
 #include "src/frame/shading.h"
+#include "src/frame/surface_groups.h"
 #include "src/system/parallel/parallel_loop.h"
 
 namespace ninebit {
 namespace {
-
-// A vector of length one, or zero.
-glm::vec3 unit(const glm::vec3& v) {
-  const float length = std::sqrt(glm::dot(v, v));
-  return length > 0.0F ? v / length : glm::vec3(0.0F);
-}
 
 glm::vec3 towards_light(const Light& light, const glm::vec3& position) {
   return light.kind == LightKind::directional ? -light.direction : light.position - position;
@@ -44,12 +39,12 @@ class VertexVectors {
       case VertexSource::view_vector:
         return camera_.position - position;
       case VertexSource::half_vector:
-        return unit(unit(towards_light(light_, position)) + unit(camera_.position - position));
+        return unit_or_zero(unit_or_zero(towards_light(light_, position)) + unit_or_zero(camera_.position - position));
       case VertexSource::normal:
         return normal;
       case VertexSource::reflection: {
-        const glm::vec3 view = unit(camera_.position - position);
-        return unit(2.0F * glm::dot(normal, view) * normal - view);
+        const glm::vec3 view = unit_or_zero(camera_.position - position);
+        return unit_or_zero(2.0F * glm::dot(normal, view) * normal - view);
       }
       case VertexSource::tangent_light_vector:
         return in_tangent_space(at(VertexSource::light_vector, v), v);
@@ -159,11 +154,11 @@ std::vector<ColorBytes> vertex_colors(const ColorSource& source, const VertexInp
     if (source.source == VertexSource::constant) return source.constant;
     if (source.source == VertexSource::color) return surface[v];
     if (source.source == VertexSource::lambert) {
-      const glm::vec3 light = unit(towards_light(scene.lights[0], scene.positions[v]));
+      const glm::vec3 light = unit_or_zero(towards_light(scene.lights[0], scene.positions[v]));
       const float cosine = std::max(0.0F, glm::dot(scene.normals[v], light));
       return surface[v] * glm::vec4(scene.lights[0].color * cosine, 1.0F);
     }
-    return {unit(vectors.at(source.source, v)) * 0.5F + 0.5F, 1.0F};
+    return {unit_or_zero(vectors.at(source.source, v)) * 0.5F + 0.5F, 1.0F};
   };
   std::vector<ColorBytes> colors(count);
   parallel_for(count, kGrainOfCheapItems, [&](std::size_t v) {
@@ -176,7 +171,7 @@ std::vector<ColorBytes> vertex_colors(const ColorSource& source, const VertexInp
 std::vector<float> fog_factors(const EffectFog& fog, const VertexInputs& inputs) {
   if (fog.mode == FogMode::none) return {};
   const Camera& camera = inputs.scene->cameras[0];
-  const glm::vec3 axis = unit(camera.look_at - camera.position);
+  const glm::vec3 axis = unit_or_zero(camera.look_at - camera.position);
   std::vector<float> factors;
   factors.reserve(inputs.scene->positions.size());
   for (const glm::vec3& position : inputs.scene->positions) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ninebit/effect/effect.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/scene/scene.h"
 

@@ -12,6 +12,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "src/frame/shading.h"
+#include "src/raster/texture/texture_level.h"
 
 namespace ninebit {
 namespace {
@@ -40,14 +41,10 @@ std::shared_ptr<const Texture> white_texture() {
   return std::make_shared<const Texture>(*made);
 }
 
-bool has_mipmaps(MinFilter filter) {
-  return filter != MinFilter::nearest && filter != MinFilter::linear;
-}
-
 Status check_scene_texture(const Material& material, const SceneTexture& from) {
   const Texture& texture = *from.texture;
   if (Status checked = check_texture(texture); !checked) return checked;
-  if (texture.target == TextureTarget::texture_2d && is_complete(texture, has_mipmaps(material.sampler.min_filter)))
+  if (texture.target == TextureTarget::texture_2d && is_complete(texture, uses_mipmaps(material.sampler.min_filter)))
     return {};
   return Diagnostic{.message = fmt::format("the texture '{}' of material \"{}\" is not a complete 2D texture",
                                            from.name, material.name)};

@@ -109,15 +109,6 @@ Json constants_of(const CombinerState& state) {
 
 }  // namespace
 
-bool reads_register(const Program& program, Register reg) {
-  for (int i = 0; i < program.num_general_combiners; ++i) {
-    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
-    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
-  }
-  const FinalCombiner& f = program.final_combiner;
-  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
-}
-
 NumberedName numbered_name(std::string_view name, const FileTexts& texts) {
   const std::string_view file = posix::without_setup(name);
   std::size_t number = 0;
@@ -197,7 +188,7 @@ Reply read_text(Request& request) {
   out["explanation"] = stages + (stages.empty() ? "" : "\n") + print_explanation(explain(program, profile));
   Json textures = Json::array();
   for (int unit = 0; unit < 4; ++unit) {
-    if (reads_register(program, texture_register(unit))) textures.push_back(unit);
+    if (detail::program_reads(program, texture_register(unit))) textures.push_back(unit);
   }
   out["textures"] = std::move(textures);
   out["general_combiners"] = state.num_general_combiners;

@@ -49,10 +49,6 @@ struct Output {
   std::optional<int> stage{};  // empty: the last one
 };
 
-bool is_constant(Register reg) {
-  return reg == Register::constant0 || reg == Register::constant1;
-}
-
 Rgba9& constant_of(auto& holder, Register reg) {
   return reg == Register::constant0 ? holder.constant0 : holder.constant1;
 }
@@ -77,7 +73,7 @@ void set_input(const Place& input, s9 code, Program& program, RegisterFile& regi
 Rgba9 codes_of_input(Register reg, const Program& program, const RegisterFile& registers) {
   if (!is_constant(reg)) return registers[reg];
   for (const ProgramStage& stage : program.general) {
-    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) {
+    if (detail::stage_reads(stage, reg)) {
       return reg == Register::constant0 ? stage.constant0 : stage.constant1;
     }
   }
@@ -128,8 +124,8 @@ Json inputs_of(const Program& program) {
   for (const Register reg :
        {Register::texture0, Register::texture1, Register::texture2, Register::texture3, Register::primary,
         Register::secondary, Register::fog, Register::constant0, Register::constant1}) {
-    const bool summed = reg == Register::secondary && reads_register(program, Register::spare0_plus_secondary);
-    if (summed || reads_register(program, reg)) names.push_back(short_name(reg));
+    const bool summed = reg == Register::secondary && detail::program_reads(program, Register::spare0_plus_secondary);
+    if (summed || detail::program_reads(program, reg)) names.push_back(short_name(reg));
   }
   return names;
 }

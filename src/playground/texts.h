@@ -55,9 +55,6 @@ struct NumberedName {
 // Reads the text of `others` that stands below the folder of the file `beside`; `others` must outlive it.
 [[nodiscard]] SourceInclude include_from(const FileTexts& others, std::string_view beside);
 
-// Whether a portion or the final combiner reads the register.
-[[nodiscard]] bool reads_register(const Program& program, Register reg);
-
 // scenes/index_room.gltf, embedded at build time.
 
 extern const std::string_view kRoomText;

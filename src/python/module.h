@@ -8,7 +8,7 @@
 #include <string>
 
 #include "ninebit/language/profile_json.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::python {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "ninebit/numerics/codes.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_program.h"
 

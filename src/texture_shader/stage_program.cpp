@@ -212,10 +212,8 @@ Result<TextureShaderProgram> compile(const TextureShaderState& state, const Stag
   }
   if (!message.empty()) return Diagnostic{.message = message};
   TextureShaderProgram program;
-  program.choices = {profile.stage_byte, profile.negative_stage_number, profile.cull_zero, profile.dot_divisors,
-                     profile.dependent_divisor, profile.ahead_mapping, profile.replaced_depth_narrowing,
-                     // OpenGL: GL_NONE gives (0, 0, 0, 0).
-                     static_cast<std::uint8_t>(state.rules == StageRules::nv2a ? profile.disabled_texture_alpha : 0)};
+  program.choices = stage_choices_of(profile);
+  if (state.rules == StageRules::open_gl) program.choices.off_alpha = 0;  // GL_NONE gives (0, 0, 0, 0)
   program.depth_unit = state.depth_unit;
   program.converts_yuv = state.converts_yuv;
   const auto reasons = Consistency(state, textures).reasons();

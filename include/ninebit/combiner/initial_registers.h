@@ -7,7 +7,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/numerics/codes.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {

@@ -8,7 +8,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/numerics/codes.h"
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 
@@ -102,6 +102,14 @@ constexpr bool stage_reads(const ProgramStage& stage, Register r) {
 
 constexpr bool final_reads(const FinalCombiner& f, Register r) {
   return reads_directly(f, r) || f.e.reg == r || f.f.reg == r;
+}
+
+// Whether a portion or the final combiner reads the register.
+constexpr bool program_reads(const Program& program, Register r) {
+  for (int i = 0; i < program.num_general_combiners; ++i) {
+    if (stage_reads(program.general[static_cast<std::size_t>(i)], r)) return true;
+  }
+  return final_reads(program.final_combiner, r);
 }
 
 }  // namespace detail

@@ -36,6 +36,10 @@ inline constexpr std::size_t kRegisterCount = 12;
 [[nodiscard]] constexpr bool is_texture(Register r) {
   return r >= Register::texture0 && r <= Register::texture3;
 }
+// Whether `r` is one of the two constants.
+[[nodiscard]] constexpr bool is_constant(Register r) {
+  return r == Register::constant0 || r == Register::constant1;
+}
 // Returns the unit, 0 to 3, of a texture register.
 [[nodiscard]] constexpr int texture_unit_of(Register r) {
   return static_cast<int>(r) - static_cast<int>(Register::texture0);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 
 namespace NINEBIT_PUBLIC ninebit {

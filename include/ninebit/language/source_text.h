@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ninebit/combiner/validate.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 

@@ -11,7 +11,7 @@
 #include "ninebit/combiner/state.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/language/source_text.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 

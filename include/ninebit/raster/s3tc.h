@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <span>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/texture.h"

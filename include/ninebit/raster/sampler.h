@@ -31,7 +31,7 @@
 #include <optional>
 
 #include "ninebit/combiner/initial_registers.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/raster/texture.h"

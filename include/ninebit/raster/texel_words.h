@@ -44,9 +44,6 @@ enum class TexelWord : std::uint8_t {
 // Bits of a format's word: 8, 16 or 32.
 [[nodiscard]] int bits_of(TexelWord format);
 
-// The storage of a format's texels: rgba8, or hilo16 for the formats that filters read as words of 16 bits.
-[[nodiscard]] InternalFormat storage_of(TexelWord format);
-
 // Red, green, blue and alpha of a word, whose bits above the format's are not read. Fields of 5 and 6 bits are widened
 // by repeating their bits, of 4 bits by 17, of 1 bit to 0 or 255. `palette`: of index8 alone; an entry beyond it is 0.
 [[nodiscard]] Bytes4 texel_of_word(TexelWord format, std::uint32_t word, std::span<const std::uint32_t> palette = {});

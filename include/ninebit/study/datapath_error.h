@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "ninebit/combiner/registers.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"

@@ -17,7 +17,7 @@
 
 #include "ninebit/combiner/evaluate_real.h"
 #include "ninebit/combiner/program.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/study/study.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ninebit/combiner/initial_registers.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_state.h"
@@ -24,19 +24,6 @@ struct StageTexture {
 };
 // By unit; empty: no texture, or one that is incomplete for its filter.
 using StageTextures = std::array<std::optional<StageTexture>, kTextureStages>;
-
-// The fields of a profile that the stage rules read.
-struct StageChoices {
-  StageByte byte = StageByte::twelve_bits;             // HardwareProfile::stage_byte
-  NegativeNumber negative = NegativeNumber::zero;      // HardwareProfile::negative_stage_number
-  CullZero cull_zero = CullZero::none;                 // HardwareProfile::cull_zero
-  DotDivisors divisors = DotDivisors::odd;             // HardwareProfile::dot_divisors
-  int dependent_divisor = 255;                         // HardwareProfile::dependent_divisor
-  AheadMapping ahead_mapping = AheadMapping::own;      // HardwareProfile::ahead_mapping
-  Narrowing depth_narrowing = Narrowing::toward_zero;  // HardwareProfile::replaced_depth_narrowing
-  std::uint8_t off_alpha = 255;  // of `none`: HardwareProfile::disabled_texture_alpha, 0 by OpenGL's rules
-  friend constexpr bool operator==(const StageChoices&, const StageChoices&) = default;
-};
 
 // A stage of a program.
 struct ProgramTextureStage {

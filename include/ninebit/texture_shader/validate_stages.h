@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ninebit/combiner/validate.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/visibility.h"
 #include "ninebit/texture_shader/stage_state.h"
 

@@ -12,17 +12,14 @@ rule, the interface of the two files, stands in *.in.
 """
 import re
 import sys
+import textwrap
 
 sys.dont_write_bytecode = True  # no folder of compiled modules in the sources
 
 from functions import CLASSES, SIGNATURES, class_text, expression, find_functions, function_text, steps_text
-from names import (ARRAYS, COMBINER, CONSTANT_OF, CONSTANTS, ENUMS, HERE, LAYOUT, NUMERICS, STRUCTS, c_type, comment,
-                   enum_constants, fail, read, with_comment, wrapped)
+from names import (ARRAYS, COMBINER, CONSTANT_OF, CONSTANTS, ENUMS, HERE, LAYOUT, NUMERICS, PROFILE, STRUCTS, WIDTH, c_type,
+                   comment, enum_constants, fail, read, with_comment, wrapped)
 
-# Fields of a profile that programs depend on. Those of Datapath have the same names there.
-PROFILE_FIELDS = ('one', 'lowest', 'lowest_output', 'half', 'expand_offset', 'byte_shift', 'general_narrowing',
-                  'narrowing_point', 'final_narrowing', 'general_combiners', 'texture_units', 'per_stage_constants',
-                  'blue_to_alpha', 'mux_by_lowest_bit', 'color_sum_inverts')
 # The functions in the order of the C file: file, names ('*': all of the file), words for the heading, domain.
 FUNCTIONS = (
     (COMBINER + 'registers.h', ('is_texture', 'texture_unit_of'), 'Registers', None),
@@ -46,6 +43,32 @@ FUNCTIONS = (
     (LAYOUT, ('bits', 'read_input', 'read_output', 'read_final_flags', 'leave_out_final_combiner', 'has_mux',
               'color_of'), 'Register words', None),
 )
+
+
+def functions_of(path, names):
+    return list(find_functions(path)) if names == '*' else names
+
+
+def datapath_fields():
+    body = re.search(r'\nstruct Datapath \{\n(.*?)\n\};', read(PROFILE), re.S).group(1)
+    return [field for field in re.findall(r'^  \w+ (\w+) = ', body, re.M) if field != 'arithmetic']
+
+
+def fields_macro(name, fields):
+    members = ' '.join('X(%s)' % field for field in fields)
+    return ' \\\n  '.join(['#define ' + name + '(X)', *textwrap.wrap(members, WIDTH - 4)]) + '\n'
+
+
+def profile_fields():
+    """The fields of a profile that programs depend on, in its order: those of Datapath, which have the same names there,
+    and those that the functions read."""
+    body = re.search(r'\nstruct HardwareProfile \{\n(.*?)\n\};', read(PROFILE), re.S).group(1)
+    read_ones = set(datapath_fields())
+    for path, names, _, _ in FUNCTIONS:
+        for name in functions_of(path, names):
+            if name not in CLASSES:
+                read_ones.update(re.findall(r'\bprofile\.(\w+)', find_functions(path)[name][4]))
+    return [field for field in re.findall(r'Choice<\w+> (\w+);', body) if field in read_ones]
 
 
 def enum_text(name):
@@ -133,22 +156,22 @@ def default_text(name):
 
 
 def profiles_text():
-    text = read(NUMERICS + 'hardware_profile.h')
+    text = read(PROFILE)
 
     def values(body, pattern):
         return {m.group(1): m.group(2).strip() for m in re.finditer(pattern, body)}
 
-    base = re.search(r'inline constexpr HardwareProfile geforce2\{(.*?)\n\};', text, re.S).group(1)
+    base = re.search(r'consteval HardwareProfile card\(\) \{(.*?)\n\}\n', text, re.S).group(1)
     geforce2 = values(base, r'\.(\w+) = \{([^,]+),')
     geforce2['name'] = re.search(r'\.name = ("[^"]*")', base).group(1)
     rows = [geforce2]
-    for body in re.findall(r'consteval HardwareProfile \w+\(\) \{\n  HardwareProfile p = geforce2;\n(.*?)\n\}', text, re.S):
+    for body in re.findall(r'consteval HardwareProfile \w+\(\) \{\n  HardwareProfile p = card\(\);\n(.*?)\n\}', text, re.S):
         row = {**geforce2, **values(body, r'p\.(\w+) = \{([^,]+),')}
         row['name'] = re.search(r'p\.name = ("[^"]*")', body).group(1)
         rows.append(row)
     lines = []
     for row in rows:
-        fields = [CONSTANT_OF.get(row[field], row[field]) for field in PROFILE_FIELDS]
+        fields = [CONSTANT_OF.get(row[field], row[field]) for field in profile_fields()]
         lines.append('    {' + row['name'] + ', ' + ', '.join(fields) + '},\n')
     return 'static const nbc_profile kProfiles[] = {\n' + ''.join(lines) + '};\n\n'
 
@@ -167,28 +190,25 @@ def field_ranges():
     for field, given in re.findall(r'number<&P::(\w+)>\("\w+", \w+, (numbers_of<-?\d+, -?\d+>|\w+),', text):
         numbers = re.match(r'numbers_of<(-?\d+), (-?\d+)>', given)
         if not numbers and given not in functions:
-            if field in PROFILE_FIELDS:
+            if field in profile_fields():
                 fail('profile_fields.cpp: cannot read the range of ' + field)
             continue
         low, high = numbers.groups() if numbers else functions[given]
         ranges[field] = low if low == high else low + ' to ' + high
-    for field in ('one', 'lowest', 'lowest_output', 'half', 'expand_offset', 'byte_shift', 'general_combiners',
-                  'texture_units'):
-        if field not in ranges:
-            fail('profile_fields.cpp has no range of ' + field)
     return ranges
 
 
 def profile_struct():
-    path = NUMERICS + 'hardware_profile.h'
-    body = re.search(r'\nstruct HardwareProfile \{\n(.*?)\n\};', read(path), re.S).group(1)
+    body = re.search(r'\nstruct HardwareProfile \{\n(.*?)\n\};', read(PROFILE), re.S).group(1)
     text = ''
     ranges = field_ranges()
-    for field in PROFILE_FIELDS:
+    for field in profile_fields():
         found = re.search(r'Choice<(\w+)> ' + field + r';\s*//([^\n]*(?:\n {20,}//[^\n]*)*)', body)
         if not found:
             fail('HardwareProfile has no field ' + field)
         words = ' '.join(part.strip(' /') for part in found.group(2).split('\n'))
+        if found.group(1) == 'int' and field not in ranges:
+            fail('profile_fields.cpp has no range of ' + field)
         if ranges.get(field, words) not in words:
             words += '; ' + ranges[field]
         text += with_comment('  ' + c_type(found.group(1))[0] + ' ' + field + ';', words)
@@ -265,7 +285,7 @@ def generate():
             code += steps_text('ChannelSteps', 'nbc_channel', COMBINER + 'portion_walk.h')
         if domain == 'final_codes':
             code += steps_text('FinalSteps', 'nbc_final_steps', COMBINER + 'final_walk.h')
-        for name in list(find_functions(path)) if names == '*' else names:
+        for name in functions_of(path, names):
             code += class_text(path, name) if name in CLASSES else function_text(path, name, domain)
     header = (HERE / 'ninebit_combiner.h.in').read_text(encoding='utf-8')
     source = (HERE / 'ninebit_combiner.c.in').read_text(encoding='utf-8')
@@ -273,7 +293,9 @@ def generate():
     part = re.search(r'/\* @FINDINGS \*/\n(.*?)/\* FINDINGS@ \*/\n',
                      (HERE / 'ninebit_combiner.c.in').read_text(encoding='utf-8'), re.S).group(1)
     code = code.replace('@FINDINGS@', part)
-    for mark, text in (('@TYPES@', types), ('@PROFILE@', profile), ('@STATES@', states), ('@PROGRAMS@', programs),
+    for mark, text in (('@TYPES@', types), ('@PROFILE@', profile), ('@ARITHMETIC@', fields_macro('NBC_ARITHMETIC', datapath_fields())),
+                       ('@CHIP@', fields_macro('NBC_CHIP', [f for f in profile_fields() if f not in datapath_fields()])),
+                       ('@STATES@', states), ('@PROGRAMS@', programs),
                        ('@FAULTS@', faults), ('@CODE@', code), ('@FAULT_TEXTS@', fault_texts()),
                        ('@REGISTER_NAMES@', names_of('Register')), ('@MAPPING_NAMES@', names_of('InputMapping')),
                        ('@SCALE_NAMES@', names_of('Scale'))):

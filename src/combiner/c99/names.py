@@ -8,6 +8,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 COMBINER = 'include/ninebit/combiner/'
 NUMERICS = 'include/ninebit/numerics/'
+PROFILE = NUMERICS + 'hardware_profile.h'
 LAYOUT = 'src/language/register_words/register_words_layout.h'
 
 # Enumerations: file, name in C, prefix of their constants.
@@ -19,8 +20,8 @@ ENUMS = {
     'Bias': (COMBINER + 'registers.h', 'nbc_bias', 'NBC_BIAS_'),
     'PortionName': (COMBINER + 'registers.h', 'nbc_portion_name', 'NBC_PORTION_'),
     'Variable': (COMBINER + 'registers.h', 'nbc_variable', 'NBC_VARIABLE_'),
-    'Narrowing': (NUMERICS + 'profile_words.h', 'nbc_narrowing', 'NBC_NARROW_'),
-    'NarrowingPoint': (NUMERICS + 'profile_words.h', 'nbc_narrowing_point', 'NBC_NARROW_'),
+    'Narrowing': (PROFILE, 'nbc_narrowing', 'NBC_NARROW_'),
+    'NarrowingPoint': (PROFILE, 'nbc_narrowing_point', 'NBC_NARROW_'),
     'StateParameter': (COMBINER + 'validate.h', 'nbc_parameter', 'NBC_PARAMETER_'),
     'GlError': (COMBINER + 'validate.h', 'nbc_gl_error', 'NBC_GL_'),
     'StateFault': ('src/combiner/state_rules.h', 'nbc_fault_kind', 'NBC_FAULT_'),

@@ -143,6 +143,13 @@ typedef struct nbc_profile {
   bool mux_by_lowest_bit; /* the mux may test the lowest bit of spare0's alpha */
   bool color_sum_inverts; /* spare0 and the secondary colour may go into the colour sum as 1 - x */
 } nbc_profile;
+/* X(member) for each member of nbc_profile that the arithmetic reads, and for the others without the name. */
+#define NBC_ARITHMETIC(X) \
+  X(one) X(lowest) X(lowest_output) X(half) X(expand_offset) X(general_narrowing) X(narrowing_point) \
+  X(final_narrowing)
+#define NBC_CHIP(X) \
+  X(byte_shift) X(general_combiners) X(texture_units) X(per_stage_constants) X(blue_to_alpha) X(mux_by_lowest_bit) \
+  X(color_sum_inverts)
 
 /* The source of one variable, as CombinerInputNV and FinalCombinerInputNV set it. */
 typedef struct nbc_input {

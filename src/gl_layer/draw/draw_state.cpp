@@ -217,22 +217,14 @@ ShaderInputs find_inputs(Context& context) {
   return inputs;
 }
 
-bool reads(const Program& program, Register reg) {
-  for (int i = 0; i < program.num_general_combiners; ++i) {
-    const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
-    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
-  }
-  const FinalCombiner& f = program.final_combiner;
-  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
-}
-
 // Textures that the program does not read make no other shader. Unit 0 also gives spare0 its alpha. Stages read each
 // other, cull fragments and replace depths.
 ShaderInputs inputs_of(const Program& program, ShaderInputs inputs) {
   if (inputs.stages) return inputs;
   for (std::size_t i = 1; i < kLayerUnits; ++i) {
     UnitInput& unit = inputs.units[i];
-    const bool read = reads(program, static_cast<Register>(static_cast<std::size_t>(Register::texture0) + i));
+    const bool read =
+        detail::program_reads(program, static_cast<Register>(static_cast<std::size_t>(Register::texture0) + i));
     if (!read && !inputs.write_inputs) unit = UnitInput{};
   }
   return inputs;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ninebit/combiner/program.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/gl_layer/shader/shader_inputs.h"
 
 namespace ninebit::gl_layer {

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "src/gl_layer/vertex_program/vertex_program.h"
+#include "src/system/characters.h"
 
 namespace ninebit::gl_layer {
 namespace {
@@ -24,16 +25,6 @@ constexpr std::string_view kAttributeNames[]{"OPOS", "WGHT", "NRML", "COL0", "CO
                                              "TEX0", "TEX1", "TEX2", "TEX3", "TEX4", "TEX5", "TEX6", "TEX7"};
 constexpr std::string_view kOutputNames[kVertexOutputs]{"HPOS", "COL0", "COL1", "BFC0", "BFC1", "FOGC", "PSIZ", "TEX0",
                                                         "TEX1", "TEX2", "TEX3", "TEX4", "TEX5", "TEX6", "TEX7"};
-
-bool is_space(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_word(char c) {
-  return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
-}
 
 struct Token {
   std::string_view text{};  // empty at the end of the text
@@ -59,7 +50,7 @@ class Tokens {
 
  private:
   void advance() {
-    while (at_ < text_.size() && (is_space(text_[at_]) || text_[at_] == '#')) {
+    while (at_ < text_.size() && (detail::is_blank(text_[at_]) || text_[at_] == '#')) {
       if (text_[at_] == '#') {
         at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
       } else {
@@ -67,7 +58,7 @@ class Tokens {
       }
     }
     std::size_t end = at_;
-    while (end < text_.size() && is_word(text_[end])) ++end;
+    while (end < text_.size() && detail::is_word(text_[end])) ++end;
     if (end == at_ && at_ < text_.size()) ++end;
     next_ = {.text = text_.substr(at_, end - at_), .position = at_};
     at_ = end;
@@ -173,8 +164,8 @@ class Parser {
   // R0 to R11.
   bool parse_temporary(int& index) {
     const std::string_view text = tokens_.next().text;
-    if (text.size() < 2 || text.size() > 3 || text[0] != 'R' || !is_digit(text[1])) return false;
-    if (text.size() == 3 && (!is_digit(text[2]) || text[1] == '0')) return false;
+    if (text.size() < 2 || text.size() > 3 || text[0] != 'R' || !detail::is_digit(text[1])) return false;
+    if (text.size() == 3 && (!detail::is_digit(text[2]) || text[1] == '0')) return false;
     index = text[1] - '0';
     if (text.size() == 3) index = 10 * index + text[2] - '0';
     if (index >= kVertexTemporaries) return false;
@@ -184,7 +175,7 @@ class Parser {
 
   bool parse_number(int& number, int end) {
     const Token token = tokens_.take();
-    const bool digits = !token.text.empty() && std::all_of(token.text.begin(), token.text.end(), is_digit);
+    const bool digits = !token.text.empty() && std::all_of(token.text.begin(), token.text.end(), detail::is_digit);
     number = 0;
     for (const char c : token.text) number = std::min(10 * number + (c - '0'), end);
     if (digits && number < end) return true;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ninebit/image/texture_io.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/texture.h"
 

@@ -11,7 +11,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "src/language/emit/emit_expression.h"
 

@@ -20,10 +20,6 @@ int bits_of(Interval r) {
   return bits;
 }
 
-Interval joined(Interval a, Interval b) {
-  return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
-
 // Writes definitions, one a node; nodes that mean the same get one definition.
 class Writer {
  public:
@@ -42,7 +38,7 @@ class Writer {
 
   // Both as numbers of one width.
   static std::string compare(const char* operation, const Term& a, const Term& b) {
-    const int bits = bits_of(joined(a.range, b.range));
+    const int bits = bits_of(either(a.range, b.range));
     return std::string("(") + operation + ' ' + widen(a, bits) + ' ' + widen(b, bits) + ')';
   }
 
@@ -84,7 +80,7 @@ class Writer {
   // A sum, a difference or a product is computed at the width of the widest of its operands and its result.
   Term arithmetic(const char* name, const Node& node) {
     const Term a = term(node.args[0]), b = term(node.args[1]);
-    Term wide = operation(name, a, b, joined(node.range, joined(a.range, b.range)));
+    Term wide = operation(name, a, b, either(node.range, either(a.range, b.range)));
     return narrowed(wide, node.range);
   }
 
@@ -95,7 +91,7 @@ class Writer {
   }
 
   Term choose(const std::string& condition, const Term& yes, const Term& no, Interval range) {
-    const Interval both = joined(range, joined(yes.range, no.range));
+    const Interval both = either(range, either(yes.range, no.range));
     const int bits = bits_of(both);
     return narrowed(named("(ite " + condition + ' ' + widen(yes, bits) + ' ' + widen(no, bits) + ')', both), range);
   }
@@ -106,7 +102,7 @@ class Writer {
     const auto [at, is_new] = symbols_.try_emplace(key);
     if (!is_new) return {at->second, range};
     at->second = symbol();
-    const Interval rests{0, d - 1}, all = joined(n.range, {0, d * (range.high + 1)});
+    const Interval rests{0, d - 1}, all = either(n.range, Interval{0, d * (range.high + 1)});
     const Term quotient{at->second, range}, rest{symbol(), rests}, divisor{constant(d, bits_of({d, d})), {d, d}};
     const auto declare = [&](const Term& t) {
       const Term high{constant(t.range.high, bits_of({0, t.range.high})), {0, t.range.high}};
@@ -162,7 +158,7 @@ class Writer {
   // sign < 0 ? -x : x
   Term with_sign(const V& sign, const V& x, Interval range) {
     const Term s = term(sign), value = term(x), zero{constant(0, 1), {0, 0}};
-    const Interval both = joined(value.range, {-value.range.high, -value.range.low});
+    const Interval both = either(value.range, Interval{-value.range.high, -value.range.low});
     return choose(compare("bvslt", s, zero), operation("bvsub", zero, value, both), value, range);
   }
 

@@ -237,14 +237,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 64;
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool same_letters(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
-}
-
 std::size_t find_letters(std::string_view text, std::string_view part) {
   const auto found = std::search(text.begin(), text.end(), part.begin(), part.end(),
                                  [](char x, char y) { return lower(x) == lower(y); });
@@ -265,7 +257,7 @@ bool is_pointer_suffix(std::string_view suffix) {
   if (suffix.empty()) return true;
   if (suffix.front() == '_') suffix.remove_prefix(1);
   for (const std::string_view known : {"ext", "proc", "ptr", "func", "fn", "fp", "nv", "arb"}) {
-    if (same_letters(suffix, known)) return true;
+    if (same_but_case(suffix, known)) return true;
   }
   return false;
 }
@@ -338,7 +330,7 @@ const GlSignature* find_gl_call(std::string_view name) {
     const std::size_t at = name.find(base);
     if (at == std::string_view::npos) continue;
     std::string_view suffix = name.substr(at + base.size());
-    const bool has_nv = is_nv && same_letters(suffix.substr(0, 2), "nv");
+    const bool has_nv = is_nv && same_but_case(suffix.substr(0, 2), "nv");
     if (has_nv) suffix.remove_prefix(2);
     if (is_call(call, name.substr(0, at), suffix, has_nv)) return &call;
   }
@@ -369,8 +361,8 @@ std::optional<gl::GLenum> stage_value_of_name(std::string_view name) {
 }
 
 const GlSignature* find_gl_method(std::string_view name) {
-  if (same_letters(name, "enable")) return find_gl_call("glEnable");
-  return same_letters(name, "disable") ? find_gl_call("glDisable") : nullptr;
+  if (same_but_case(name, "enable")) return find_gl_call("glEnable");
+  return same_but_case(name, "disable") ? find_gl_call("glDisable") : nullptr;
 }
 
 bool is_conversion(std::string_view name) {
@@ -383,7 +375,7 @@ bool is_conversion(std::string_view name) {
            find_gl_call(name) == nullptr;
   };
   if (is_gls("GL") || is_gls("TGL") || is_gls("PGL")) return true;
-  return std::any_of(kTypes.begin(), kTypes.end(), [&](std::string_view one) { return same_letters(name, one); });
+  return std::any_of(kTypes.begin(), kTypes.end(), [&](std::string_view one) { return same_but_case(name, one); });
 }
 
 std::optional<gl::GLenum> value_of_spelling(std::string_view name, bool qualified) {

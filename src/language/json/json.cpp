@@ -45,32 +45,33 @@ class ProgramReader {
       return state_;
     }
     read_.heading(root, "program", true);
-    with(root, "num_general_combiners", [&](const Value& value) {
+    Reader::with(root, "num_general_combiners", [&](const Value& value) {
       count_ = value.offset;
       read_.integer(value, 1, kMaxGeneralCombiners, state_.num_general_combiners, GlError::invalid_value);
     });
-    with(root, "color_sum_clamp", [&](const Value& value) { read_.boolean(value, state_.color_sum_clamp); });
-    with(root, "per_stage_constants", [&](const Value& value) {
+    Reader::with(root, "color_sum_clamp", [&](const Value& value) { read_.boolean(value, state_.color_sum_clamp); });
+    Reader::with(root, "per_stage_constants", [&](const Value& value) {
       per_stage_ = value.offset;
       read_.boolean(value, state_.per_stage_constants);
     });
-    with(root, "mux_by_lowest_bit", [&](const Value& value) {
+    Reader::with(root, "mux_by_lowest_bit", [&](const Value& value) {
       mux_ = value.offset;
       read_.boolean(value, state_.mux_by_lowest_bit);
     });
-    with(root, "color_sum_invert_spare0", [&](const Value& value) {
+    Reader::with(root, "color_sum_invert_spare0", [&](const Value& value) {
       inverts_ = value.offset;
       read_.boolean(value, state_.color_sum_invert_spare0);
     });
-    with(root, "color_sum_invert_secondary", [&](const Value& value) {
+    Reader::with(root, "color_sum_invert_secondary", [&](const Value& value) {
       if (inverts_ == 0) inverts_ = value.offset;
       read_.boolean(value, state_.color_sum_invert_secondary);
     });
     constants(root, state_.constant0, state_.constant1, given_[kFinalConstants]);
-    with(root, "general_combiners", [&](const Value& value) { stages(value); });
-    with(root, "final_combiner", [&](const Value& value) { final_combiner(value); });
-    with(root, "other_words", [&](const Value& value) { other_words(value); });
-    with(root, "texture_shader", [&](const Value& value) { stages_ = json::read_texture_shader(value, read_); });
+    Reader::with(root, "general_combiners", [&](const Value& value) { stages(value); });
+    Reader::with(root, "final_combiner", [&](const Value& value) { final_combiner(value); });
+    Reader::with(root, "other_words", [&](const Value& value) { other_words(value); });
+    Reader::with(root, "texture_shader",
+                 [&](const Value& value) { stages_ = json::read_texture_shader(value, read_); });
     mark_unset_constants(state_, given_);
     return state_;
   }
@@ -104,14 +105,9 @@ class ProgramReader {
  private:
   static constexpr std::size_t kOutputPart = 4;
 
-  template <class Function>
-  void with(const Value& object, std::string_view key, Function function) {
-    if (const Value* const value = Reader::find(object, key)) function(*value);
-  }
-
   void constants(const Value& object, ColorF& constant0, ColorF& constant1, std::array<bool, 2>& given) {
     const auto read = [&](std::string_view key, ColorF& into, bool& is_given) {
-      with(object, key, [&](const Value& value) {
+      Reader::with(object, key, [&](const Value& value) {
         color(value, into);
         is_given = true;
       });
@@ -140,8 +136,8 @@ class ProgramReader {
   void stage(const Value& value, std::size_t index) {
     GeneralCombiner& into = state_.general[index];
     if (!read_.object(value, {"rgb", "alpha", "constant_color0", "constant_color1"})) return;
-    with(value, "rgb", [&](const Value& part) { portion(part, into.rgb, general_[index][0]); });
-    with(value, "alpha", [&](const Value& part) { portion(part, into.alpha, general_[index][1]); });
+    Reader::with(value, "rgb", [&](const Value& part) { portion(part, into.rgb, general_[index][0]); });
+    Reader::with(value, "alpha", [&](const Value& part) { portion(part, into.alpha, general_[index][1]); });
     constants(value, into.constant0, into.constant1, given_[index]);
   }
 
@@ -150,12 +146,12 @@ class ProgramReader {
     const std::pair<std::string_view, CombinerInput*> inputs[] = {
         {"a", &into.a}, {"b", &into.b}, {"c", &into.c}, {"d", &into.d}};
     for (std::size_t i = 0; i < 4; ++i) {
-      with(value, inputs[i].first, [&](const Value& part) {
+      Reader::with(value, inputs[i].first, [&](const Value& part) {
         offsets[i] = part.offset;
         input(part, *inputs[i].second);
       });
     }
-    with(value, "output", [&](const Value& part) {
+    Reader::with(value, "output", [&](const Value& part) {
       offsets[kOutputPart] = part.offset;
       output(part, into.out);
     });
@@ -163,27 +159,28 @@ class ProgramReader {
 
   void input(const Value& value, CombinerInput& into) {
     if (!read_.object(value, {"input", "mapping", "usage"})) return;
-    with(value, "input", [&](const Value& part) { name<Register>(part, kInputs, "input", into.reg, kOutputs); });
-    with(value, "mapping",
-         [&](const Value& part) { name<InputMapping>(part, kInputMappings, "input mapping", into.mapping); });
-    with(value, "usage",
-         [&](const Value& part) { name<ComponentUsage>(part, kUsages, "component usage", into.usage); });
+    Reader::with(value, "input",
+                 [&](const Value& part) { name<Register>(part, kInputs, "input", into.reg, kOutputs); });
+    Reader::with(value, "mapping",
+                 [&](const Value& part) { name<InputMapping>(part, kInputMappings, "input mapping", into.mapping); });
+    Reader::with(value, "usage",
+                 [&](const Value& part) { name<ComponentUsage>(part, kUsages, "component usage", into.usage); });
   }
 
   void output(const Value& value, PortionOutput& into) {
     if (!read_.object(value, {"ab", "cd", "sum", "scale", "bias", "ab_dot_product", "cd_dot_product", "mux_sum",
                               "ab_blue_to_alpha", "cd_blue_to_alpha"}))
       return;
-    with(value, "ab", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.ab, kInputs); });
-    with(value, "cd", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.cd, kInputs); });
-    with(value, "sum", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.sum, kInputs); });
-    with(value, "scale", [&](const Value& part) { name<Scale>(part, kScales, "scale", into.scale); });
-    with(value, "bias", [&](const Value& part) { name<Bias>(part, kBiases, "bias", into.bias); });
-    with(value, "ab_dot_product", [&](const Value& part) { read_.boolean(part, into.ab_dot_product); });
-    with(value, "cd_dot_product", [&](const Value& part) { read_.boolean(part, into.cd_dot_product); });
-    with(value, "mux_sum", [&](const Value& part) { read_.boolean(part, into.mux_sum); });
-    with(value, "ab_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.ab_blue_to_alpha); });
-    with(value, "cd_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.cd_blue_to_alpha); });
+    Reader::with(value, "ab", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.ab, kInputs); });
+    Reader::with(value, "cd", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.cd, kInputs); });
+    Reader::with(value, "sum", [&](const Value& part) { name<Register>(part, kOutputs, "output", into.sum, kInputs); });
+    Reader::with(value, "scale", [&](const Value& part) { name<Scale>(part, kScales, "scale", into.scale); });
+    Reader::with(value, "bias", [&](const Value& part) { name<Bias>(part, kBiases, "bias", into.bias); });
+    Reader::with(value, "ab_dot_product", [&](const Value& part) { read_.boolean(part, into.ab_dot_product); });
+    Reader::with(value, "cd_dot_product", [&](const Value& part) { read_.boolean(part, into.cd_dot_product); });
+    Reader::with(value, "mux_sum", [&](const Value& part) { read_.boolean(part, into.mux_sum); });
+    Reader::with(value, "ab_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.ab_blue_to_alpha); });
+    Reader::with(value, "cd_blue_to_alpha", [&](const Value& part) { read_.boolean(part, into.cd_blue_to_alpha); });
   }
 
   void final_combiner(const Value& value) {
@@ -192,7 +189,7 @@ class ProgramReader {
     const std::pair<std::string_view, CombinerInput*> inputs[] = {{"a", &f.a}, {"b", &f.b}, {"c", &f.c}, {"d", &f.d},
                                                                   {"e", &f.e}, {"f", &f.f}, {"g", &f.g}};
     for (std::size_t i = 0; i < 7; ++i) {
-      with(value, inputs[i].first, [&](const Value& part) {
+      Reader::with(value, inputs[i].first, [&](const Value& part) {
         final_[i] = part.offset;
         input(part, *inputs[i].second);
       });

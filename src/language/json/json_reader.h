@@ -104,6 +104,12 @@ class Reader {
     return true;
   }
 
+  // Calls function(value) if the object has the key.
+  template <class Function>
+  static void with(const Value& object, std::string_view key, const Function& function) {
+    if (const Value* const value = find(object, key)) function(*value);
+  }
+
   [[nodiscard]] static const Value* find(const Value& object, std::string_view key) {
     const auto found = std::find_if(object.children.begin(), object.children.end(),
                                     [&](const Value& child) { return child.key == key; });

@@ -29,19 +29,15 @@ class StagesReader {
     out_.stage_at.fill(value.offset);
     out_.state.enabled = true;
     if (!read_.object(value, {"stages", "rules", "depth_unit", "converts_yuv"})) return out_;
-    with(value, "stages", [&](const Value& part) { stages(part); });
-    with(value, "rules", [&](const Value& part) { word(part, kRules, "rule", out_.state.rules); });
-    with(value, "depth_unit", [&](const Value& part) { word(part, kDepthUnits, "unit", out_.state.depth_unit); });
-    with(value, "converts_yuv", [&](const Value& part) { read_.boolean(part, out_.state.converts_yuv); });
+    Reader::with(value, "stages", [&](const Value& part) { stages(part); });
+    Reader::with(value, "rules", [&](const Value& part) { word(part, kRules, "rule", out_.state.rules); });
+    Reader::with(value, "depth_unit",
+                 [&](const Value& part) { word(part, kDepthUnits, "unit", out_.state.depth_unit); });
+    Reader::with(value, "converts_yuv", [&](const Value& part) { read_.boolean(part, out_.state.converts_yuv); });
     return out_;
   }
 
  private:
-  template <class Function>
-  void with(const Value& object, std::string_view key, Function function) {
-    if (const Value* const value = Reader::find(object, key)) function(*value);
-  }
-
   void stages(const Value& value) {
     if (value.type != Type::array) return read_.wrong_type(value, "an array");
     for (std::size_t i = 0; i < value.children.size(); ++i) {
@@ -54,18 +50,20 @@ class StagesReader {
 
   void stage(const Value& value, TextureStage& into) {
     if (!read_.object(value, {"operation", "previous", "mapping", "cull", "matrix", "scale", "bias", "eye"})) return;
-    with(value, "operation", [&](const Value& part) { operation(part, into.operation); });
-    with(value, "previous",
-         [&](const Value& part) { read_.integer(part, 0, kTextureStages - 1, into.previous, GlError::invalid_enum); });
-    with(value, "mapping", [&](const Value& part) { word(part, kMappings, "dot-product mapping", into.mapping); });
-    with(value, "cull", [&](const Value& part) {
+    Reader::with(value, "operation", [&](const Value& part) { operation(part, into.operation); });
+    Reader::with(value, "previous", [&](const Value& part) {
+      read_.integer(part, 0, kTextureStages - 1, into.previous, GlError::invalid_enum);
+    });
+    Reader::with(value, "mapping",
+                 [&](const Value& part) { word(part, kMappings, "dot-product mapping", into.mapping); });
+    Reader::with(value, "cull", [&](const Value& part) {
       if (!has_elements(part, into.cull.size(), "cull modes: of s, t, r, q")) return;
       for (std::size_t i = 0; i < into.cull.size(); ++i) word(part.children[i], kCullModes, "cull mode", into.cull[i]);
     });
-    with(value, "matrix", [&](const Value& part) { numbers(part, into.matrix, "numbers"); });
-    with(value, "scale", [&](const Value& part) { number(part, into.scale); });
-    with(value, "bias", [&](const Value& part) { number(part, into.bias); });
-    with(value, "eye", [&](const Value& part) { numbers(part, into.eye, "numbers: x, y, z"); });
+    Reader::with(value, "matrix", [&](const Value& part) { numbers(part, into.matrix, "numbers"); });
+    Reader::with(value, "scale", [&](const Value& part) { number(part, into.scale); });
+    Reader::with(value, "bias", [&](const Value& part) { number(part, into.bias); });
+    Reader::with(value, "eye", [&](const Value& part) { numbers(part, into.eye, "numbers: x, y, z"); });
   }
 
   void operation(const Value& value, TextureOperation& into) {

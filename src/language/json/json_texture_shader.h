@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/stage_state.h"
 #include "src/language/json/json_reader.h"
 

@@ -158,12 +158,16 @@ Status check_combiners_alone(const TextProgram& program) {
                         "it has the combiners alone, and these texture-shader stages do more than read their textures"};
 }
 
-// Register words of NV10, which has no texture shaders.
+// Register words; NV10 has no texture shaders.
 template <Result<std::string> (*printer)(const CombinerState&, ChipClass, const HardwareProfile&,
                                          std::span<const RegisterWord>)>
-Result<std::string> words_without_stages(const TextProgram& program, const HardwareProfile& profile) {
-  if (Status alone = check_combiners_alone(program); !alone) return alone.error();
-  return printer(program.state, ChipClass::nv10, profile, program.other_words);
+Result<std::string> print_words(const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {
+  if (chip == ChipClass::nv10) {
+    if (Status alone = check_combiners_alone(program); !alone) return alone.error();
+    return printer(program.state, chip, profile, program.other_words);
+  }
+  const auto words = all_other_words(program);
+  return words ? printer(program.state, chip, profile, *words) : words.error();
 }
 
 // The text of the combiners, and behind it that of stages that do more than read their textures.
@@ -196,6 +200,14 @@ Result<std::string> print_pixel(const TextProgram& program, ChipClass, const Har
   }
 }
 
+// A form whose parser gives both halves, without other words.
+template <Parsed<CombinerState> (*parser)(const SourceText&, const HardwareProfile&, TextureShaderState*)>
+Parsed<TextProgram> parse_halves(const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
+  TextProgram read;
+  auto state = parser(source, profile, &read.texture_shader);
+  return program_with(std::move(state), std::move(read));
+}
+
 // A form whose printer needs both halves alone.
 template <Result<std::string> (*printer)(const CombinerState&, const HardwareProfile&, const TextureShaderState&)>
 Result<std::string> print_halves(const TextProgram& program, ChipClass, const HardwareProfile& profile) {
@@ -206,23 +218,13 @@ const std::array kForms{
     Form{.name = "gl",
          .title = "GL calls",
          .kind = "GL calls",
-         .parse =
-             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
-               TextProgram read;
-               auto state = parse_gl_calls(source, profile, &read.texture_shader);
-               return program_with(std::move(state), std::move(read));
-             },
+         .parse = parse_halves<parse_gl_calls>,
          .print = print_halves<print_gl_calls>},
     Form{.name = "rc10",
          .title = "!!RC1.0 (nvparse)",
          .kind = "an !!RC1.0 program",
          .detect = is_rc10,
-         .parse =
-             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
-               TextProgram read;
-               auto state = parse_rc10(source, profile, &read.texture_shader);
-               return program_with(std::move(state), std::move(read));
-             },
+         .parse = parse_halves<parse_rc10>,
          .print = print_halves<print_rc10>},
     Form{.name = "ps",
          .title = "Pixel shader ps.1.x",
@@ -242,12 +244,7 @@ const std::array kForms{
          .title = "Assembled pixel shader",
          .kind = "an assembled pixel shader",
          .detect = [](std::string_view text, std::string_view) { return is_shader_tokens(text); },
-         .parse =
-             [](const SourceText& source, const HardwareProfile& profile, const ReadOptions&) {
-               TextProgram read;
-               auto state = parse_shader_tokens(source, profile, &read.texture_shader);
-               return program_with(std::move(state), std::move(read));
-             },
+         .parse = parse_halves<parse_shader_tokens>,
          .print = print_halves<print_shader_tokens>},
     Form{.name = "xbox",
          .title = "Xbox pixel shader definition",
@@ -290,12 +287,7 @@ const std::array kForms{
                return is_assignment(content) || words::is_printed_struct(content) || words::is_listed_register(content);
              },
          .parse = parse_words,
-         .print =
-             [](const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {
-               if (chip == ChipClass::nv10) return words_without_stages<print_register_words>(program, profile);
-               const auto words = all_other_words(program);
-               return words ? print_register_words(program.state, chip, profile, *words) : words.error();
-             },
+         .print = print_words<print_register_words>,
          .has_words = true,
          .keeps_other_words = true},
     Form{.name = "words-json",
@@ -303,12 +295,7 @@ const std::array kForms{
          .kind = "register words as JSON",
          .detect = [](std::string_view, std::string_view content) { return is_json(content); },
          .parse = parse_json_words,
-         .print =
-             [](const TextProgram& program, ChipClass chip, const HardwareProfile& profile) {
-               if (chip == ChipClass::nv10) return words_without_stages<print_json_register_words>(program, profile);
-               const auto words = all_other_words(program);
-               return words ? print_json_register_words(program.state, chip, profile, *words) : words.error();
-             },
+         .print = print_words<print_json_register_words>,
          .has_words = true,
          .keeps_other_words = true},
     Form{.name = "source",

@@ -7,19 +7,15 @@
 #include "src/system/lines.h"
 
 namespace ninebit {
-namespace {
-
-std::string_view after_space(std::string_view text) {
+std::string_view without_space(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0) text.remove_prefix(1);
   return text;
 }
 
-}  // namespace
-
 std::string_view without_heading(std::string_view text) {
   text = without_mark(text);
   while (true) {
-    text = after_space(text);
+    text = without_space(text);
     if (text.starts_with("/*")) {
       const std::size_t end = text.find("*/", 2);
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
@@ -33,13 +29,13 @@ std::string_view without_heading(std::string_view text) {
 
 bool is_json(std::string_view text) {
   if (!text.starts_with('{') && !text.starts_with('[')) return false;
-  const std::string_view inside = after_space(text.substr(1));
+  const std::string_view inside = without_space(text.substr(1));
   if (inside.empty() || inside.front() == '"') return true;
   if (text.front() == '{') {
     // A key without quotes is a fault of JSON.
     const auto is_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '\''; };
     const auto key = static_cast<std::size_t>(std::find_if_not(inside.begin(), inside.end(), is_name) - inside.begin());
-    const bool has_key = key > 0 && after_space(inside.substr(key)).starts_with(':');
+    const bool has_key = key > 0 && without_space(inside.substr(key)).starts_with(':');
     return inside.front() == '}' || has_key;
   }
   if (inside.front() == '[' || inside.front() == '{') return true;
@@ -49,7 +45,7 @@ bool is_json(std::string_view text) {
            std::string_view("+-.,eE").find(static_cast<char>(c)) != std::string_view::npos;
   };
   const bool plain = std::all_of(values.begin(), values.end(), is_plain);
-  return plain && (values.size() == inside.size() || after_space(inside.substr(values.size() + 1)).empty());
+  return plain && (values.size() == inside.size() || without_space(inside.substr(values.size() + 1)).empty());
 }
 
 bool is_assignment(std::string_view text) {
@@ -64,26 +60,26 @@ bool is_assignment(std::string_view text) {
     i = skip_name(i + 1);
     if (i == text.size() || text[i++] != close) return false;
   }
-  text = after_space(text.substr(i));
+  text = without_space(text.substr(i));
   if (!text.starts_with('=')) return false;
-  text = after_space(text.substr(1));
+  text = without_space(text.substr(1));
   return text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) != 0;
 }
 
 std::optional<std::string> without_line_prefixes(std::string_view text) {
-  if (!after_space(text).starts_with('[') || is_json(after_space(text))) return std::nullopt;
+  if (!without_space(text).starts_with('[') || is_json(without_space(text))) return std::nullopt;
   std::string out(text);
   bool has_content = false;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin), content = after_space(line);
+    const std::string_view line = text.substr(begin, end - begin), content = without_space(line);
     const std::size_t close = content.find_first_of("[]\"{}", 1);
     if (!content.empty()) {
       if (!content.starts_with('[') || close <= 1 || close == std::string_view::npos || content[close] != ']')
         return {};
       const std::string_view behind = content.substr(close + 1);
-      if (!behind.empty() && after_space(behind).size() == behind.size()) return {};
-      has_content = has_content || !after_space(behind).empty();
+      if (!behind.empty() && without_space(behind).size() == behind.size()) return {};
+      has_content = has_content || !without_space(behind).empty();
       std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(end - content.size()), close + 1, ' ');
     }
     begin = end + 1;
@@ -95,8 +91,8 @@ std::string_view json_kind(std::string_view text) {
   constexpr std::string_view kKey = "\"ninebit\"";
   const std::size_t key = text.find(kKey);
   if (key == std::string_view::npos) return {};
-  std::string_view rest = after_space(text.substr(key + kKey.size()));
-  if (rest.starts_with(':')) rest = after_space(rest.substr(1));
+  std::string_view rest = without_space(text.substr(key + kKey.size()));
+  if (rest.starts_with(':')) rest = without_space(rest.substr(1));
   if (!rest.starts_with('"')) return "?";
   rest.remove_prefix(1);
   return rest.substr(0, rest.find('"'));

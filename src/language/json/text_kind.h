@@ -9,6 +9,9 @@
 
 namespace NINEBIT_PUBLIC ninebit {
 
+// The text without leading white space.
+[[nodiscard]] std::string_view without_space(std::string_view text);
+
 // The text without leading white space and comments, which every program form except JSON may have.
 [[nodiscard]] std::string_view without_heading(std::string_view text);
 

@@ -10,13 +10,9 @@
 namespace ninebit::detail {
 namespace {
 
-char lower_letter(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool begins_with(std::string_view text, std::string_view lower_word) {
-  return text.size() >= lower_word.size() && std::equal(lower_word.begin(), lower_word.end(), text.begin(),
-                                                        [](char a, char b) { return a == lower_letter(b); });
+  return text.size() >= lower_word.size() &&
+         std::equal(lower_word.begin(), lower_word.end(), text.begin(), [](char a, char b) { return a == lower(b); });
 }
 
 // The text as C has it, byte for byte: without comments, with the preprocessor's words in lower case, and with lines
@@ -88,7 +84,7 @@ class PlainShader {
     const bool follows_hash = is_directive && before != std::string::npos && out_[before] == '#';
     const bool is_operator = is_directive && lower_case(std::string_view(out_).substr(at_, end - at_)) == "defined";
     if (follows_hash || is_operator) {
-      std::transform(begin, begin + static_cast<std::ptrdiff_t>(end - at_), begin, lower_letter);
+      std::transform(begin, begin + static_cast<std::ptrdiff_t>(end - at_), begin, lower);
     }
     at_ = std::max(end, at_ + 1);
   }
@@ -240,7 +236,7 @@ class ShaderReader {
 
 std::string lower_case(std::string_view text) {
   std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), lower_letter);
+  std::transform(out.begin(), out.end(), out.begin(), lower);
   return out;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/language/pixel_shader/shader_instruction.h"
 #include "src/language/pixel_shader/shader_registers.h"
 #include "src/language/source/source_faults.h"

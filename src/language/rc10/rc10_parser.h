@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "ninebit/combiner/state.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/texture_shader/stage_state.h"
 #include "src/language/rc10/rc10_lexer.h"

@@ -140,10 +140,6 @@ bool reads_finally(const FinalCombiner& f, Register reg) {
   return false;
 }
 
-bool reads_in(const ProgramStage& stage, Register reg) {
-  return detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg);
-}
-
 // The features of a valid program that the language cannot express; empty: none.
 std::string inexpressible(const Program& program) {
   const std::string_view no_words = "!!RC1.0 cannot express this: ";
@@ -199,10 +195,10 @@ class Printer {
   [[nodiscard]] std::string own_constants(std::size_t i) const {
     const ProgramStage& stage = program_.general[i];
     std::string text;
-    if (state_.per_stage_constants && reads_in(stage, Register::constant0) && !stage.unset[0]) {
+    if (state_.per_stage_constants && detail::stage_reads(stage, Register::constant0) && !stage.unset[0]) {
       text += "  " + constant("const0", state_.general[i].constant0);
     }
-    if (state_.per_stage_constants && reads_in(stage, Register::constant1) && !stage.unset[1]) {
+    if (state_.per_stage_constants && detail::stage_reads(stage, Register::constant1) && !stage.unset[1]) {
       text += "  " + constant("const1", state_.general[i].constant1);
     }
     return text;
@@ -220,7 +216,7 @@ class Printer {
   [[nodiscard]] bool reads_globally(Register reg) const {
     bool reads = reads_finally(program_.final_combiner, reg);
     for (std::size_t i = 0; i < stages() && !state_.per_stage_constants; ++i) {
-      reads = reads || reads_in(program_.general[i], reg);
+      reads = reads || detail::stage_reads(program_.general[i], reg);
     }
     return reads;
   }

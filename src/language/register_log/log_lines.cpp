@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\n\v\f\r";
 
-bool is_letter_of_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
 bool ends_word(char c) {
   return detail::is_blank(c) || std::string_view(",;()<>{}=|\"'").find(c) != std::string_view::npos;
 }
@@ -25,7 +21,7 @@ bool ends_word(char c) {
 void split_words(std::string_view line, std::vector<LogToken>& into) {
   for (std::size_t at = 0; at < line.size() && into.size() < kMostTokens;) {
     const char c = line[at];
-    const bool opens_tag = c == '<' && at + 1 < line.size() && (line[at + 1] == '/' || is_letter_of_name(line[at + 1]));
+    const bool opens_tag = c == '<' && at + 1 < line.size() && (line[at + 1] == '/' || detail::is_letter(line[at + 1]));
     if (opens_tag) {
       const std::size_t end = line.find('>', at);
       if (end != std::string_view::npos) {
@@ -80,9 +76,7 @@ bool has_hex_prefix(std::string_view token) {
 }
 
 bool is_hex_digits(std::string_view token) {
-  return !token.empty() && std::all_of(token.begin(), token.end(), [](char c) {
-    return detail::is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-  });
+  return !token.empty() && std::all_of(token.begin(), token.end(), detail::is_hex_digit);
 }
 
 std::optional<std::uint32_t> number_in(std::string_view token, bool hexadecimal) {
@@ -98,7 +92,7 @@ std::optional<std::uint32_t> number_in(std::string_view token, bool hexadecimal)
 }
 
 bool is_log_name(std::string_view token) {
-  return !token.empty() && is_letter_of_name(token.front()) &&
+  return !token.empty() && detail::is_letter(token.front()) &&
          std::all_of(token.begin(), token.end(), [](char c) { return detail::is_word(c) || c == '[' || c == ']'; });
 }
 

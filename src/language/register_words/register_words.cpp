@@ -13,14 +13,6 @@
 namespace ninebit {
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
@@ -81,13 +73,13 @@ class Line {
   std::string read_name() {
     const std::size_t start = at_;
     if (at_ < text_.size() &&
-        (is_letter(text_[at_]) || text_.substr(at_).starts_with("0x") || text_.substr(at_).starts_with("0X"))) {
-      while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+        (detail::is_letter(text_[at_]) || text_.substr(at_).starts_with("0x") || text_.substr(at_).starts_with("0X"))) {
+      while (at_ < text_.size() && detail::is_word(text_[at_])) ++at_;
     }
     if (at_ > start && at_ < text_.size() && (text_[at_] == '[' || text_[at_] == '(')) {
       const char close = text_[at_] == '[' ? ']' : ')';
       std::size_t end = at_ + 1;
-      while (end < text_.size() && is_digit(text_[end])) ++end;
+      while (end < text_.size() && detail::is_digit(text_[end])) ++end;
       if (end > at_ + 1 && end < text_.size() && text_[end] == close) at_ = end + 1;
     }
     return std::string(text_.substr(start, at_ - start));
@@ -95,7 +87,7 @@ class Line {
 
   std::string_view read_token() {
     const std::size_t start = at_;
-    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    while (at_ < text_.size() && detail::is_word(text_[at_])) ++at_;
     return text_.substr(start, at_ - start);
   }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/source/source_faults.h"
@@ -13,10 +14,6 @@ namespace {
 
 std::string letter(int variable) {
   return {static_cast<char>('A' + variable)};
-}
-
-bool reads(const Portion& p, Register r) {
-  return p.a.reg == r || p.b.reg == r || p.c.reg == r || p.d.reg == r;
 }
 
 class Decoder {
@@ -255,16 +252,14 @@ class Decoder {
 
   [[nodiscard]] bool final_reads(int constant) const {
     const Register r = constant == 0 ? Register::constant0 : Register::constant1;
-    const FinalCombiner& f = state_.final_combiner;
-    const CombinerInput all[] = {f.a, f.b, f.c, f.d, f.e, f.f, f.g};
-    return std::any_of(std::begin(all), std::end(all), [&](const CombinerInput& in) { return in.reg == r; });
+    return detail::final_reads(state_.final_combiner, r);
   }
 
   [[nodiscard]] bool stages_read(int constant) const {
     const Register r = constant == 0 ? Register::constant0 : Register::constant1;
     for (int i = 0; i < state_.num_general_combiners; ++i) {
       const GeneralCombiner& stage = state_.general[static_cast<std::size_t>(i)];
-      if (reads(stage.rgb, r) || reads(stage.alpha, r)) return true;
+      if (detail::reads(stage.rgb, r) || detail::reads(stage.alpha, r)) return true;
     }
     return false;
   }

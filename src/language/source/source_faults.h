@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ninebit/language/source_text.h"
+#include "src/system/characters.h"
 
 namespace ninebit::detail {
 
@@ -45,17 +46,6 @@ class SourceFaults {
 
 // The note about a definition that a text did not use.
 [[nodiscard]] std::string not_needed(const Definition& definition);
-
-[[nodiscard]] constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-// Whether a character belongs to a name, in any locale: A to Z, a to z, 0 to 9, underscore.
-[[nodiscard]] constexpr bool is_word(char c) {
-  return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
-}
-[[nodiscard]] constexpr bool is_blank(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
 
 // Skips white space and comments between two tokens, for the hand-written lexers.
 

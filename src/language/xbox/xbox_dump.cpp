@@ -14,18 +14,14 @@
 namespace ninebit::xbox {
 namespace {
 
-bool is_hex_digit(char c) {
-  return detail::is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
-
 bool is_separator(char c) {
   return detail::is_blank(c) || c == ',' || c == ';';
 }
 
 // "00-00", of which the first two characters are the next number.
 bool is_pair(std::string_view token) {
-  return token.size() == 5 && token[2] == '-' && is_hex_digit(token[0]) && is_hex_digit(token[1]) &&
-         is_hex_digit(token[3]) && is_hex_digit(token[4]);
+  return token.size() == 5 && token[2] == '-' && detail::is_hex_digit(token[0]) && detail::is_hex_digit(token[1]) &&
+         detail::is_hex_digit(token[3]) && detail::is_hex_digit(token[4]);
 }
 
 void take_prefix(DumpNumber& number) {
@@ -41,13 +37,13 @@ void take_prefix(DumpNumber& number) {
 
 bool is_hex_number(const DumpNumber& number) {
   return !number.digits.empty() && number.digits.size() <= 2 * kXboxDefinitionBytes &&
-         std::all_of(number.digits.begin(), number.digits.end(), is_hex_digit);
+         std::all_of(number.digits.begin(), number.digits.end(), detail::is_hex_digit);
 }
 
 bool is_row_offset(const DumpNumber& number) {
   DumpNumber low = number;
   if (number.digits.size() == 17 && number.digits[8] == '`') {
-    if (!std::all_of(number.digits.begin(), number.digits.begin() + 8, is_hex_digit)) return false;
+    if (!std::all_of(number.digits.begin(), number.digits.begin() + 8, detail::is_hex_digit)) return false;
     low.digits.remove_prefix(9);
   }
   return is_hex_number(low);

@@ -6,6 +6,7 @@
 
 #include "ninebit/numerics/hardware_profile.h"
 #include "src/language/source/beyond_opengl.h"
+#include "src/system/characters.h"
 
 namespace ninebit::xbox {
 namespace {
@@ -31,14 +32,6 @@ constexpr std::array kFields{Field{"PSAlphaInputs", 0, 8},
                              Field{"PSC1Mapping", 58},
                              Field{"PSFinalCombinerConstants", 59}};
 
-char lower_of(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool same_but_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower_of(x) == lower_of(y); });
-}
-
 }  // namespace
 
 std::span<const Field> fields() {
@@ -46,9 +39,9 @@ std::span<const Field> fields() {
 }
 
 const Field* find_field(std::string_view name) {
-  if (same_but_case(name, "PSAphaInputs")) return kFields.data();
-  const auto found =
-      std::find_if(kFields.begin(), kFields.end(), [&](const Field& field) { return same_but_case(field.name, name); });
+  if (detail::same_but_case(name, "PSAphaInputs")) return kFields.data();
+  const auto found = std::find_if(kFields.begin(), kFields.end(),
+                                  [&](const Field& field) { return detail::same_but_case(field.name, name); });
   return found == kFields.end() ? nullptr : &*found;
 }
 

@@ -61,10 +61,8 @@ class State(_combiner.State):
         """Parses a program: a text, or the path of a file. Without `form`, finds the form of the text. The profile is
         geforce2 if none is given. A State or a Program is parsed already: the result is its state.
 
-        The forms are 'gl' (GL calls), 'source' (a source file with them), 'rc10' (!!RC1.0), 'ps' (a ps.1.x pixel
-        shader), 'tokens' (an assembled one), 'words' and 'words-json' (register words), 'json', 'xbox' (a D3DPIXELSHADERDEF) and 'log' (register
-        writes). `function` is for sources, `define` for them and pixel shaders, `chip` for words, `setup` for logs: the
-        number of a set-up.
+        The forms are those of `ninebit convert --from`. `function` is for sources, `define` for them and pixel shaders,
+        `chip` for words, `setup` for logs: the number of a set-up.
         """
         if isinstance(text, (State, Program)):
             if setup or any(given is not None for given in (form, profile, chip, function, define)):

@@ -50,9 +50,8 @@ def explain(program, **options):
 
 
 def convert(program, to=None, **options):
-    """A program as a text of another form, as `ninebit convert --to`: "gl", "rc10", "ps11", "tokens", "words",
-    "words-json", "json", "xbox", "glsl", "glsl-es", "glsl-pixel"
-    (also "-130", "-450" and "-es"), "hlsl" or "c". Without `to`, the list of set-ups of a log, as a dictionary."""
+    """A program as a text of another form, whose names `ninebit help convert` lists. Without `to`, the list of
+    set-ups of a log, as a dictionary."""
     answer, _, _ = run_verb(("convert",), [("program", program, True)], {**options, "to": to}, None)
     return answer if to is None else answer["rows"][0].get("text", answer)
 

@@ -25,11 +25,10 @@ bool writes(const ProgramStage& stage, Register reg) {
 bool reads_initial(const Program& program, Register reg) {
   for (int i = 0; i < program.num_general_combiners; ++i) {
     const ProgramStage& stage = program.general[static_cast<std::size_t>(i)];
-    if (detail::reads(stage.rgb, reg) || detail::reads(stage.alpha, reg)) return true;
+    if (detail::stage_reads(stage, reg)) return true;
     if (writes(stage, reg)) return false;
   }
-  const FinalCombiner& f = program.final_combiner;
-  return detail::reads_directly(f, reg) || f.e.reg == reg || f.f.reg == reg;
+  return detail::final_reads(program.final_combiner, reg);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "ninebit/numerics/fixed9.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 
 namespace ninebit {

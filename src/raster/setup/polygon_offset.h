@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "src/raster/setup/window_primitives.h"
 #include "src/raster/setup/window_transform.h"

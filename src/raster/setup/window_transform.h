@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/pipeline_state.h"
 #include "ninebit/raster/surface.h"
 #include "src/raster/rules/one_fragment.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/color_format.h"
 #include "src/raster/rules/color_masks.h"
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/surface.h"
 
 namespace ninebit {

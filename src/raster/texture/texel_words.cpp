@@ -66,10 +66,6 @@ int bits_of(TexelWord format) {
   return kFormats[static_cast<std::size_t>(format)].bits;
 }
 
-InternalFormat storage_of(TexelWord format) {
-  return format == y16 || format == r16b16 ? InternalFormat::hilo16 : InternalFormat::rgba8;
-}
-
 Bytes4 texel_of_word(TexelWord format, std::uint32_t word, std::span<const std::uint32_t> palette) {
   const auto byte = [word](int n) { return static_cast<std::uint8_t>(word >> (8 * n)); };
   switch (format) {

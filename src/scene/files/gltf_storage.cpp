@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "src/scene/files/scene_readers.h"
+#include "src/scene/files/text_scan.h"
 #include "src/scene/scene_check.h"
 
 namespace ninebit {
@@ -95,12 +96,6 @@ std::optional<Diagnostic> check_accessor(const JsonValue& root, const JsonValue&
 std::string_view base64_of(const std::string& uri) {
   const std::size_t data = uri.find(";base64,");
   return data == std::string::npos ? std::string_view() : std::string_view(uri).substr(data + 8);
-}
-
-std::uint32_t little_endian(std::string_view data, std::size_t at, std::size_t bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t i = bytes; i-- > 0;) value = (value << 8U) | static_cast<unsigned char>(data[at + i]);
-  return value;
 }
 
 }  // namespace

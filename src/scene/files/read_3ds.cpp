@@ -13,6 +13,7 @@
 #include "src/scene/files/assimp_import.h"
 #include "src/scene/files/isolated_import.h"
 #include "src/scene/files/scene_readers.h"
+#include "src/scene/files/text_scan.h"
 #include "src/scene/framing.h"
 #include "src/scene/scene_check.h"
 
@@ -44,14 +45,8 @@ enum ChunkId : std::uint32_t {
   kLastTrack = 0xB024
 };
 
-std::uint32_t little(std::string_view data, std::size_t at, std::size_t bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t i = bytes; i-- > 0;) value = (value << 8U) | static_cast<unsigned char>(data[at + i]);
-  return value;
-}
-
 float real(std::string_view data, std::size_t at) {
-  return std::bit_cast<float>(little(data, at, 4));
+  return std::bit_cast<float>(little_endian(data, at, 4));
 }
 
 glm::vec3 point(std::string_view data, std::size_t at) {
@@ -86,12 +81,12 @@ std::optional<Chunk> next_chunk(std::string_view& data, bool& broken) {
     broken = broken || !data.empty();
     return std::nullopt;
   }
-  const std::uint32_t length = little(data, 2, 4);
+  const std::uint32_t length = little_endian(data, 2, 4);
   if (length < 6 || length > data.size()) {
     broken = true;
     return std::nullopt;
   }
-  const Chunk chunk{little(data, 0, 2), data.substr(6, length - 6)};
+  const Chunk chunk{little_endian(data, 0, 2), data.substr(6, length - 6)};
   data.remove_prefix(length);
   return chunk;
 }
@@ -107,7 +102,7 @@ std::optional<Diagnostic> check_mesh(std::string_view data, const std::string& n
   while (const std::optional<Chunk> chunk = next_chunk(data, broken)) {
     if (chunk->id != kVertices && chunk->id != kFaces) continue;
     if (chunk->body.size() < 2) return fault_of(kShortChunk);
-    const std::uint32_t count = little(chunk->body, 0, 2);
+    const std::uint32_t count = little_endian(chunk->body, 0, 2);
     const std::size_t row = chunk->id == kVertices ? 12 : 8;
     if (chunk->body.size() < 2 + count * row) return fault_of(kShortChunk);
     if (chunk->id == kVertices) {
@@ -120,7 +115,7 @@ std::optional<Diagnostic> check_mesh(std::string_view data, const std::string& n
       facts.material_lists += list->id == kFaceMaterial;
     for (std::uint32_t face = 0; face < count; ++face) {
       for (std::size_t corner = 0; corner < 3; ++corner)
-        highest = std::max(highest, little(chunk->body, 2 + face * row + corner * 2, 2));
+        highest = std::max(highest, little_endian(chunk->body, 2 + face * row + corner * 2, 2));
     }
   }
   if (broken) return fault_of(kBrokenChunk);
@@ -146,7 +141,7 @@ std::optional<Diagnostic> read_light(std::string_view data, const std::string& n
     if (floats && chunk->body.size() >= 12) light.color = point(chunk->body, 0);
     if (bytes && chunk->body.size() >= 3) {
       for (glm::length_t i = 0; i < 3; ++i)
-        light.color[i] = static_cast<float>(little(chunk->body, static_cast<std::size_t>(i), 1)) / 255.0F;
+        light.color[i] = static_cast<float>(little_endian(chunk->body, static_cast<std::size_t>(i), 1)) / 255.0F;
     }
   }
   if (broken) return fault_of(kBrokenChunk);
@@ -201,7 +196,7 @@ std::optional<Diagnostic> check_object(std::string_view data, ThreeDsFacts& fact
 std::optional<Diagnostic> check_track(std::string_view data) {
   constexpr std::size_t kHead = 14;
   constexpr std::size_t kSmallestKey = 10;
-  if (data.size() < kHead || little(data, kHead - 4, 4) > (data.size() - kHead) / kSmallestKey)
+  if (data.size() < kHead || little_endian(data, kHead - 4, 4) > (data.size() - kHead) / kSmallestKey)
     return fault_of(kShortChunk);
   return std::nullopt;
 }
@@ -261,10 +256,11 @@ std::optional<Diagnostic> check_amounts(const ThreeDsFacts& facts, std::uint64_t
 }
 
 Result<ThreeDsFacts> check_3ds(std::string_view content) {
-  if (content.size() < 6 || little(content, 0, 2) != kMain)
+  if (content.size() < 6 || little_endian(content, 0, 2) != kMain)
     return fault_of("is not a 3DS file: it does not start with the main chunk");
-  if (little(content, 2, 4) > content.size())
-    return fault_of(fmt::format("ends early: it declares {} bytes and has {}", little(content, 2, 4), content.size()));
+  if (little_endian(content, 2, 4) > content.size())
+    return fault_of(
+        fmt::format("ends early: it declares {} bytes and has {}", little_endian(content, 2, 4), content.size()));
   ThreeDsFacts facts;
   bool broken = false;
   const std::string_view main = next_chunk(content, broken).value_or(Chunk{}).body;

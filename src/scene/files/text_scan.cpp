@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "src/system/characters.h"
+
 namespace ninebit {
 namespace {
 
@@ -27,15 +29,11 @@ constexpr std::array<double, kMostDecimals + 1> kDecimals{0.0,
                                                           0.00000000000001,
                                                           0.000000000000001};
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 // Takes digits off the word, and returns the number formed by the first `most` of them.
 std::uint64_t take_digits(std::string_view& word, std::size_t most, std::size_t& count) {
   std::uint64_t value = 0;
   count = 0;
-  while (!word.empty() && is_digit(word.front())) {
+  while (!word.empty() && detail::is_digit(word.front())) {
     if (count < most) value = value * 10 + static_cast<std::uint64_t>(word.front() - '0');
     ++count;
     word.remove_prefix(1);

@@ -1,4 +1,4 @@
-// Lines, words and numbers of the text formats.
+// Lines, words and numbers of the text formats, and numbers of the others.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,6 +17,13 @@ namespace ninebit {
 
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
+}
+
+// The number of some bytes, the lowest first.
+[[nodiscard]] inline std::uint32_t little_endian(std::string_view data, std::size_t at, std::size_t bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t i = bytes; i-- > 0;) value = (value << 8U) | static_cast<unsigned char>(data[at + i]);
+  return value;
 }
 
 // Reads a text line by line; \n, \r\n and \r all end a line.

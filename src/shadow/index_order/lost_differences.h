@@ -9,7 +9,7 @@
 
 #include "ninebit/combiner/program.h"
 #include "ninebit/frame/index_codes.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/scene/scene.h"
 #include "src/shadow/index_order/patches.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/report.h"
 
 namespace ninebit {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/datapath_error.h"
 
 namespace ninebit {

@@ -19,10 +19,6 @@ constexpr std::size_t kMostCombinations = std::size_t{1} << 26;
 
 constexpr RegisterComponent kOwnAlpha{Register::spare0, kAlpha};  // else texture 0's
 
-bool is_constant(Register reg) {
-  return reg == Register::constant0 || reg == Register::constant1;
-}
-
 std::size_t index_of(int component) {
   return static_cast<std::size_t>(component);
 }

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/datapath_error.h"
 
 namespace ninebit {

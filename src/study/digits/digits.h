@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/index_steps.h"
 #include "src/study/digits/digit_flow.h"
 

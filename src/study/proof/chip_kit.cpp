@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/profile_fields.h"
 
 namespace ninebit {
 namespace {
@@ -43,10 +43,10 @@ std::ptrdiff_t rivals_in(const Combination& combination) {
 }
 
 bool have_same_start(const HardwareProfile& a, const HardwareProfile& b) {
-  return a.spare0_alpha_without_texture0.value == b.spare0_alpha_without_texture0.value &&
-         a.disabled_texture_alpha.value == b.disabled_texture_alpha.value &&
-         a.secondary_alpha.value == b.secondary_alpha.value &&
-         a.fog_alpha_without_fog.value == b.fog_alpha_without_fog.value;
+  const auto fields = profile_fields();
+  return std::all_of(fields.begin(), fields.end(), [&](const ProfileField& field) {
+    return field.group != FieldGroup::start_registers || field.get(a).value == field.get(b).value;
+  });
 }
 
 // Adds programs to a kit until no two combinations that show the same can be told apart.

@@ -8,7 +8,7 @@
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/language/smt_lib.h"
-#include "ninebit/numerics/datapath.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/system/child_program.h"
 
 namespace ninebit::proof {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "src/study/proof/case_run.h"
 #include "src/study/proof/proof_side.h"

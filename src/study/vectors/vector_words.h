@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/study/vectors.h"
 #include "src/system/parallel/parallel_loop.h"
 

@@ -42,6 +42,10 @@ std::optional<std::vector<int>> whole_numbers_in(std::string_view list) {
   return all;
 }
 
+CLI::Validator checked_by(std::string (*check)(const std::string&)) {
+  return CLI::Validator([check](std::string& text) { return check(text); }, "");
+}
+
 CLI::Validator list_of(std::vector<std::string> known) {
   const auto check = [known = std::move(known)](const std::string& text) -> std::string {
     std::set<std::string> given;
@@ -100,6 +104,12 @@ std::string check_size(const std::string& text) {
 std::string check_point(const std::string& text) {
   if (are_numbers_in<float>(text, ',', 3, -kMostDistance, kMostDistance)) return {};
   return fmt::format("invalid point '{}'; expected X,Y,Z, each from -1e12 to 1e12", text);
+}
+
+std::optional<glm::vec3> point_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto n = numbers<float>(text, ',');
+  return glm::vec3(n->at(0), n->at(1), n->at(2));
 }
 
 std::string check_floor(const std::string& text) {

@@ -25,6 +25,9 @@ namespace ninebit::tools {
 // there are more than 4,096.
 [[nodiscard]] std::optional<std::vector<int>> whole_numbers_in(std::string_view list);
 
+// A validator from a check that returns an empty string for a valid value, as those below do.
+[[nodiscard]] CLI::Validator checked_by(std::string (*check)(const std::string&));
+
 // A validator that requires each item to be one of `known`, at most once.
 [[nodiscard]] CLI::Validator list_of(std::vector<std::string> known);
 
@@ -74,6 +77,8 @@ CLI::Option* add_pixel_flag(CLI::App& verb, const std::string& flag, std::string
 [[nodiscard]] std::string check_size(const std::string& text);
 // X,Y,Z, each from -kMostDistance to kMostDistance.
 [[nodiscard]] std::string check_point(const std::string& text);
+// The point of such a text; nothing if the text is empty.
+[[nodiscard]] std::optional<glm::vec3> point_of(const std::string& text);
 // auto, none or a height.
 [[nodiscard]] std::string check_floor(const std::string& text);
 // Degrees from 0.01 to 170.

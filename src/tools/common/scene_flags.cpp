@@ -14,10 +14,6 @@
 namespace ninebit::tools {
 namespace {
 
-CLI::Validator checked(std::string (*check)(const std::string&)) {
-  return CLI::Validator([check](std::string& text) { return check(text); }, "");
-}
-
 // Adds the checks that involve several flags.
 void check_together(CLI::App& verb, const SceneFlags& flags) {
   verb.parse_complete_callback([&flags, &verb] {
@@ -62,7 +58,7 @@ CLI::Option* add_scene_file(CLI::App& verb, const std::string& name, SceneFlags&
   add_up_flag(verb, flags.up);
   return verb.add_option(name, flags.file, "Scene to render: a glTF, OBJ, PLY, OFF, 3DS, STL, COLLADA or FBX file")
       ->type_name("FILE")
-      ->check(checked(check_file_name));
+      ->check(checked_by(check_file_name));
 }
 
 std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
@@ -75,38 +71,38 @@ std::vector<CLI::Option*> add_scene_flags(CLI::App& verb, SceneFlags& flags) {
   verb.add_option("--size", flags.size, "Picture size in pixels")
       ->capture_default_str()
       ->type_name("WxH")
-      ->check(checked(check_size));
+      ->check(checked_by(check_size));
   verb.add_flag("--light-facing", flags.settings.light_facing,
                 "Also shadow surfaces that face away from the light (default: off)");
   verb.add_option("--camera", flags.camera, "Camera position (default: the file's; else a view of the whole scene)")
       ->type_name("X,Y,Z")
-      ->check(checked(check_point));
+      ->check(checked_by(check_point));
   verb.add_option("--look-at", flags.look_at, "Point to look at (default: the file's; else the middle of the scene)")
       ->type_name("X,Y,Z")
-      ->check(checked(check_point));
+      ->check(checked_by(check_point));
   verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees (default: the file's; else 50)")
       ->type_name("DEGREES")
-      ->check(checked(check_fov));
+      ->check(checked_by(check_fov));
   verb.add_option("--light", flags.light, "Light position (default: the file's; else above and beside the camera)")
       ->type_name("X,Y,Z")
-      ->check(checked(check_point));
+      ->check(checked_by(check_point));
   verb.add_option("--floor", flags.floor, "Floor below the scene: auto adds one if the file has no camera and no light")
       ->type_name("auto|none|HEIGHT")
       ->capture_default_str()
-      ->check(checked(check_floor));
+      ->check(checked_by(check_floor));
   verb.add_option("--light-type", flags.light_type, "Kind of light (default: from the file or the technique)")
       ->check(CLI::IsMember({"point", "spot", "directional"}));
   verb.add_option("--light-target", flags.light_target,
                   "Target of a spot or directional light (default: the file's; else the middle of the scene, or see "
                   "--spot-angle)")
       ->type_name("X,Y,Z")
-      ->check(checked(check_point));
+      ->check(checked_by(check_point));
   verb.add_option(
           "--spot-angle", flags.spot_angle,
           "Opening angle of a spot light, in degrees (default: the file's; else all that the camera sees, or 90 with "
           "--light-target)")
       ->type_name("DEGREES")
-      ->check(checked(check_spot_angle));
+      ->check(checked_by(check_spot_angle));
   add_technique_flags(verb, flags);
   check_together(verb, flags);
   group_scene_flags(verb);
@@ -128,24 +124,18 @@ RenderSettings settings_of(const SceneFlags& flags, const CommonFlags& common) {
 
 namespace {
 
-std::optional<glm::vec3> point(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto n = numbers<float>(text, ',');
-  return glm::vec3(n->at(0), n->at(1), n->at(2));
-}
-
 SceneSetup setup_of(const SceneFlags& flags) {
   SceneSetup setup;
-  setup.camera = point(flags.camera);
-  setup.look_at = point(flags.look_at);
-  setup.light = point(flags.light);
+  setup.camera = point_of(flags.camera);
+  setup.look_at = point_of(flags.look_at);
+  setup.light = point_of(flags.light);
   setup.light_kinds = flags.light_kinds.value_or(find_technique(flags.technique)->lights);
   if (const auto kind = given_light_kind(flags)) {
     setup.light_kinds = {.point = kind == LightKind::point,
                          .spot = kind == LightKind::spot,
                          .directional = kind == LightKind::directional};
   }
-  setup.light_target = point(flags.light_target);
+  setup.light_target = point_of(flags.light_target);
   if (flags.spot_angle) setup.spot_degrees = static_cast<float>(*flags.spot_angle);
   if (flags.fov) setup.fov_degrees = static_cast<float>(*flags.fov);
   if (flags.floor == "none") {

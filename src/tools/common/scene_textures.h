@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ninebit/frame/settings.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/raster/texture.h"
 #include "ninebit/scene/scene.h"

@@ -21,10 +21,6 @@ namespace {
 
 using effect_detail::kSamplerWords;
 
-CLI::Validator text_check(std::string (*check)(const std::string&)) {
-  return CLI::Validator([check](std::string& text) { return check(text); }, "");
-}
-
 // A validator from a parser of effects.
 template <class T>
 CLI::Validator parses(Result<T> (*parse)(std::string_view)) {
@@ -44,12 +40,6 @@ CLI::Validator sets_sampler(Status (*parse)(std::string_view, Sampler&)) {
         return parsed ? std::string() : parsed.error().message;
       },
       "");
-}
-
-std::optional<glm::vec3> point_of(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto n = numbers<float>(text, ',');
-  return glm::vec3(n->at(0), n->at(1), n->at(2));
 }
 
 // The flags of the scene that were given.
@@ -196,14 +186,14 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
                   "Fog factor: linear:START,END, exp:DENSITY, exp2:DENSITY, or registers-FUNCTION:BIAS,SLOPE")
       ->type_name("FACTOR")
       ->check(parses(&parse_fog));
-  verb.add_option("--fog-color", flags.fog_color, "Fog colour")->type_name("R,G,B")->check(text_check(&check_rgb));
+  verb.add_option("--fog-color", flags.fog_color, "Fog colour")->type_name("R,G,B")->check(checked_by(&check_rgb));
   for (std::size_t i = 0; i < 2; ++i) {
     verb.add_option("--const" + std::to_string(i), flags.constants[i],
                     "Constant colour, instead of the program's; of one general combiner with its number before it. "
                     "Can be repeated")
         ->type_name("[COMBINER:]R,G,B,A")
         ->allow_extra_args(false)
-        ->check(text_check(&check_constant));
+        ->check(checked_by(&check_constant));
   }
   verb.add_option("--blend", flags.blend, "Blending, as src_alpha,one_minus_src_alpha")
       ->type_name("SOURCE,DESTINATION[,EQUATION]")
@@ -237,10 +227,10 @@ void set_sampler(const DrawFlags& flags, std::size_t unit, Sampler& sampler) {
 std::vector<CLI::Option*> add_moment_flags(CLI::App& verb, EffectMoment& moment) {
   return {verb.add_option("--time", moment.time, "Time of the picture, for effect files that move (default: 0)")
               ->type_name("SECONDS")
-              ->check(text_check(&check_seconds)),
+              ->check(checked_by(&check_seconds)),
           verb.add_option("--frame", moment.frame, "Number of the picture, for effect files that move (default: 0)")
               ->type_name("N")
-              ->check(text_check(&check_frame))};
+              ->check(checked_by(&check_frame))};
 }
 
 std::vector<std::string> unused_moment(const std::vector<CLI::Option*>& options, bool moves, const std::string& file) {
@@ -257,7 +247,7 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
   verb.add_option("--size", flags.size,
                   "Picture size in pixels (default: that of the first picture that the rectangle shows; else 512x512)")
       ->type_name("WxH")
-      ->check(text_check(&check_size));
+      ->check(checked_by(&check_size));
   std::vector<std::string> color_formats;
   for (const ColorFormatFacts& facts : kColorFormats) color_formats.emplace_back(facts.name);
   verb.add_option("--color-format", flags.color_format, "Format of the picture's colours (default: a8r8g8b8)")
@@ -268,20 +258,20 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
       ->check(CLI::IsMember(formats));
   verb.add_option("--mesh", flags.mesh, "Mesh to draw: a scene file, sphere:N, torus:N, plane:N or cube")
       ->type_name("FILE|BUILTIN")
-      ->check(text_check(&check_file_name));
+      ->check(checked_by(&check_file_name));
   add_up_flag(verb, flags.up);
   verb.add_flag("--allow-outside", flags.allow_outside,
                 "Also read files that the effect or scene names outside of its folder");
   flags.moment_options = add_moment_flags(verb, flags.moment);
   add_pass_flags(verb, flags);
   const auto point = [&](const char* flag, std::string& text, const char* help) {
-    verb.add_option(flag, text, help)->type_name("X,Y,Z")->check(text_check(&check_point));
+    verb.add_option(flag, text, help)->type_name("X,Y,Z")->check(checked_by(&check_point));
   };
   point("--camera", flags.camera, "Camera position");
   point("--look-at", flags.look_at, "Point to look at");
   verb.add_option("--fov", flags.fov, "Vertical field of view, in degrees")
       ->type_name("DEGREES")
-      ->check(text_check(&check_fov));
+      ->check(checked_by(&check_fov));
   point("--light", flags.light, "Light position");
   verb.add_option("--light-type", flags.light_type, "Kind of light (default: point)")
       ->check(CLI::IsMember({"point", "spot", "directional"}));
@@ -290,10 +280,10 @@ void add_draw_flags(CLI::App& verb, DrawFlags& flags) {
                   "Opening angle of a spot light, in degrees (default: what holds all that the camera sees, or 90 with "
                   "--light-target)")
       ->type_name("DEGREES")
-      ->check(text_check(&check_spot_angle));
+      ->check(checked_by(&check_spot_angle));
   verb.add_option("--floor", flags.floor, "Floor below the mesh (default: none)")
       ->type_name("auto|none|HEIGHT")
-      ->check(text_check(&check_floor));
+      ->check(checked_by(&check_floor));
   add_profile_option(verb, "--difference", flags.difference,
                      "Also write where and how much the picture differs on the same chip with exact combiners "
                      "(arithmetic), or under another profile",

@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::string_view kCoordinates = "strq";
 
-std::size_t column_of(const CsvLine& line, std::string_view field) {
-  return static_cast<std::size_t>(field.data() - line.text.data()) + 1;
-}
-
 // The fields of a line, without blanks around them.
 std::vector<std::string_view> fields_of(std::string_view text) {
   std::vector<std::string_view> fields;

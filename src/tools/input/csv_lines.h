@@ -17,6 +17,11 @@ struct CsvLine {
   int number = 0;         // 1-based
 };
 
+// The column of a field, a part of the line's text, from 1.
+[[nodiscard]] inline std::size_t column_of(const CsvLine& line, std::string_view field) {
+  return static_cast<std::size_t>(field.data() - line.text.data()) + 1;
+}
+
 // "FILE:LINE:COLUMN: MESSAGE".
 [[nodiscard]] Diagnostic csv_fault(const std::string& file, int line, std::size_t column, std::string message);
 

@@ -10,14 +10,6 @@
 #include "src/combiner/given_registers.h"
 
 namespace ninebit::tools {
-namespace {
-
-std::size_t column_of(const CsvLine& line, std::string_view field) {
-  return static_cast<std::size_t>(field.data() - line.text.data()) + 1;
-}
-
-}  // namespace
-
 std::string EvalColumn::name() const {
   return std::string(short_name(reg)) + '.' + kComponents[static_cast<std::size_t>(component)];
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/tools/input/csv_lines.h"
 
 namespace ninebit::tools {

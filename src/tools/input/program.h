@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "ninebit/language/source_text.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 
 namespace ninebit {

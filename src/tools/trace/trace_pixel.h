@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ninebit/effect/effect_json.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/numerics/result.h"
 #include "ninebit/shadow/ground_truth.h"
 #include "src/effect/traced_pixel.h"

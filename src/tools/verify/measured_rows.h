@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "ninebit/combiner/state.h"
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/raster/rasterizer.h"
 #include "ninebit/raster/sampler.h"
 #include "ninebit/raster/surface.h"

@@ -10,6 +10,7 @@
 #include "ninebit/raster/texel_words.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
 #include "ninebit/texture_shader/validate_stages.h"
+#include "src/study/vectors/stage_groups.h"
 #include "src/tools/verify/measured_rows.h"
 
 namespace ninebit::tools {
@@ -30,17 +31,9 @@ constexpr Words<DotMapping, 6> kDotMappings{{{"0to1", DotMapping::zero_to_one},
                                              {"HiLoHemi", DotMapping::hilo_hemisphere}}};
 constexpr Words<bool, 2> kCubeTextures{{{"C", false}, {"R", true}}};
 
-TextureShaderState nv2a_state() {
-  TextureShaderState state;
-  state.enabled = true;
-  state.rules = StageRules::nv2a;
-  state.depth_unit = DepthUnit::codes;
-  return state;
-}
-
 // The state with dot products from stage 1 on, the last of which is `last`.
 TextureShaderState dot_state(std::size_t last_stage, TextureOperation last, DotMapping mapping) {
-  TextureShaderState state = nv2a_state();
+  TextureShaderState state = vectors::stage_state();
   state.stage[0].operation = TextureOperation::texture_2d;
   for (std::size_t i = 1; i <= last_stage; ++i) {
     state.stage[i].operation = i == last_stage ? last : TextureOperation::dot_product;
@@ -206,7 +199,7 @@ std::optional<std::array<float, 3>> eye_of(const std::string& text) {
 
 // s, t, r, q as a colour, shown by its alpha over what the table states.
 std::vector<int> run_pass_through(const MeasuredRow& row, const HardwareProfile& profile) {
-  TextureShaderState state = nv2a_state();
+  TextureShaderState state = vectors::stage_state();
   state.stage[0].operation = TextureOperation::pass_through;
   const auto result = run_stages(state, profile, {coordinates_of(row, {"s", "t", "r", "q"})}, {});
   return shown_pixel(result.stage[0].texel, row);
@@ -214,7 +207,7 @@ std::vector<int> run_pass_through(const MeasuredRow& row, const HardwareProfile&
 
 // The cell of a checkerboard that an offset texture reads: 0 or 1.
 std::vector<int> run_offset(const MeasuredRow& row, const HardwareProfile& profile) {
-  TextureShaderState state = nv2a_state();
+  TextureShaderState state = vectors::stage_state();
   state.stage[0].operation = TextureOperation::texture_2d;
   state.stage[1].operation = TextureOperation::offset_2d;
   const std::array columns{"m00", "m01", "m10", "m11"};
@@ -237,7 +230,7 @@ std::vector<int> run_offset(const MeasuredRow& row, const HardwareProfile& profi
 
 // A component of an offset texture's texel, times the luminance.
 std::vector<int> run_luminance(const MeasuredRow& row, const HardwareProfile& profile) {
-  TextureShaderState state = nv2a_state();
+  TextureShaderState state = vectors::stage_state();
   state.stage[0].operation = TextureOperation::texture_2d;
   state.stage[1].operation = TextureOperation::offset_2d_scale;
   state.stage[1].scale = static_cast<float>(row.real("scale"));
@@ -311,7 +304,7 @@ std::vector<int> run_depth_replace(const MeasuredRow& row, const HardwareProfile
 
 // The colour of a cube map in a direction.
 std::vector<int> run_cube_map(const MeasuredRow& row, const HardwareProfile& profile) {
-  TextureShaderState state = nv2a_state();
+  TextureShaderState state = vectors::stage_state();
   state.stage[0].operation = TextureOperation::texture_cube_map;
   const auto result = run_stages(
       state, profile, {coordinates_of(row, {"s", "t", "r", nullptr})},
@@ -322,7 +315,7 @@ std::vector<int> run_cube_map(const MeasuredRow& row, const HardwareProfile& pro
 
 // The last of three layers that CULL_FRAGMENT leaves: 1 to 3, or 0.
 std::vector<int> run_cull(const MeasuredRow& row, const HardwareProfile& profile) {
-  TextureShaderState state = nv2a_state();
+  TextureShaderState state = vectors::stage_state();
   state.stage[0].operation = TextureOperation::cull_fragment;
   for (std::size_t k = 0; k < 4; ++k) {
     state.stage[0].cull[k] = row.text("modes")[k] == '0' ? CullMode::kills_negative : CullMode::kills_not_negative;
@@ -339,7 +332,7 @@ std::vector<int> run_cull(const MeasuredRow& row, const HardwareProfile& profile
 
 // A texel of Y, U and V as red, green and blue.
 std::vector<int> run_yuv(const MeasuredRow& row, const HardwareProfile& profile) {
-  TextureShaderState state = nv2a_state();
+  TextureShaderState state = vectors::stage_state();
   state.stage[0].operation = TextureOperation::texture_2d;
   state.converts_yuv = true;
   const std::uint32_t word = static_cast<std::uint32_t>(row.whole("Y") | row.whole("U") << 8 | row.whole("V") << 24);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ninebit/numerics/profile_words.h"
+#include "ninebit/numerics/hardware_profile.h"
 #include "src/tools/input/csv_lines.h"
 
 namespace ninebit::tools {
