@@ -162,7 +162,7 @@ struct Rendering {
   std::vector<Fact> facts{};                 // in the order in which they are reported
   std::optional<ShadowEvidence> evidence{};  // with settings.evidence, by techniques that draw shadows
   std::vector<std::vector<ProbedPass>> probed{};  // for each of settings.pixels its passes in the order of drawing
-  std::vector<DrawnPass> drawn{};            // all passes that make the picture, in the order of drawing
+  std::vector<DrawnPass> drawn{};                 // all passes that make the picture, in the order of drawing
   // Memory of the light's maps as textures: three components take four bytes, 24 bits of depth as well. The depth
   // buffer that drawing a map takes is not counted, nor is the picture of a light cookie.
   std::uint64_t map_bytes = 0;

@@ -36,8 +36,8 @@ struct ProbedFragment {
   friend bool operator==(const ProbedFragment&, const ProbedFragment&) = default;
 };
 
-// A draw into a target with probes (RenderTarget::probes) appends every fragment at the pixel of each, in drawing order,
-// for any number of threads. Fragments that early tests would reject are computed and appended, too. No pixel changes.
+// A draw into a target with probes (RenderTarget::probes) appends every fragment at their pixels, in drawing order, for
+// any number of threads. Fragments that early tests would reject are computed and appended, too. No pixel changes.
 struct FragmentProbe {
   int x = 0;                                // window coordinates: y up
   int y = 0;                                // from the lowest row up

@@ -145,8 +145,8 @@ struct TracedScene {
   std::optional<GroundTruthScene> rays{};
 };
 
-// The texts of traces of the flags' scene, which is loaded for the first of them. Where its textures cannot be read, the
-// texts are empty.
+// The texts of traces of the flags' scene, which is loaded for the first of them. Where its textures cannot be read,
+// the texts are empty.
 TraceTexts trace_texts_of(const ShadowsFlags& flags) {
   return [traced = std::make_shared<TracedScene>(), scene_flags = flags.scene, common = flags.study.common](
              const RenderSettings& settings, const Progress& progress) -> Result<std::vector<std::string>> {

@@ -29,8 +29,8 @@ struct TraceFacts {
 [[nodiscard]] std::string facts_text(const TraceFacts& facts, const Program* program, const Trace* traced,
                                      TraceLayout layout);
 
-// What `ninebit trace --scene … --pixel X,Y --ground-truth` prints to a file of each of settings.pixels, of a scene that
-// is loaded. The settings are those of the picture, which is rendered once; `rays` are the scene's.
+// What `ninebit trace --scene … --pixel X,Y --ground-truth` prints to a file of each of settings.pixels, of a scene
+// that is loaded. The settings are those of the picture, which is rendered once; `rays` are the scene's.
 [[nodiscard]] Result<std::vector<std::string>> judged_pixel_texts(const SceneFlags& flags, const CommonFlags& common,
                                                                   const Scene& scene, const RenderSettings& settings,
                                                                   const GroundTruthScene& rays,

@@ -19,8 +19,8 @@ namespace ninebit::tools {
 namespace {
 
 std::string state_of(const Surface& frame, const glm::ivec2& pixel) {
-  const std::size_t at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame.width()) +
-                         static_cast<std::size_t>(pixel.x);
+  const std::size_t at =
+      static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame.width()) + static_cast<std::size_t>(pixel.x);
   if (frame.depth()[at] == max_depth(frame.format())) return "background";
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
 }
