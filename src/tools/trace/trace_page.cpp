@@ -1,6 +1,7 @@
 #include "src/tools/trace/trace_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -120,10 +121,9 @@ DiagramPage trace_page(const TraceFacts& facts) {
     fact("Size", pixel->size);
     fact("State", pixel->state);
     if (facts.truth != nullptr) {
-      std::string truth = truth_text(*pixel, *facts.truth);
-      truth.pop_back();
-      std::replace(truth.begin(), truth.end(), '\n', ';');
-      fact("Ground truth", truth);
+      constexpr std::string_view kName = "truth: ";  // the fact has one of its own
+      const std::string text = truth_text(*pixel, *facts.truth).substr(kName.size());
+      fact("Ground truth", fmt::format("{}", fmt::join(lines_of(text).get<std::vector<std::string>>(), "; ")));
     }
     if (pixel->pass) fact("Pass", pixel->passes[*pixel->pass].name);
   }
