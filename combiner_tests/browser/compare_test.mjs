@@ -99,6 +99,21 @@ test('another wrong pixel gives its own command beside the nearest trace of its 
   assert.equal(await openTrace(page), null);
 });
 
+test('a drag opens no trace, wherever it ends', async () => {
+  const [row] = answer.rows;
+  const { x, y } = row.errors.worst.find(({ cause }) => cause === 'joint');  // wrong in both pictures
+  for (const selector of ['.swipe', '.maps canvas']) {
+    await pointAt(selector, 80, 60);
+    await page.mouse.down();
+    const at = await pointAt(selector, x, y);
+    await page.mouse.up();
+    assert.equal(await openTrace(page), null, selector);
+    await page.mouse.click(...at);
+    assert.match((await openTrace(page)).title, new RegExp(`pixel ${x},${y}: joint$`), selector);
+    await page.keyboard.press('Escape');
+  }
+});
+
 test('the keyboard reaches all traces', async () => {
   const [row] = answer.rows;
   const buttons = await page.$$('.maps figure:first-child .traces button');

@@ -28,15 +28,17 @@ TEST(PreparedDraw, RandomScenesAreDrawnAsWithoutIt) {
       ASSERT_TRUE(prepare(draw.state, kIdentity, library.arrays, with.target, prepared).ok()) << index;
       PipelineState state = draw.state;
       for (int pass = 0; pass < 2; ++pass) {
-        FragmentProbe watched{.x = random.below(scene.width), .y = random.below(scene.height)}, other = watched;
+        std::vector<FragmentProbe> watched(2);
+        for (FragmentProbe& probe : watched) probe = {.x = random.below(scene.width), .y = random.below(scene.height)};
+        std::vector<FragmentProbe> other = watched;
         const bool probes = random.one_in(4);
-        with.target.probe = probes ? &watched : nullptr;
-        without.target.probe = probes ? &other : nullptr;
+        with.target.probes = probes ? &watched : nullptr;
+        without.target.probes = probes ? &other : nullptr;
         const Status status = rasterize(state, prepared, library.arrays, {}, with.target);
         ASSERT_TRUE(status.ok()) << status.error().message;
         ASSERT_TRUE(rasterize(state, kIdentity, library.arrays, {}, without.target).ok());
         ASSERT_TRUE(same_samples(with.picture(), without.picture())) << index << '\n' << describe(scene);
-        ASSERT_EQ(watched.fragments, other.fragments) << index;
+        for (std::size_t i = 0; i < 2; ++i) ASSERT_EQ(watched[i].fragments, other[i].fragments) << index;
         randomize_operations(random, scene, state);
       }
     }

@@ -95,11 +95,11 @@ TEST(Probe, EveryFragmentMeetsTheFateThatTheOracleTells) {
     oracle::Picture picture = scene.start;
     for (const RandomDraw& draw : scene.draws) {
       const LibraryDraw library = for_library(draw, scene.width, scene.height);
-      FragmentProbe probe{.x = x, .y = y};
-      watched.target.probe = &probe;
+      std::vector<FragmentProbe> probes{{.x = x, .y = y}};
+      watched.target.probes = &probes;
       ASSERT_TRUE(rasterize(draw.state, kIdentity, library.arrays, {}, watched.target).ok());
       ASSERT_TRUE(rasterize(draw.state, kIdentity, library.arrays, {}, plain.target).ok());
-      compare_draw(draw, x, y, probe, picture, seen);
+      compare_draw(draw, x, y, probes[0], picture, seen);
       if (HasFatalFailure()) FAIL() << index << '\n' << describe(scene);
       // The probe changes nothing.
       const oracle::Picture a = watched.picture(), b = plain.picture();
@@ -132,12 +132,12 @@ TEST(Probe, TellsTheRegistersBeforeTheProgram) {
   state.color_mask = {};  // then the draw itself computes no colour
   Surface surface = Surface::make(100, 80).value();
   RenderTarget target = surface.target();
-  FragmentProbe probe{.x = 99, .y = 3};
-  target.probe = &probe;
+  std::vector<FragmentProbe> probes{{.x = 99, .y = 3}};
+  target.probes = &probes;
   const std::array<TextureUnit, 1> units{TextureUnit{&map, kNearestSampler}};
   ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), units, target).ok());
-  ASSERT_EQ(probe.fragments.size(), 1U);
-  const ProbedFragment& f = probe.fragments[0];
+  ASSERT_EQ(probes[0].fragments.size(), 1U);
+  const ProbedFragment& f = probes[0].fragments[0];
   EXPECT_EQ(f.primitive, 0U);
   EXPECT_EQ(f.fate, FragmentFate::written);
   EXPECT_EQ(f.registers[Register::primary], (Rgba9{11, 22, 33, 44}));
@@ -150,10 +150,9 @@ TEST(Probe, TellsTheRegistersBeforeTheProgram) {
 }
 
 // More triangles than one chunk of the rasterizer takes, many on each pixel.
-std::vector<ProbedFragment> probed_by(int threads, int x, int y) {
+std::vector<FragmentProbe> probed_by(int threads, std::vector<FragmentProbe> probes) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
-  FragmentProbe probe{.x = x, .y = y};
   arena.execute([&] {
     Random random(61);
     Mesh mesh;
@@ -167,7 +166,7 @@ std::vector<ProbedFragment> probed_by(int threads, int x, int y) {
       mesh.add_triangle(3 * i, 3 * i + 1, 3 * i + 2);
     }
     Canvas canvas(190, 130);
-    canvas.target.probe = &probe;
+    canvas.target.probes = &probes;
     PipelineState state;
     state.stencil_test.enabled = true;
     state.stencil_test.front = {.function = CompareFunction::notequal,
@@ -182,29 +181,37 @@ std::vector<ProbedFragment> probed_by(int threads, int x, int y) {
     std::fill_n(canvas.target.depth.row(0), 190, 0x800000U);
     EXPECT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, canvas.target).ok());
     // The last fragment that was written is what the planes hold.
-    const auto last = std::find_if(probe.fragments.rbegin(), probe.fragments.rend(),
-                                   [](const ProbedFragment& f) { return f.fate == FragmentFate::written; });
-    ASSERT_NE(last, probe.fragments.rend());
-    EXPECT_EQ(canvas.target.depth.at(x, y), last->depth);
-    EXPECT_EQ(canvas.picture().primitive[static_cast<std::size_t>(y * 190 + x)], last->primitive);
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(canvas.target.color[k].at(x, y), last->color[k]);
+    for (const FragmentProbe& probe : probes) {
+      const auto last = std::find_if(probe.fragments.rbegin(), probe.fragments.rend(),
+                                     [](const ProbedFragment& f) { return f.fate == FragmentFate::written; });
+      ASSERT_NE(last, probe.fragments.rend());
+      EXPECT_EQ(canvas.target.depth.at(probe.x, probe.y), last->depth);
+      EXPECT_EQ(canvas.picture().primitive[static_cast<std::size_t>(probe.y * 190 + probe.x)], last->primitive);
+      for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(canvas.target.color[k].at(probe.x, probe.y), last->color[k]);
+    }
   });
-  return std::move(probe.fragments);
+  return probes;
 }
 
 TEST(Probe, AnyNumberOfThreadsTellsTheSame) {
   if (kSanitized && !kThreadSanitizer)
     GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  for (const auto& [x, y] : {std::pair(150, 100), std::pair(0, 0), std::pair(64, 63)}) {
-    const std::vector<ProbedFragment> one = probed_by(1, x, y);
+  // Two of them in one tile, and one pixel twice.
+  const std::vector<FragmentProbe> watched{
+      {.x = 150, .y = 100}, {.x = 0, .y = 0}, {.x = 64, .y = 63}, {.x = 66, .y = 63}, {.x = 0, .y = 0}};
+  const std::vector<FragmentProbe> together = probed_by(7, watched);
+  EXPECT_EQ(together[1].fragments, together[4].fragments);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::vector<ProbedFragment> one = probed_by(1, {watched[i]})[0].fragments;
+    EXPECT_TRUE(together[i].fragments == one);
     EXPECT_GT(one.size(), 30U);
     EXPECT_TRUE(std::is_sorted(one.begin(), one.end(), [](const ProbedFragment& a, const ProbedFragment& b) {
       return a.primitive < b.primitive;
     }));
     EXPECT_GT(one.back().primitive, 140000U);
-    EXPECT_TRUE(probed_by(7, x, y) == one);
+    EXPECT_TRUE(probed_by(7, {watched[i]})[0].fragments == one);
     if (kSlowBuild) break;
-    EXPECT_TRUE(probed_by(2, x, y) == one);
+    EXPECT_TRUE(probed_by(2, {watched[i]})[0].fragments == one);
   }
 }
 
@@ -221,13 +228,13 @@ TEST(Probe, MeetsTheClearedPlanes) {
   ASSERT_TRUE(prepare(state, kIdentity, mesh.arrays(), target, prepared).ok());
   const DrawPass pass{.state = &state, .arrays = mesh.arrays()};
   for (int picture = 0; picture < 2; ++picture) {  // the second one finds the planes of the first
-    FragmentProbe probe{.x = 90, .y = 3};
-    target.probe = &probe;
+    std::vector<FragmentProbe> probes{{.x = 90, .y = 3}};
+    target.probes = &probes;
     ASSERT_TRUE(rasterize({&pass, 1}, prepared, {.clear = ClearValues{.stencil = 5}}, target).ok());
-    ASSERT_EQ(probe.fragments.size(), 1U);
-    EXPECT_EQ(probe.fragments[0].fate, FragmentFate::written) << picture;
-    EXPECT_EQ(probe.fragments[0].stored_depth, 0xFFFFFFU) << picture;
-    EXPECT_EQ(probe.fragments[0].stored_stencil, 5) << picture;
+    ASSERT_EQ(probes[0].fragments.size(), 1U);
+    EXPECT_EQ(probes[0].fragments[0].fate, FragmentFate::written) << picture;
+    EXPECT_EQ(probes[0].fragments[0].stored_depth, 0xFFFFFFU) << picture;
+    EXPECT_EQ(probes[0].fragments[0].stored_stencil, 5) << picture;
   }
 }
 
@@ -235,8 +242,8 @@ TEST(Probe, OutsideOfTheTargetIsAFault) {
   Surface surface = Surface::make(9, 7).value();
   RenderTarget target = surface.target();
   for (const auto& [x, y] : {std::pair(-1, 0), std::pair(0, -1), std::pair(9, 0), std::pair(0, 7)}) {
-    FragmentProbe probe{.x = x, .y = y};
-    target.probe = &probe;
+    std::vector<FragmentProbe> probes{{.x = 1, .y = 1}, {.x = x, .y = y}};
+    target.probes = &probes;
     const Status status = rasterize({}, kIdentity, {}, {}, target);
     ASSERT_FALSE(status.ok());
     EXPECT_NE(status.error().message.find("probe's pixel (" + std::to_string(x)), std::string::npos);

@@ -166,8 +166,8 @@ TEST(Samples, ChipsWithoutThemAndProbesAreRefused) {
   PreparedDraw prepared;
   EXPECT_EQ(prepare(state, kIdentity, {.positions = corners}, target, prepared).error().message,
             "a prepared draw takes one sample for each pixel, not several; draw without preparation");
-  FragmentProbe probe;
-  target.probe = &probe;
+  std::vector<FragmentProbe> probes(1);
+  target.probes = &probes;
   EXPECT_EQ(message(), "a probe watches targets with one sample for each pixel, not several");
   EXPECT_FALSE(Surface::make(kMaxSurfaceSize, 1, {.samples = SampleMode::center_corner_2}).ok());
   EXPECT_TRUE(Surface::make(1, 1, {.samples = SampleMode::center_corner_2}).ok());

@@ -55,8 +55,8 @@ struct Ways {
 oracle::Picture drawn_together(const PassScene& scene, const Ways& ways = {}) {
   Canvas canvas(scene.width, scene.height, false, ways.layout);
   scene.begin(canvas, ways.with_outputs);
-  FragmentProbe probe{.x = scene.width / 2, .y = scene.height / 2};
-  if (ways.with_probe) canvas.target.probe = &probe;
+  std::vector<FragmentProbe> probes{{.x = scene.width / 2, .y = scene.height / 2}};
+  if (ways.with_probe) canvas.target.probes = &probes;
   const Passes passes(scene);
   PreparedDraw prepared;
   const VertexArrays& arrays = passes.passes[0].arrays;

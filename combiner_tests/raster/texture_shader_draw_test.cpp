@@ -246,10 +246,10 @@ std::string name_of_case(TextureOperation operation, std::uint64_t index) {
   return std::string(info_of(operation).name) + ", case " + std::to_string(index);
 }
 
-oracle::Picture drawn_by_library(const StageDraw& d, bool with_outputs, FragmentProbe* probe = nullptr) {
+oracle::Picture drawn_by_library(const StageDraw& d, bool with_outputs, std::vector<FragmentProbe>* probes = nullptr) {
   PicturePlanes planes(d.start, with_outputs);
   if (!with_outputs) planes.target.outputs.clear();
-  planes.target.probe = probe;
+  planes.target.probes = probes;
   const Status drawn = rasterize(d.state, kIdentity, d.arrays(), d.units(), planes.target);
   EXPECT_TRUE(drawn.ok()) << drawn.error().message;
   return planes.picture();
@@ -285,9 +285,10 @@ void run_draw(std::uint64_t seed, TextureOperation operation, std::uint64_t inde
     ASSERT_TRUE(same(drawn_by_library(d, false), false)) << name << " on " << simd_target_name(target);
   }
   with_threads(3, [&] { ASSERT_TRUE(same(drawn_by_library(d, false), false)) << name << " in three threads"; });
-  FragmentProbe probe{.x = static_cast<int>(pixel % kDrawWidth), .y = static_cast<int>(pixel / kDrawWidth)};
-  ASSERT_TRUE(same(drawn_by_library(d, true, &probe), true)) << name << " with a probe";
-  expect_probe(probe, e, name);
+  std::vector<FragmentProbe> probes{
+      {.x = static_cast<int>(pixel % kDrawWidth), .y = static_cast<int>(pixel / kDrawWidth)}};
+  ASSERT_TRUE(same(drawn_by_library(d, true, &probes), true)) << name << " with a probe";
+  expect_probe(probes[0], e, name);
 }
 
 TEST(TextureShaderDraws, EveryPlaneIsAsTheOraclesDrawIt) {
@@ -343,9 +344,9 @@ TEST(TextureShaderDraws, LevelsOfDetailAreThoseOfSingleFragments) {
             << name << " on " << simd_target_name(target);
       }
       for (int i = 0; i < 12; ++i) {
-        FragmentProbe probe{.x = 3 * i % kDrawWidth, .y = 5 * i % kDrawHeight};
-        drawn_by_library(d, true, &probe);
-        for (const ProbedFragment& f : probe.fragments) {
+        std::vector<FragmentProbe> probes{{.x = 3 * i % kDrawWidth, .y = 5 * i % kDrawHeight}};
+        drawn_by_library(d, true, &probes);
+        for (const ProbedFragment& f : probes[0].fragments) {
           for (std::size_t u = 0; u < kTextureStages; ++u) {
             ASSERT_EQ(f.registers[texture_register(static_cast<int>(u))], f.stages->stage[u].codes) << name;
           }

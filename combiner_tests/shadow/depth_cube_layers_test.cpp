@@ -161,11 +161,11 @@ TEST(DepthCubeProbe, KeepsThePassesOfThePixelsFace) {
     const Rendering whole = draw_depth_cube(scene, tiny_settings_of(bits));
     for (const auto& [x, y] : {std::pair(50, 30), std::pair(10, 20), std::pair(90, 35), std::pair(50, 5)}) {
       RenderSettings settings = tiny_settings_of(bits);
-      settings.pixel = glm::ivec2(x, y);
+      settings.pixels = {glm::ivec2(x, y)};
       const Rendering r = draw_depth_cube(scene, settings);
       EXPECT_EQ(r.frame.stencil(), whole.frame.stencil());
       std::vector<const ProbedPass*> compared;
-      for (const ProbedPass& pass : r.probed) {
+      for (const ProbedPass& pass : r.probed[0]) {
         if (pass.program) compared.push_back(&pass);
       }
       ASSERT_EQ(compared.size(), bits == DepthCubeBits::eight ? 1U : 2U);

@@ -130,11 +130,11 @@ TEST(DrawnPasses, HaveAllThatAreProbed) {
     RenderSettings settings;
     settings.light_cookie.shadows = true;
     settings.light_facing = true;
-    settings.pixel = glm::ivec2(40, 30);
+    settings.pixels = {glm::ivec2(40, 30)};
     const Rendering rendering = room_by(technique.name, settings);
     const Names names = drawn_names(rendering);
-    EXPECT_GE(rendering.probed.size(), 3U);
-    for (const ProbedPass& pass : rendering.probed) {
+    EXPECT_GE(rendering.probed[0].size(), 3U);
+    for (const ProbedPass& pass : rendering.probed[0]) {
       EXPECT_EQ(std::count(names.begin(), names.end(), pass.name), 1) << pass.name;
     }
   }

@@ -262,20 +262,21 @@ TEST(LightCookie, AWatchedPixelShowsItsPasses) {
   const Scene scene = shadow_test::square_over_floor();
   RenderSettings settings = cookie_settings();
   settings.layers = false;
-  settings.pixel = glm::ivec2(60, 20);
+  settings.pixels = {glm::ivec2(60, 20)};
   const auto names = [&] {
     Faces found;
-    for (const ProbedPass& pass : render_cookie(scene, settings).probed) found.push_back(pass.name);
+    const Rendering drawn = render_cookie(scene, settings);
+    for (const ProbedPass& pass : drawn.probed[0]) found.push_back(pass.name);
     return found;
   };
   EXPECT_EQ(names(), (Faces{"depth", "lit", "shadow"}));
   settings.light_cookie.shadows = true;
   EXPECT_EQ(names(), (Faces{"depth", "comparison", "lit", "shadow"}));
   const Rendering r = render_cookie(scene, settings);
-  const ProbedFragment* const lit = deciding_fragment(r.probed[2]);
+  const ProbedFragment* const lit = deciding_fragment(r.probed[0][2]);
   ASSERT_NE(lit, nullptr);
   ASSERT_EQ(lit->fate, FragmentFate::written);
-  EXPECT_TRUE(r.probed[2].program.has_value());
+  EXPECT_TRUE(r.probed[0][2].program.has_value());
   const std::size_t at = 20U * static_cast<std::size_t>(settings.width) + 60U;
   for (int c = 0; c < 3; ++c) EXPECT_EQ(lit->color[static_cast<std::size_t>(c)], r.frame.color(c)[at]);
 }

@@ -11,7 +11,7 @@ using shadow_test::render;
 
 std::vector<std::string> names_of(const Rendering& r) {
   std::vector<std::string> names;
-  for (const ProbedPass& pass : r.probed) names.push_back(pass.name);
+  for (const ProbedPass& pass : r.probed[0]) names.push_back(pass.name);
   return names;
 }
 
@@ -32,13 +32,13 @@ TEST(ProbedPasses, AgreeWithTheFrame) {
   for (int y = 1; y < settings.height; y += 4) {
     for (int x = 2; x < settings.width; x += 4) {
       RenderSettings watched = settings;
-      watched.pixel = glm::ivec2(x, y);
+      watched.pixels = {glm::ivec2(x, y)};
       const Rendering r = render(scene, watched);
       ASSERT_EQ(r.frame.stencil(), whole.frame.stencil());
       ASSERT_EQ(r.frame.color(kRed), whole.frame.color(kRed));
       ASSERT_EQ(names_of(r), (std::vector<std::string>{"depth", "comparison", "lit", "shadow"}));
       const auto at = static_cast<std::size_t>(y * settings.width + x);
-      const ProbedPass& comparison = r.probed[1];
+      const ProbedPass& comparison = r.probed[0][1];
       const ProbedFragment* decided = deciding_fragment(comparison);
       if (layers.polygon[at] == 0) {
         ASSERT_EQ(decided, nullptr);
@@ -55,7 +55,7 @@ TEST(ProbedPasses, AgreeWithTheFrame) {
       ASSERT_EQ(evaluate(*comparison.program, decided->registers)[kAlpha], layers.output_alpha[at]);
       const bool shadow = whole.frame.stencil()[at] == 1;
       ASSERT_EQ(decided->fate, shadow ? FragmentFate::written : FragmentFate::alpha_failed);
-      const ProbedFragment* colored = deciding_fragment(r.probed[shadow ? 3 : 2]);
+      const ProbedFragment* colored = deciding_fragment(r.probed[0][shadow ? 3 : 2]);
       ASSERT_NE(colored, nullptr);
       ASSERT_EQ(colored->fate, FragmentFate::written);
       for (int c = 0; c < 3; ++c) {
@@ -82,12 +82,12 @@ TEST(ProbedPasses, NameTheScenesTriangles) {
   for (int y = 0; y < settings.height; y += 3) {
     for (int x = 0; x < settings.width; x += 3) {
       RenderSettings watched = settings;
-      watched.pixel = glm::ivec2(x, y);
+      watched.pixels = {glm::ivec2(x, y)};
       const Rendering r = render(scene, watched);
       ASSERT_EQ(names_of(r), (std::vector<std::string>{"depth", "comparison", "averted", "lit", "shadow"}));
       const std::uint32_t polygon = layers.polygon[static_cast<std::size_t>(y * settings.width + x)];
       for (std::size_t pass = 1; pass <= 2; ++pass) {
-        const ProbedFragment* decided = deciding_fragment(r.probed[pass]);
+        const ProbedFragment* decided = deciding_fragment(r.probed[0][pass]);
         if (decided == nullptr) continue;
         ASSERT_EQ(decided->primitive + 1, polygon);
         ++(pass == 1 ? compared : averted);
@@ -104,7 +104,7 @@ TEST(ProbedPasses, NoPixelNoPasses) {
 
 TEST(ProbedPasses, APixelOutsideIsAFault) {
   RenderSettings settings = tiny_settings();
-  settings.pixel = glm::ivec2(60, 0);
+  settings.pixels = {glm::ivec2(60, 0)};
   const auto r = find_technique("index-cube")->render(shadow_test::square_over_floor(), settings, {});
   ASSERT_FALSE(r.ok());
   EXPECT_NE(r.error().message.find("(60, 0)"), std::string::npos);

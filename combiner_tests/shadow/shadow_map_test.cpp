@@ -444,11 +444,11 @@ TEST(ShadowMap, EvidenceNamesTheTriangleInTheMap) {
 TEST(ShadowMap, TracedPixelHasBothTextures) {
   const Scene scene = shadow_test::wall_on_floor();
   RenderSettings settings = small_settings();
-  settings.pixel = glm::ivec2(100, 40);
+  settings.pixels = {glm::ivec2(100, 40)};
   const Rendering r = render_map(scene, settings);
   const auto pass =
-      std::find_if(r.probed.begin(), r.probed.end(), [](const auto& p) { return p.name == "comparison"; });
-  ASSERT_NE(pass, r.probed.end());
+      std::find_if(r.probed[0].begin(), r.probed[0].end(), [](const auto& p) { return p.name == "comparison"; });
+  ASSERT_NE(pass, r.probed[0].end());
   ASSERT_TRUE(pass->program.has_value());
   const ProbedFragment* fragment = deciding_fragment(*pass);
   ASSERT_NE(fragment, nullptr);

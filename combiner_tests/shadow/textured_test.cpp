@@ -301,6 +301,54 @@ std::vector<Decided> ways_to_decide() {
   return all;
 }
 
+// What each pixel of a rendering shows, on a line for each of its passes and fragments.
+std::string probed_text(const std::vector<ProbedPass>& passes) {
+  std::string text;
+  for (const ProbedPass& pass : passes) {
+    text += pass.name + (pass.program ? " program " : " ") + std::to_string(pass.stencil) + '\n';
+    for (const ProbedFragment& f : pass.fragments) {
+      text += std::to_string(f.primitive) + ' ' + std::to_string(f.depth) + ' ' + std::to_string(f.stored_depth) + ' ' +
+              std::to_string(f.stored_stencil) + ' ' + testing::PrintToString(f.registers.value) + ' ' +
+              testing::PrintToString(f.color) + ' ' + std::to_string(static_cast<int>(f.fate)) + '\n';
+    }
+  }
+  return text;
+}
+
+// Many pixels of one rendering show what each shows in a rendering of its own: of groups of surfaces those that drew
+// there, and of the faces of a cube map the pixel's.
+TEST(ProbedPasses, TogetherAreThoseOfEachAlone) {
+  for (const Decided& way : ways_to_decide()) {
+    SCOPED_TRACE(way.technique + (" " + testing::PrintToString(way.passes)));
+    const bool needs_spot = !find_technique(way.technique)->lights.point;
+    Scene scene = halves_for(way.technique).masked;
+    if (needs_spot) scene.lights[0] = shadow_test::spot_light({0, 3, 0}, {0, 0, 0}, 120.0F);
+    RenderSettings settings = way.settings;
+    for (int y = 2; y < settings.height; y += 6) {
+      for (int x = 2; x < settings.width; x += 6) settings.pixels.emplace_back(x, y);
+    }
+    settings.pixels.push_back(settings.pixels[7]);
+    const Rendering together = render_by(way.technique, scene, settings);
+    ASSERT_EQ(together.probed.size(), settings.pixels.size());
+    std::set<std::string> texts;
+    for (std::size_t i = 0; i < settings.pixels.size(); ++i) {
+      RenderSettings one = way.settings;
+      one.pixels = {settings.pixels[i]};
+      const Rendering alone = render_by(way.technique, scene, one);
+      const std::string text = probed_text(alone.probed[0]);
+      ASSERT_EQ(probed_text(together.probed[i]), text) << i;
+      const ProbedPass* const decided = deciding_pass(alone);
+      const ProbedPass* const same = deciding_pass(together, i);
+      ASSERT_EQ(decided == nullptr, same == nullptr) << i;
+      if (decided != nullptr) {
+        ASSERT_EQ(decided->name, same->name) << i;
+      }
+      texts.insert(text);
+    }
+    EXPECT_GT(texts.size(), 8U);
+  }
+}
+
 // With and without textures the same pass decides, and what it did to the pixel is what the stencil says.
 TEST(DecidingPass, IsThatOfTheShadow) {
   for (const Decided& way : ways_to_decide()) {
@@ -319,7 +367,7 @@ TEST(DecidingPass, IsThatOfTheShadow) {
       for (int x = 1; x < way.settings.width; x += kStep) {
         SCOPED_TRACE(std::to_string(x) + "," + std::to_string(y));
         RenderSettings settings = way.settings;
-        settings.pixel = glm::ivec2(x, y);
+        settings.pixels = {glm::ivec2(x, y)};
         const Rendering plain = render_by(way.technique, scene, settings);
         const Rendering drawn = render_by(way.technique, textured, settings);
         const auto at = static_cast<std::size_t>(y * settings.width + x);

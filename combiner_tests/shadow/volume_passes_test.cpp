@@ -216,18 +216,18 @@ TEST(VolumePasses, WatchedPixel) {
   const Rendering plain = render_volumes(scene, settings);
   const std::size_t at = static_cast<std::size_t>(
       std::find(plain.frame.stencil().begin(), plain.frame.stencil().end(), 1) - plain.frame.stencil().begin());
-  settings.pixel = glm::ivec2(static_cast<int>(at) % settings.width, static_cast<int>(at) / settings.width);
+  settings.pixels = {glm::ivec2(static_cast<int>(at) % settings.width, static_cast<int>(at) / settings.width)};
   const Rendering r = render_volumes(scene, settings);
   EXPECT_EQ(r.frame.stencil(), plain.frame.stencil());
   std::vector<std::string> names;
-  for (const ProbedPass& pass : r.probed) names.push_back(pass.name);
+  for (const ProbedPass& pass : r.probed[0]) names.push_back(pass.name);
   ASSERT_EQ(names, (std::vector<std::string>{"depth", "volumes", "lit", "shadow"}));
-  const auto& fragments = r.probed[1].fragments;
+  const auto& fragments = r.probed[0][1].fragments;
   EXPECT_GE(fragments.size(), 2U);
   for (const ProbedFragment& f : fragments) EXPECT_LT(f.primitive, scene.triangles.size());
   EXPECT_TRUE(
       std::any_of(fragments.begin(), fragments.end(), [](const ProbedFragment& f) { return f.primitive >= 2; }));
-  EXPECT_EQ(r.probed[3].fragments.back().fate, FragmentFate::written);
+  EXPECT_EQ(r.probed[0][3].fragments.back().fate, FragmentFate::written);
 }
 
 TEST(VolumePasses, ReportsAndStops) {

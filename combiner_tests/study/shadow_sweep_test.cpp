@@ -223,29 +223,41 @@ TEST(ShadowSweep, ThreadsChangeNothing) {
   EXPECT_EQ(with_threads(1), with_threads(4));
 }
 
-// Each listed pixel gets the text that the caller makes of it, with the point's settings and what is true there.
+// Each listed pixel gets the text that the caller makes of it, with the point's settings.
 TEST(ShadowSweep, DrawAddsTheTextsOfTraces) {
   const Technique& drawn = technique("index-cube");
-  const auto text_of = [](const RenderSettings& settings, int x, int y, const JudgedPixel& truth) {
-    return Result<std::string>(std::to_string(settings.map_size) + ' ' + std::to_string(x) + ',' + std::to_string(y) +
-                               ' ' + std::string(name_of(truth.cause)));
+  bool goes_on = true;
+  const auto texts_of = [&goes_on](const RenderSettings& settings, const Progress& progress) {
+    std::vector<std::string> texts;
+    for (const glm::ivec2& pixel : settings.pixels) {
+      texts.push_back(std::to_string(settings.map_size) + ' ' + std::to_string(pixel.x) + ',' +
+                      std::to_string(settings.height - 1 - pixel.y));
+    }
+    goes_on = progress("", 0.5);
+    return Result<std::vector<std::string>>(std::move(texts));
   };
   const auto study =
       make_shadow_sweep({.study = "shadows", .profile = "geforce2", .arguments = "room.gltf"},
-                        test::index_room(drawn.lights), drawn, small(), {{"map-size", {"32", "128"}}}, text_of);
+                        test::index_room(drawn.lights), drawn, small(), {{"map-size", {"32", "128"}}}, texts_of);
   ASSERT_TRUE(study);
   const std::vector<StudyRow> rows = all_rows(**study);
   auto report = (*study)->report(rows, 2);
   ASSERT_TRUE(report);
   ASSERT_EQ(report->pictures.size(), 2U);
   EXPECT_EQ(report->pictures[0].traces.at(0).text, "");
-  ASSERT_TRUE((*study)->draw(rows, {}, *report).ok());
+  std::vector<double> shares;
+  const auto drawing = [&shares](double done) {
+    shares.push_back(done);
+    return true;
+  };
+  ASSERT_TRUE((*study)->draw(rows, drawing, *report).ok());
+  EXPECT_EQ(shares, (std::vector<double>{0.0, 0.25, 0.5, 0.75}));
+  EXPECT_TRUE(goes_on);
   std::size_t listed = 0;
   for (const ReportPicture& picture : report->pictures) {
     for (const PictureTrace& one : picture.traces) {
       const StudyRow& row = report->rows.at(listed++);
-      EXPECT_EQ(one.text, (row.count("point") == 0 ? "32 " : "128 ") + row.text("x") + ',' + row.text("y") + ' ' +
-                              row.text("cause"));
+      EXPECT_EQ(one.text, (row.count("point") == 0 ? "32 " : "128 ") + row.text("x") + ',' + row.text("y"));
       EXPECT_EQ(one.command, row.text("command"));
     }
   }

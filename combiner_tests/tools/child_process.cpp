@@ -1,6 +1,7 @@
 #include "combiner_tests/tools/child_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -118,6 +119,35 @@ bool Child::run_to(const std::function<bool(std::uint64_t call)>& stops_at) cons
 
 void Child::let_go() const {
   ::ptrace(PTRACE_DETACH, process_, nullptr, nullptr);
+}
+
+// Held open, so that what was written is not lost when a program ends.
+Terminal::Terminal() : terminal_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+  if (terminal_ < 0 || ::grantpt(terminal_) != 0 || ::unlockpt(terminal_) != 0) {
+    throw std::runtime_error("no terminal");
+  }
+  held_ = ::open(name().c_str(), O_RDWR | O_NOCTTY);
+}
+
+Terminal::~Terminal() {
+  ::close(held_);
+  ::close(terminal_);
+}
+
+std::string Terminal::name() const {
+  return ::ptsname(terminal_);
+}
+
+// A terminal hands on piece by piece, and late, what was written to it.
+std::string Terminal::seen_until(const std::string& text) const {
+  std::string seen;
+  for (pollfd wait{terminal_, POLLIN, 0}; seen.find(text) == std::string::npos && ::poll(&wait, 1, 10000) > 0;) {
+    char piece[4096];
+    const ssize_t count = ::read(terminal_, piece, sizeof piece);
+    if (count <= 0) break;
+    seen.append(piece, static_cast<std::size_t>(count));
+  }
+  return seen;
 }
 
 Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings) {

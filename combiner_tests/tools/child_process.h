@@ -59,6 +59,22 @@ class Child {
   int process_ = -1;
 };
 
+// A terminal, for the stderr of programs.
+class Terminal {
+ public:
+  Terminal();
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal();
+
+  [[nodiscard]] std::string name() const;  // of its file
+  // What was written to it since the last call until this text came, with it; less if nothing comes for ten seconds.
+  [[nodiscard]] std::string seen_until(const std::string& text) const;
+
+ private:
+  int terminal_ = -1, held_ = -1;
+};
+
 // Runs `ninebit ARGUMENTS...` to its end.
 Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings = {});
 

@@ -1,9 +1,6 @@
 // What people expect of a program: suggestions for misspelled names, colours where they can be seen, a manual page and
 // completions that tell of every verb and flag.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <regex>
@@ -55,24 +52,11 @@ TEST(Habits, VersionWithTheBuildsFacts) {
   EXPECT_NE(text.find("\nbuild: " + info["build"].get<std::string>() + "\n"), std::string::npos);
 }
 
-// The program's stderr on a terminal.
+// The program's stderr on a terminal, up to the end of its first line.
 std::string seen_on_a_terminal(const std::vector<std::string>& arguments) {
-  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
-  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";
-  // Held open, so that what was written is not lost when the program ends.
-  const int held = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
-  (void)ninebit(arguments, {.err = ::ptsname(terminal)});
-  // Up to the line's end: a terminal hands on piece by piece, and late, what was written to it.
-  std::string seen;
-  for (pollfd wait{terminal, POLLIN, 0}; seen.find('\n') == std::string::npos && ::poll(&wait, 1, 10000) > 0;) {
-    char piece[4096];
-    const ssize_t count = ::read(terminal, piece, sizeof piece);
-    if (count <= 0) break;
-    seen.append(piece, static_cast<std::size_t>(count));
-  }
-  ::close(held);
-  ::close(terminal);
-  return seen;
+  const Terminal terminal;
+  (void)ninebit(arguments, {.err = terminal.name()});
+  return terminal.seen_until("\n");
 }
 
 TEST(Habits, ColoursOnTerminalsAlone) {

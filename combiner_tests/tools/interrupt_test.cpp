@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -145,6 +146,36 @@ TEST_F(Interrupt, WhatWasIgnoredStaysIgnored) {
     EXPECT_EQ(child.wait().code, 0);
     EXPECT_EQ(files_in(out_), newer_);
     for (const auto& [name, bytes] : older_) write_bytes(out_ + '/' + name, bytes);
+  }
+}
+
+// While a page's traces are made, which the progress line says: nothing is left but what a study keeps of its points.
+TEST(InterruptOfTraces, LeavesNoPage) {
+  const TempFolder folder;
+  const std::string compared = folder / "compared", swept = folder / "swept";
+  struct Case {
+    std::vector<std::string> words;
+    std::string folder, shown;
+    std::size_t kept;
+  };
+  const std::vector<Case> cases{
+      {{"compare", kRoom, "--vary", "index-step=1,2", "-o", compared}, compared, ": traces", 0},
+      {{"study", "shadows", kRoom, "--map-sizes", "64", "-o", swept}, swept, "maps and files", 1}};
+  ::setenv("TERM", "xterm", 1);
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.words[0]);
+    const Terminal terminal;
+    Child child(c.words, {.err = terminal.name()});
+    const std::string seen = terminal.seen_until(c.shown);
+    ASSERT_NE(seen.find(c.shown), std::string::npos) << seen;
+    child.send(SIGINT);
+    EXPECT_EQ(child.wait().code, 130);
+    EXPECT_EQ(files_in(c.folder).size(), c.kept);
+    EXPECT_NE(terminal.seen_until("interrupted").find("interrupted"), std::string::npos);
+    std::vector<std::string> quiet = c.words;
+    quiet.emplace_back("--quiet");
+    EXPECT_EQ(ninebit(quiet).code, 0) << "and the next one is none the worse for it";
+    EXPECT_GE(files_in(c.folder).size(), 2U);
   }
 }
 

@@ -396,18 +396,16 @@ Status EffectRenderer::Prepared::draw_face(std::size_t number, RenderTarget& tar
   }
   const bool on_picture = said.target == kPictureTarget;
   if (on_picture && options.layers) capture_registers(layers, said.name, target);
-  FragmentProbe probe;
-  const bool probes = on_picture && options.pixel;
-  if (probes) {
-    probe.x = options.pixel->x;
-    probe.y = options.pixel->y;
-    target.probe = &probe;
+  std::vector<FragmentProbe> probes;
+  if (on_picture && options.pixel) {
+    probes.push_back({.x = options.pixel->x, .y = options.pixel->y});
+    target.probes = &probes;
   }
   if (target.samples != SampleMode::center_1) return rasterize(pass.state, projection, arrays, units, target);
   if (Status ready = prepare(pass.state, projection, arrays, target, geometry); !ready) return ready;
   const DrawPass draw{.state = &pass.state, .arrays = arrays, .units = units};
   Status drawn = rasterize({&draw, 1}, geometry, {.clear = *cleared}, target);
-  if (probes) probed.push_back({said.name, pass.state.program, std::move(probe.fragments)});
+  if (!probes.empty()) probed.push_back({said.name, pass.state.program, std::move(probes[0].fragments)});
   return drawn;
 }
 

@@ -137,18 +137,25 @@ Status CameraFrame::draw(std::string_view name, const PipelineState& state, Vert
   // Not empty, which would mean all vertices: validate requires triangles.
   if (arrays.indices.empty()) arrays.indices = index_list(scene_->triangles);
   note_pass(rendering_, name, state);
-  if (!settings_.pixel) return rasterize(state, projection_, arrays, units, target);
-  FragmentProbe probe{.x = settings_.pixel->x, .y = settings_.pixel->y};
-  // rasterize reports a pixel outside.
-  const bool is_inside = probe.x >= 0 && probe.y >= 0 && probe.x < target.width && probe.y < target.height;
-  const std::uint8_t stencil = is_inside && target.stencil ? target.stencil.at(probe.x, probe.y) : std::uint8_t{0};
-  target.probe = &probe;
-  Status drawn = rasterize(state, projection_, arrays, units, target);
-  target.probe = nullptr;
-  if (!scene_triangles.empty()) {
-    for (ProbedFragment& fragment : probe.fragments) fragment.primitive = scene_triangles[fragment.primitive];
+  if (settings_.pixels.empty()) return rasterize(state, projection_, arrays, units, target);
+  std::vector<FragmentProbe> probes;
+  std::vector<std::uint8_t> stencils;
+  for (const glm::ivec2& at : settings_.pixels) {
+    probes.push_back({.x = at.x, .y = at.y});
+    // rasterize reports a pixel outside.
+    const bool is_inside = at.x >= 0 && at.y >= 0 && at.x < target.width && at.y < target.height;
+    stencils.push_back(is_inside && target.stencil ? target.stencil.at(at.x, at.y) : std::uint8_t{0});
   }
-  rendering_.probed.push_back({std::string(name), state.program, std::move(probe.fragments), stencil});
+  target.probes = &probes;
+  Status drawn = rasterize(state, projection_, arrays, units, target);
+  target.probes = nullptr;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    std::vector<ProbedFragment>& fragments = probes[i].fragments;
+    if (!scene_triangles.empty()) {
+      for (ProbedFragment& fragment : fragments) fragment.primitive = scene_triangles[fragment.primitive];
+    }
+    rendering_.probed[i].push_back({std::string(name), state.program, std::move(fragments), stencils[i]});
+  }
   return drawn;
 }
 
@@ -169,7 +176,7 @@ Status CameraFrame::draw_averted(const PipelineState& state, const std::function
 }
 
 Status CameraFrame::draw_depth() {
-  rendering_.probed.clear();
+  rendering_.probed.assign(settings_.pixels.size(), {});
   rendering_.layers.clear();
   rendering_.frame.fill({.color = kBackground});
   RenderTarget target = rendering_.frame.target();
@@ -186,18 +193,19 @@ Status CameraFrame::draw_depth() {
     if (Status drawn = draw("depth", passes_.depth, arrays, {}, target); !drawn) return drawn;
   }
   if (Status drawn = draw_masked("depth", passes_.depth, target); !drawn) return drawn;
-  keep_probed_groups(0);
+  keep_probed_groups(groups_.groups().size() + 1);
   return {};
 }
 
-void CameraFrame::keep_probed_groups(std::size_t first) {
-  std::vector<ProbedPass>& probed = rendering_.probed;
-  const auto begin = probed.begin() + static_cast<std::ptrdiff_t>(std::min(first, probed.size()));
+void CameraFrame::keep_probed_groups(std::size_t draws) {
   const auto empty = [](const ProbedPass& pass) { return pass.fragments.empty(); };
-  if (begin == probed.end()) return;
-  // If no group has a fragment, the first one stays as the pass without fragments.
-  const bool none = std::all_of(begin, probed.end(), empty);
-  probed.erase(none ? begin + 1 : std::remove_if(begin, probed.end(), empty), probed.end());
+  for (std::vector<ProbedPass>& probed : rendering_.probed) {
+    const auto begin = probed.end() - static_cast<std::ptrdiff_t>(std::min(draws, probed.size()));
+    if (begin == probed.end()) continue;
+    // If no group has a fragment, the first one stays as the pass without fragments.
+    const bool none = std::all_of(begin, probed.end(), empty);
+    probed.erase(none ? begin + 1 : std::remove_if(begin, probed.end(), empty), probed.end());
+  }
 }
 
 Status CameraFrame::draw_masked(std::string_view name, const PipelineState& plain, RenderTarget& target) {
@@ -218,7 +226,7 @@ Status CameraFrame::draw_colors(std::string_view name, const PipelineState& stat
                                 const SurfaceUnit& unit) {
   RenderTarget target = unit.target != nullptr ? *unit.target : rendering_.frame.target();
   if (!groups_.textured()) return draw(name, state, arrays, unit.before, target);
-  const std::size_t first_probed = rendering_.probed.size();
+  std::size_t draws = 0;
   std::vector<TextureUnit> units(unit.before.begin(), unit.before.end());
   const std::size_t number = units.size();
   units.emplace_back();
@@ -226,13 +234,14 @@ Status CameraFrame::draw_colors(std::string_view name, const PipelineState& stat
   for (std::size_t g = 0; g < groups_.groups().size(); ++g) {
     const SurfaceGroup& group = groups_.groups()[g];
     if (group.triangles == 0) continue;
+    ++draws;
     const TrianglePart part = groups_.part(*scene_, g, numbered());
     arrays.indices = index_list(part.triangles);
     units[number] = {group.texture, group.sampler};
     const PipelineState drawn_with = unit.state_of ? unit.state_of(group) : SurfaceGroups::shaded_state(state, group);
     if (Status drawn = draw(name, drawn_with, arrays, units, target); !drawn) return drawn;
   }
-  keep_probed_groups(first_probed);
+  keep_probed_groups(draws);
   return {};
 }
 

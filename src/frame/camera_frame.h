@@ -61,7 +61,7 @@ class CameraFrame {
   void finish();
 
   // Calls rasterize() with the camera's projection. Positions and indices are the scene's if the arrays have none. With
-  // settings.pixel, adds a ProbedPass of that name to the rendering. Its fragments carry the scene's triangle numbers:
+  // settings.pixels, adds a ProbedPass of that name for each. Their fragments carry the scene's triangle numbers:
   // `scene_triangles` is the number of each triangle drawn; empty: all of the scene's triangles are drawn in order.
   Status draw(std::string_view name, const PipelineState& state, VertexArrays arrays,
               std::span<const TextureUnit> units, RenderTarget& target,
@@ -90,7 +90,7 @@ class CameraFrame {
   [[nodiscard]] Plane<const std::uint32_t> owner() const { return {owner_.data(), settings_.width}; }
 
   // Whether primitives must have the scene's triangle numbers: they are output or probed.
-  [[nodiscard]] bool numbered() const { return settings_.layers || settings_.evidence || settings_.pixel; }
+  [[nodiscard]] bool numbered() const { return settings_.layers || settings_.evidence || !settings_.pixels.empty(); }
 
   [[nodiscard]] const Scene& scene() const { return *scene_; }
   [[nodiscard]] const SurfaceGroups& groups() const { return groups_; }
@@ -118,8 +118,8 @@ class CameraFrame {
 
   // Adds the masked groups to a depth pass.
   Status draw_masked(std::string_view name, const PipelineState& plain, RenderTarget& target);
-  // After a pass of several groups: removes the probed groups from `first` on that have no fragment.
-  void keep_probed_groups(std::size_t first);
+  // After a pass of several groups, `draws` at most: removes the probed groups that have no fragment.
+  void keep_probed_groups(std::size_t draws);
   Status draw_shaded(std::string_view name, const PipelineState& state, const std::vector<ColorBytes>& colors,
                      double& milliseconds);
 

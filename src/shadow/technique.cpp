@@ -47,8 +47,8 @@ std::span<const Technique> techniques() {
   return kTechniques;
 }
 
-const ProbedPass* deciding_pass(const Rendering& rendering) {
-  const std::vector<ProbedPass>& passes = rendering.probed;
+const ProbedPass* deciding_pass(const Rendering& rendering, std::size_t number) {
+  const std::vector<ProbedPass>& passes = rendering.probed[number];
   const ProbedPass *changed = nullptr, *judged = nullptr, *written = nullptr;
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const ProbedFragment* const fragment = deciding_fragment(passes[i]);

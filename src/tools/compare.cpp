@@ -110,8 +110,8 @@ Status draw_compared(CompareFlags flags, const Scene& scene, ProgressLine& line,
   bool any = false;
   for (const ComparedPoint& point : out.compared.points) {
     const auto done = static_cast<double>(out.rows.size());
-    const Progress progress = [&](std::string_view, double share) {
-      return line.step(point.name, 0.05 + 0.9 * (done + share) / count);
+    const Progress progress = [&](std::string_view pass, double share) {
+      return line.step(fmt::format("{}: {}", point.name, pass), 0.05 + 0.9 * (done + share) / count);
     };
     if (point.as_point && !point_scene) {
       out.rows.push_back({.refused = "no support for a spot light that does not reach all of the picture"});

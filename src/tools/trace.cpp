@@ -148,8 +148,7 @@ int trace_pixel(const TraceFlags& flags, const std::optional<Program>& program) 
   const RenderSettings settings = settings_of(flags.scene, flags.common);
   const auto at = window_pixel("--pixel", flags.pixel, settings);
   if (!at) return wrong_usage("trace", at.error().message);
-  const int y = settings.height - 1 - at->y;
-  auto rendered = load_pixel(flags.scene, flags.common, flags.ground_truth, {at->x, y, program.has_value()});
+  auto rendered = load_pixel(flags.scene, flags.common, flags.ground_truth, *at, program.has_value());
   if (!rendered) return report(rendered.error());
   TracedPixel* const pixel = &rendered->traced;
   if (!flags.pass.empty()) {

@@ -129,7 +129,7 @@ struct IndexOrderReport {
   std::uint64_t false_neighbours = 0;
 };
 
-// The fragments that one of the camera's passes drew at settings.pixel.
+// The fragments that one of the camera's passes drew at one of settings.pixels.
 struct ProbedPass {
   std::string name;                       // of the pass, such as "comparison"
   std::optional<Program> program;         // none: the register combiners are disabled
@@ -161,8 +161,8 @@ struct Rendering {
   std::vector<NamedPicture> pictures{};      // besides those that every rendering has
   std::vector<Fact> facts{};                 // in the order in which they are reported
   std::optional<ShadowEvidence> evidence{};  // with settings.evidence, by techniques that draw shadows
-  std::vector<ProbedPass> probed{};          // in the order of drawing; empty without settings.pixel
-  std::vector<DrawnPass> drawn{};            // all passes that make the picture, in the order of drawing
+  std::vector<std::vector<ProbedPass>> probed{};  // for each of settings.pixels its passes in the order of drawing
+  std::vector<DrawnPass> drawn{};                 // all passes that make the picture, in the order of drawing
   // Memory of the light's maps as textures: three components take four bytes, 24 bits of depth as well. The depth
   // buffer that drawing a map takes is not counted, nor is the picture of a light cookie.
   std::uint64_t map_bytes = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ninebit/frame/depth_packing.h"
 #include "ninebit/frame/index_codes.h"
@@ -107,7 +108,7 @@ struct RenderSettings {
   DepthStencilFormat depth_stencil = DepthStencilFormat::d24s8;  // of the frame
   bool layers = false;                                           // keeps every intermediate value of the camera's view
   bool evidence = false;                                         // keeps ShadowEvidence, for ground_truth.h
-  std::optional<glm::ivec2> pixel{};                             // to be probed: window coordinates of the frame, y up
+  std::vector<glm::ivec2> pixels{};                              // to be probed: window coordinates of the frame, y up
   std::optional<glm::ivec2> pick{};                              // whose index is read: window coordinates, y up
   HardwareProfile profile = profiles::geforce2;                  // of the combiners and the rasterizer
 

@@ -1,4 +1,4 @@
-// Watches one pixel of a draw: every fragment that is drawn there, with its registers and its fate.
+// Watches pixels of a draw: every fragment that is drawn there, with its registers and its fate.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct ProbedFragment {
   friend bool operator==(const ProbedFragment&, const ProbedFragment&) = default;
 };
 
-// A draw into a target with a probe (RenderTarget::probe) appends every fragment at this pixel, in drawing order, for
+// A draw into a target with probes (RenderTarget::probes) appends every fragment at their pixels, in drawing order, for
 // any number of threads. Fragments that early tests would reject are computed and appended, too. No pixel changes.
 struct FragmentProbe {
   int x = 0;                                // window coordinates: y up

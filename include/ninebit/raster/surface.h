@@ -153,7 +153,7 @@ struct RenderTarget {
   Plane<std::uint32_t> depth{};        // codes of format's depth bits: 0 near, max_depth(format) far
   Plane<std::uint8_t> stencil{};       // values of format's stencil bits
   std::vector<OutputPlane> outputs{};  // at most kMaxOutputPlanes
-  FragmentProbe* probe = nullptr;      // not owned; nullptr: no pixel is watched (fragment_probe.h)
+  std::vector<FragmentProbe>* probes = nullptr;  // not owned; nullptr: no pixel is watched (fragment_probe.h)
 };
 
 // The initial content of a surface, and the values that clear() writes.

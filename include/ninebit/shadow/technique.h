@@ -1,6 +1,7 @@
 // The interface of all shadow techniques, and the table of them.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -23,10 +24,10 @@ struct Technique {
   Result<Rendering> (*render)(const Scene& scene, const RenderSettings& settings, const Progress& progress);
 };
 
-// The pass of `probed` that decided whether settings.pixel is in shadow, or nullptr where nothing is drawn: the last of
-// the passes that mark shadows which changed the pixel's stencil value. If none of them changed it, the last of them
-// with a deciding fragment; if none has one either, the last pass that wrote the pixel.
-[[nodiscard]] const ProbedPass* deciding_pass(const Rendering& rendering);
+// The pass of `probed` that decided whether a pixel, settings.pixels[number], is in shadow, or nullptr where nothing is
+// drawn: the last of the passes that mark shadows which changed the pixel's stencil value. If none of them changed it,
+// the last of them with a deciding fragment; if none has one either, the last pass that wrote the pixel.
+[[nodiscard]] const ProbedPass* deciding_pass(const Rendering& rendering, std::size_t number = 0);
 
 // All techniques, the default first.
 [[nodiscard]] std::span<const Technique> techniques();

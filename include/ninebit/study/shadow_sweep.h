@@ -31,10 +31,9 @@ using ShadowGrid = std::vector<ShadowAxis>;
 // Polygon offsets for a search: factors from 0 to 4 with units from 0 to 65536. The first is no offset.
 [[nodiscard]] std::span<const OffsetArguments> offsets_to_search();
 
-// What `ninebit trace --ground-truth` prints of a judged pixel, counted from the top left, of the picture with these
-// settings.
-using TraceText =
-    std::function<Result<std::string>(const RenderSettings& settings, int x, int y, const JudgedPixel& truth)>;
+// What `ninebit trace --ground-truth` prints of each of settings.pixels, of the picture with these settings.
+using TraceTexts =
+    std::function<Result<std::vector<std::string>>(const RenderSettings& settings, const Progress& progress)>;
 
 // One unit with one row for each point of the grid: the settings, the counts of drawn and wrong pixels, and the causes.
 // Settings that the technique refuses (more polygons than codes) give a row with the reason and without counts. The
@@ -43,7 +42,7 @@ using TraceText =
 // The report has the pictures of the best and the worst point. If `question` names the scene's file, it also has the
 // commands that explain wrong pixels there, in rows of the table "worst":
 //   point, cause, x, y, radius, command   up to three pixels of a cause (worst_pixels); y counted from the top
-// Study::draw adds the texts that these commands print, for the page, unless `trace` is empty. `allow_outside`: the
+// Study::draw adds the texts that these commands print, for the page, unless `traces` is empty. `allow_outside`: the
 // commands may read textures outside of the scene's folder.
 //
 // The scene has exactly one camera and one light. The settings, including the profile, are passed to Technique::render;
@@ -52,6 +51,6 @@ using TraceText =
 [[nodiscard]] Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene,
                                                                const Technique& technique,
                                                                const RenderSettings& settings, const ShadowGrid& grid,
-                                                               TraceText trace = {}, bool allow_outside = false);
+                                                               TraceTexts traces = {}, bool allow_outside = false);
 
 }  // namespace ninebit

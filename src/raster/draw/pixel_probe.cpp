@@ -3,9 +3,9 @@
 namespace ninebit {
 
 PixelProbe::PixelProbe(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units,
-                       const RenderTarget& target)
+                       const RenderTarget& target, FragmentProbe& probe)
     : real_(target),
-      probe_(*target.probe),
+      probe_(probe),
       target_(planes_of_one_row()),
       context_(state, arrays, units, target_, true),
       batch_(context_) {}
@@ -48,6 +48,14 @@ void PixelProbe::run(const SetupBlock& block, std::span<const std::uint32_t> ind
     probed.stored_depth = depth;
     probed.stored_stencil = stencil;
   }
+}
+
+std::deque<PixelProbe> pixel_probes(const PipelineState& state, const VertexArrays& arrays,
+                                    std::span<const TextureUnit> units, const RenderTarget& target) {
+  std::deque<PixelProbe> probes;
+  if (target.probes == nullptr) return probes;
+  for (FragmentProbe& probe : *target.probes) probes.emplace_back(state, arrays, units, target, probe);
+  return probes;
 }
 
 }  // namespace ninebit

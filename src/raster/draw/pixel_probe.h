@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -17,9 +18,9 @@ namespace ninebit {
 // gather fragments and drop those that cannot pass the tests, so they could not report every fragment.
 class PixelProbe {
  public:
-  // The arguments must outlive the probe; target.probe is not null.
+  // The arguments must outlive the probe.
   PixelProbe(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units,
-             const RenderTarget& target);
+             const RenderTarget& target, FragmentProbe& probe);
   PixelProbe(const PixelProbe&) = delete;
   PixelProbe& operator=(const PixelProbe&) = delete;
 
@@ -45,5 +46,9 @@ class PixelProbe {
   const DrawContext context_;
   FragmentBatch batch_;
 };
+
+// One for each of the target's probes. The arguments must outlive them.
+[[nodiscard]] std::deque<PixelProbe> pixel_probes(const PipelineState& state, const VertexArrays& arrays,
+                                                  std::span<const TextureUnit> units, const RenderTarget& target);
 
 }  // namespace ninebit

@@ -196,19 +196,16 @@ namespace {
 // Draws passes that share tiles, or a single pass of any kind.
 void draw(const PreparedDraw::Geometry& g, std::span<const DrawPass> passes,
           std::span<const DrawContext* const> contexts, const TileActions& actions, RenderTarget& target) {
-  std::unique_ptr<PixelProbe> probe;
-  if (target.probe != nullptr) {
-    probe = std::make_unique<PixelProbe>(*passes[0].state, passes[0].arrays, passes[0].units, target);
-  }
+  std::deque<PixelProbe> probes = pixel_probes(*passes[0].state, passes[0].arrays, passes[0].units, target);
   const TileGrid grid(target.width, target.height);
   const bool is_timed = std::any_of(passes.begin(), passes.end(), [](const DrawPass& p) { return p.time != nullptr; });
   TileLoop loop({.grid = grid,
                  .drawn = g.drawn,
                  .passes = contexts,
                  .target = target,
+                 .probes = probes,
                  .actions = actions,
-                 .is_timed = is_timed,
-                 .probe = probe.get()});
+                 .is_timed = is_timed});
   loop.draw(g.blocks, g.work);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     if (passes[i].time != nullptr) *passes[i].time = loop.busy(i);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -93,18 +94,17 @@ Status draw_sample(const PipelineState& state, const glm::mat4& clip_from_object
   const ScratchLease scratch;
   const TileGrid grid(target.width, target.height);
   const SetupContext setup(state, viewport_of(state, target), drawn, target.format,
-                           !context.has_flat_result || target.probe != nullptr,
+                           !context.has_flat_result || target.probes != nullptr,
                            sample == nullptr ? SampleShift{} : sample->shift);
   const DrawGeometry geometry(setup, clip_from_object, arrays, grid, scratch->packed);
-  std::unique_ptr<PixelProbe> probe;
-  if (target.probe != nullptr) probe = std::make_unique<PixelProbe>(state, arrays, units, target);
+  std::deque<PixelProbe> probes = pixel_probes(state, arrays, units, target);
   const DrawContext* const pass = &context;
   TileLoop tiles({.grid = grid,
                   .drawn = drawn,
                   .passes = {&pass, 1},
                   .target = target,
-                  .actions = {.is_sample = sample != nullptr},
-                  .probe = probe.get()});
+                  .probes = probes,
+                  .actions = {.is_sample = sample != nullptr}});
   draw(geometry, tiles, *scratch);
   return {};
 }

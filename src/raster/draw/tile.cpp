@@ -170,7 +170,7 @@ void draw_in_tile(const DrawContext& context, const PixelBox& tile, const SetupB
 
 bool TileRasterizer::can_share_tiles(std::span<const DrawContext* const> passes, const RenderTarget& target) {
   // A probe needs the stored planes, cleared, before each pass.
-  if (target.probe != nullptr) return false;
+  if (target.probes != nullptr) return false;
   // The tile holds whole pixels: each pass has to write either all colour components that any pass writes, or none.
   std::optional<std::array<bool, 4>> written;
   for (const DrawContext* pass : passes) {

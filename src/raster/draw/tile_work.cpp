@@ -92,10 +92,10 @@ void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& wo
   const PixelBox pixels = state_.grid.pixels(tile.tile, state_.drawn);
   if (pixels.empty()) return;
   const std::span<const std::uint32_t> in_tile = work.blocks_of(tile);
-  PixelProbe* const probe = state_.probe;
-  if (probe != nullptr && probe->lies_in(pixels)) {
-    probe->meet_planes();
-    for (const std::uint32_t b : in_tile) probe->run(blocks[b].setup, blocks[b].in_tile(tile.tile));
+  for (PixelProbe& probe : state_.probes) {
+    if (!probe.lies_in(pixels)) continue;
+    probe.meet_planes();
+    for (const std::uint32_t b : in_tile) probe.run(blocks[b].setup, blocks[b].in_tile(tile.tile));
   }
   rasterizer.begin(pixels);
   for (std::size_t pass = 0; pass < state_.passes.size(); ++pass) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -53,9 +54,9 @@ struct TileLoopState {
   const PixelBox& drawn;
   std::span<const DrawContext* const> passes;
   const RenderTarget& target;
+  std::deque<PixelProbe>& probes;
   TileActions actions;
   bool is_timed = false;
-  PixelProbe* probe = nullptr;
 };
 
 // Draws with the state of one draw call, or of several passes over the same primitives, in all available threads.

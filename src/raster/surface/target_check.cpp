@@ -141,9 +141,10 @@ Status check_target(const PipelineState& state, const RenderTarget& target) {
     return fault("the render target is " + std::to_string(target.width) + "x" + std::to_string(target.height) +
                  "; each side must be from 1 to " + std::to_string(kMaxSurfaceSize));
   }
-  if (const FragmentProbe* probe = target.probe) {
-    if (probe->x < 0 || probe->y < 0 || probe->x >= target.width || probe->y >= target.height) {
-      return fault("the probe's pixel (" + std::to_string(probe->x) + ", " + std::to_string(probe->y) +
+  if (target.probes != nullptr) {
+    for (const FragmentProbe& probe : *target.probes) {
+      if (probe.x >= 0 && probe.y >= 0 && probe.x < target.width && probe.y < target.height) continue;
+      return fault("the probe's pixel (" + std::to_string(probe.x) + ", " + std::to_string(probe.y) +
                    ") is outside of the render target");
     }
   }
@@ -167,7 +168,7 @@ Status check_samples(const PipelineState& state, const RenderTarget& target) {
     return fault("profile " + std::string(state.profile.name) +
                  " has no surfaces with several samples for each pixel; expected one sample");
   }
-  if (target.probe != nullptr) return fault("a probe watches targets with one sample for each pixel, not several");
+  if (target.probes != nullptr) return fault("a probe watches targets with one sample for each pixel, not several");
   return {};
 }
 

@@ -90,7 +90,7 @@ DepthCubeRenderer::DepthCubeRenderer(CameraFrame frame, DepthCubePasses passes)
 }
 
 bool DepthCubeRenderer::needs_directions() const {
-  return uses_floats() || settings().layers || settings().pixel.has_value();
+  return uses_floats() || settings().layers || !settings().pixels.empty();
 }
 
 void DepthCubeRenderer::make_ramps() {
@@ -175,7 +175,7 @@ Status DepthCubeRenderer::draw_directions() {
   if (uses_floats()) {  // else the directions are for people
     note_float_pass(rendering(), "comparison", true);
     rendering().map_bytes = faces_.size() * faces_[0].distance.size() * sizeof(float);
-    if (settings().pixel) return frame_.draw("comparison", state, arrays, {}, target);
+    if (!settings().pixels.empty()) return frame_.draw("comparison", state, arrays, {}, target);
   }
   return rasterize(state, prepared_camera_, arrays, {}, target);
 }
@@ -222,15 +222,18 @@ Status DepthCubeRenderer::draw_comparison(std::size_t comparison, std::size_t fa
   const std::size_t layers_before = rendering().layers.size();
   RenderTarget target = frame_.capturing_target(2, passes_.comparisons.size() > 1 ? pass.name + " " : "");
   const std::size_t layers_drawn = rendering().layers.size() - layers_before;
-  if (!settings().pixel) {
+  if (settings().pixels.empty()) {
     note_pass(rendering(), name, pass.state);
     if (Status drawn = rasterize(pass.state, prepared_camera_, arrays, units, target); !drawn) return drawn;
   } else {
     if (Status drawn = frame_.draw(name, pass.state, arrays, units, target); !drawn) return drawn;
     // A probe that looked up a blank face is dropped.
-    const auto at = static_cast<std::size_t>(settings().pixel->y) * static_cast<std::size_t>(target.width) +
-                    static_cast<std::size_t>(settings().pixel->x);
-    if (face_at(at) != face) rendering().probed.pop_back();
+    for (std::size_t i = 0; i < settings().pixels.size(); ++i) {
+      const glm::ivec2& pixel = settings().pixels[i];
+      const auto at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(target.width) +
+                      static_cast<std::size_t>(pixel.x);
+      if (face_at(at) != face) rendering().probed[i].pop_back();
+    }
   }
   if (face > 0) keep_layers_of_face(face, layers_before - layers_drawn, layers_drawn);
   return {};

@@ -159,7 +159,7 @@ Status IndexCubeRenderer::draw_masked_face(std::size_t face, RenderTarget& targe
 Status IndexCubeRenderer::draw_camera() {
   const RenderSettings& settings = frame_.settings();
   const bool plain = !frame_.groups().textured() && !frame_.groups().masked();
-  if (plain && !settings.layers && !settings.pixel && !settings.light_facing) return draw_camera_together();
+  if (plain && !settings.layers && settings.pixels.empty() && !settings.light_facing) return draw_camera_together();
   if (Status drawn = draw_shadows(); !drawn) return drawn;
   return frame_.draw_lit_and_shadow();
 }

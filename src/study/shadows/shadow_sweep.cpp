@@ -51,13 +51,13 @@ struct Judged {
 class ShadowSweep final : public Study {
  public:
   ShadowSweep(StudyQuestion question, Scene scene, const Technique& technique, const RenderSettings& settings,
-              SweptSettings known, TraceText trace, bool allow_outside)
+              SweptSettings known, TraceTexts traces, bool allow_outside)
       : question_(std::move(question)),
         scene_(std::move(scene)),
         technique_(technique),
         settings_(settings),
         known_(std::move(known)),
-        trace_(std::move(trace)),
+        traces_(std::move(traces)),
         allow_outside_(allow_outside) {
     settings_.evidence = true;
     question_.options.emplace_back("sha256 of the triangles", hash_of(scene_));
@@ -146,24 +146,20 @@ class ShadowSweep final : public Study {
 
   [[nodiscard]] Status draw(std::span<const StudyRow> rows, const DrawProgress& progress,
                             StudyReport& report) const override {
-    if (!trace_) return {};
+    if (!traces_) return {};
     const auto shown = shown_points(rows);
-    std::size_t all = 0, done = 0;
-    for (const ReportPicture& picture : report.pictures) all += picture.traces.size();
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      if (report.pictures[i].traces.empty()) continue;
-      const RenderSettings settings = settings_at(shown[i].second);
-      const auto rendering = technique_.render(scene_, settings, {});
-      if (!rendering) return rendering.error();
-      for (PictureTrace& one : report.pictures[i].traces) {
-        const double share = static_cast<double>(done++) / static_cast<double>(all);
-        if (progress && !progress(share)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
-        const auto truth = judge_pixel(*truth_, settings, *rendering, one.x, settings.height - 1 - one.y);
-        if (!truth) return truth.error();
-        auto text = trace_(settings, one.x, one.y, *truth);
-        if (!text) return text.error();
-        one.text = std::move(*text);
-      }
+      std::vector<PictureTrace>& traces = report.pictures[i].traces;
+      if (traces.empty()) continue;
+      const Progress step = [&](std::string_view, double done) {
+        return !progress || progress((static_cast<double>(i) + done) / static_cast<double>(shown.size()));
+      };
+      if (!step("", 0.0)) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
+      RenderSettings settings = settings_at(shown[i].second);
+      for (const PictureTrace& one : traces) settings.pixels.emplace_back(one.x, settings.height - 1 - one.y);
+      auto texts = traces_(settings, step);
+      if (!texts) return texts.error();
+      for (std::size_t t = 0; t < traces.size(); ++t) traces[t].text = std::move((*texts)[t]);
     }
     return {};
   }
@@ -285,7 +281,7 @@ class ShadowSweep final : public Study {
   SweptSettings known_;
   std::vector<SweepAxis> axes_;
   std::vector<std::vector<std::string>> texts_;  // the axes' values as in flags
-  TraceText trace_;
+  TraceTexts traces_;
   bool allow_outside_;
   std::optional<GroundTruthScene> truth_;
 };
@@ -298,11 +294,11 @@ std::span<const OffsetArguments> offsets_to_search() {
 
 Result<std::unique_ptr<Study>> make_shadow_sweep(StudyQuestion question, Scene scene, const Technique& technique,
                                                  const RenderSettings& settings, const ShadowGrid& grid,
-                                                 TraceText trace, bool allow_outside) {
+                                                 TraceTexts traces, bool allow_outside) {
   const auto known = swept_settings(technique, settings, grid);
   if (!known) return known.error();
   auto sweep = std::make_unique<ShadowSweep>(std::move(question), std::move(scene), technique, settings, *known,
-                                             std::move(trace), allow_outside);
+                                             std::move(traces), allow_outside);
   if (Status prepared = sweep->prepare(grid); !prepared) return prepared.error();
   return std::unique_ptr<Study>(std::move(sweep));
 }

@@ -308,21 +308,23 @@ std::vector<std::string> traced_arguments(const ComparedPoint& point, const Ligh
 }
 
 // Adds what the commands print for the page.
-Status add_trace_texts(const CompareFlags& flags, const ComparedPoint& point, const Scene& scene,
-                       const Rendering& rendering, const RenderSettings& settings, const GroundTruthScene& rays,
-                       std::vector<WrongPixelTrace>& worst) {
+Status add_trace_texts(CompareFlags::Traces wanted, const ComparedPoint& point, const Scene& scene,
+                       const GroundTruthScene& rays, const Progress& progress, std::vector<WrongPixelTrace>& worst) {
+  if (wanted == CompareFlags::Traces::none) return {};
+  RenderSettings settings = settings_of(point);
+  std::vector<WrongPixelTrace*> traced;
   ErrorCause last = ErrorCause::none;
   for (WrongPixelTrace& one : worst) {
-    if (flags.traces == CompareFlags::Traces::none || ProgressLine::stopped()) return {};
     const bool is_first = one.pixel.cause != last;
     last = one.pixel.cause;
-    if (!is_first && flags.traces != CompareFlags::Traces::all) continue;
-    const auto truth = judge_pixel(rays, settings, rendering, one.pixel.x, one.pixel.y);
-    if (!truth) return truth.error();
-    auto text = judged_pixel_text(point.scene, point.common, scene, settings, one.x, one.y, *truth);
-    if (!text) return text.error();
-    one.text = std::move(*text);
+    if (!is_first && wanted != CompareFlags::Traces::all) continue;
+    traced.push_back(&one);
+    settings.pixels.emplace_back(one.pixel.x, one.pixel.y);
   }
+  if (traced.empty()) return {};
+  auto texts = judged_pixel_texts(point.scene, point.common, scene, settings, rays, progress);
+  if (!texts) return texts.error();
+  for (std::size_t i = 0; i < traced.size(); ++i) traced[i]->text = std::move((*texts)[i]);
   return {};
 }
 
@@ -339,8 +341,6 @@ Status judge_row(const CompareFlags& flags, const ComparedPoint& point, const Sc
   // No flag of `trace` gives a chip exact combiners, so such a picture has no command.
   if (!point.exact) {
     errors.worst = worst_traces(point.scene, settings, traced_arguments(point, scene.lights[0]), *truth);
-    Status added = add_trace_texts(flags, point, scene, rendering, settings, rays, errors.worst);
-    if (!added) return added;
   }
   Image8 causes = cause_plane(*truth, settings.width, settings.height);
   auto plane = encode_png(causes);
@@ -416,19 +416,24 @@ Result<ComparedRow> compared_row(const CompareFlags& flags, const ComparedPoint&
     return [&progress, from, share](std::string_view pass, double done) { return progress(pass, from + share * done); };
   };
   {
-    const auto judged = render_scene(point.scene, scene, settings, part(0.0, 0.4));
+    const auto judged = render_scene(point.scene, scene, settings, part(0.0, 0.3));
     if (!judged && judged.error().fault != Fault::invalid_input) return judged.error();
     if (!judged) {
       row.refused = judged.error().message;
       return row;
     }
-    if (Status done = judge_row(flags, point, scene, *judged, settings, rays, part(0.4, 0.3), row); !done) {
+    if (Status done = judge_row(flags, point, scene, *judged, settings, rays, part(0.3, 0.25), row); !done) {
       return done.error();
     }
   }
+  if (row.errors) {
+    const auto traces = [whole = part(0.55, 0.2)](std::string_view, double done) { return whole("traces", done); };
+    Status added = add_trace_texts(flags.traces, point, scene, rays, traces, row.errors->worst);
+    if (!added) return added.error();
+  }
   // Rendered again, because keeping the evidence takes time of its own.
   settings.evidence = false;
-  const auto rendering = render_scene(point.scene, scene, settings, part(0.7, 0.3));
+  const auto rendering = render_scene(point.scene, scene, settings, part(0.75, 0.25));
   if (!rendering) return rendering.error();
   row.background = rendering->background;
   row.lit = rendering->lit;

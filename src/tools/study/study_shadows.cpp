@@ -139,20 +139,32 @@ void complete_grid(ShadowsFlags& flags) {
   }
 }
 
-// The texts of traces of the flags' scene, which is loaded with its textures for the first of them. The study itself
-// reads no textures: where they cannot be read, the texts are empty.
-TraceText trace_text_of(const ShadowsFlags& flags) {
-  using Loaded = std::optional<Result<DrawnScene>>;
-  return [loaded = std::make_shared<Loaded>(), scene_flags = flags.scene, common = flags.study.common](
-             const RenderSettings& settings, int x, int y, const JudgedPixel& truth) -> Result<std::string> {
-    const bool is_first = !*loaded;
-    if (is_first) loaded->emplace(load_drawn_scene(scene_flags, settings));
-    const Result<DrawnScene>& drawn = **loaded;
-    if (drawn) return judged_pixel_text(scene_flags, common, drawn->scene, settings, x, y, truth);
-    if (drawn.error().fault == Fault::cancelled) return drawn.error();
-    if (is_first)
-      say_warning(fmt::format("the report has no traces, and their commands fail, too: {}", drawn.error().text()));
-    return std::string();
+// The flags' scene with its textures, which the study itself does not read, and its rays.
+struct TracedScene {
+  std::optional<Result<DrawnScene>> drawn{};  // empty: not loaded yet
+  std::optional<GroundTruthScene> rays{};
+};
+
+// The texts of traces of the flags' scene, which is loaded for the first of them. Where its textures cannot be read,
+// the texts are empty.
+TraceTexts trace_texts_of(const ShadowsFlags& flags) {
+  return [traced = std::make_shared<TracedScene>(), scene_flags = flags.scene, common = flags.study.common](
+             const RenderSettings& settings, const Progress& progress) -> Result<std::vector<std::string>> {
+    const bool is_first = !traced->drawn;
+    if (is_first) traced->drawn.emplace(load_drawn_scene(scene_flags, settings));
+    const Result<DrawnScene>& drawn = *traced->drawn;
+    if (!drawn) {
+      if (drawn.error().fault == Fault::cancelled) return drawn.error();
+      if (is_first)
+        say_warning(fmt::format("the report has no traces, and their commands fail, too: {}", drawn.error().text()));
+      return std::vector<std::string>(settings.pixels.size());
+    }
+    if (is_first) {
+      auto rays = GroundTruthScene::make(drawn->scene);
+      if (!rays) return rays.error();
+      traced->rays.emplace(std::move(*rays));
+    }
+    return judged_pixel_texts(scene_flags, common, drawn->scene, settings, *traced->rays, progress);
   };
 }
 
@@ -169,7 +181,7 @@ Result<std::unique_ptr<Study>> make_study(const ShadowsFlags& flags) {
   auto scene = load_scene(flags.scene, settings);
   if (!scene) return scene.error();
   return make_shadow_sweep(std::move(question).value(), std::move(scene).value(), *find_technique(technique), settings,
-                           grid_of(flags), trace_text_of(flags), flags.scene.allow_outside);
+                           grid_of(flags), trace_texts_of(flags), flags.scene.allow_outside);
 }
 
 // Removes the flag of a single value where its list has the same name; else the two exclude each other.

@@ -1,6 +1,7 @@
 #include "src/tools/trace/trace_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -87,16 +88,25 @@ std::string facts_text(const TraceFacts& facts, const Program* program, const Tr
   return traced != nullptr ? lines + trace_text(*program, *traced, layout) : lines;
 }
 
-Result<std::string> judged_pixel_text(const SceneFlags& flags, const CommonFlags& common, const Scene& scene,
-                                      const RenderSettings& settings, int x, int y, const JudgedPixel& truth) {
-  const auto rendered = render_pixel(flags, scene, settings, nullptr, {.x = x, .y = y}, {});
+Result<std::vector<std::string>> judged_pixel_texts(const SceneFlags& flags, const CommonFlags& common,
+                                                    const Scene& scene, const RenderSettings& settings,
+                                                    const GroundTruthScene& rays, const Progress& progress) {
+  const auto rendered = render_pixels(flags, scene, settings, &rays, false, progress);
   if (!rendered) return rendered.error();
-  const TracedPixel& pixel = rendered->traced;
-  const TraceFacts facts{.profile = common.profile, .pixel = &pixel, .truth = &truth, .hardware = &settings.profile};
-  if (!pixel.fragment) return facts_text(facts, nullptr, nullptr, {});
-  const ProbedPass& pass = pixel.passes[*pixel.pass];
-  const Trace traced = trace(*pass.program, settings.profile, pass.fragments[*pixel.fragment].registers);
-  return facts_text(facts, &*pass.program, &traced, {});
+  std::vector<std::string> texts;
+  for (const RenderedPixel& one : *rendered) {
+    const TracedPixel& pixel = one.traced;
+    const TraceFacts facts{
+        .profile = common.profile, .pixel = &pixel, .truth = &*one.truth, .hardware = &settings.profile};
+    if (!pixel.fragment) {
+      texts.push_back(facts_text(facts, nullptr, nullptr, {}));
+      continue;
+    }
+    const ProbedPass& pass = pixel.passes[*pixel.pass];
+    const Trace traced = trace(*pass.program, settings.profile, pass.fragments[*pixel.fragment].registers);
+    texts.push_back(facts_text(facts, &*pass.program, &traced, {}));
+  }
+  return texts;
 }
 
 DiagramPage trace_page(const TraceFacts& facts) {
@@ -111,10 +121,9 @@ DiagramPage trace_page(const TraceFacts& facts) {
     fact("Size", pixel->size);
     fact("State", pixel->state);
     if (facts.truth != nullptr) {
-      std::string truth = truth_text(*pixel, *facts.truth);
-      truth.pop_back();
-      std::replace(truth.begin(), truth.end(), '\n', ';');
-      fact("Ground truth", truth);
+      constexpr std::string_view kName = "truth: ";  // the fact has one of its own
+      const std::string text = truth_text(*pixel, *facts.truth).substr(kName.size());
+      fact("Ground truth", fmt::format("{}", fmt::join(lines_of(text).get<std::vector<std::string>>(), "; ")));
     }
     if (pixel->pass) fact("Pass", pixel->passes[*pixel->pass].name);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ninebit/combiner/trace.h"
 #include "ninebit/shadow/ground_truth.h"
@@ -28,11 +29,12 @@ struct TraceFacts {
 [[nodiscard]] std::string facts_text(const TraceFacts& facts, const Program* program, const Trace* traced,
                                      TraceLayout layout);
 
-// What `ninebit trace --scene … --pixel X,Y --ground-truth` prints to a file, of a scene that is loaded and a pixel
-// that is judged, counted from the top left. The settings are those of the picture.
-[[nodiscard]] Result<std::string> judged_pixel_text(const SceneFlags& flags, const CommonFlags& common,
-                                                    const Scene& scene, const RenderSettings& settings, int x, int y,
-                                                    const JudgedPixel& truth);
+// What `ninebit trace --scene … --pixel X,Y --ground-truth` prints to a file of each of settings.pixels, of a scene
+// that is loaded. The settings are those of the picture, which is rendered once; `rays` are the scene's.
+[[nodiscard]] Result<std::vector<std::string>> judged_pixel_texts(const SceneFlags& flags, const CommonFlags& common,
+                                                                  const Scene& scene, const RenderSettings& settings,
+                                                                  const GroundTruthScene& rays,
+                                                                  const Progress& progress);
 
 // The page with every pass that drew at the pixel, but without its text. A pass is traced at the fragment that decided
 // it. Without any fragment the page has no diagram.

@@ -18,7 +18,9 @@ namespace ninebit::tools {
 
 namespace {
 
-std::string state_of(const Surface& frame, std::size_t at) {
+std::string state_of(const Surface& frame, const glm::ivec2& pixel) {
+  const std::size_t at =
+      static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame.width()) + static_cast<std::size_t>(pixel.x);
   if (frame.depth()[at] == max_depth(frame.format())) return "background";
   return frame.stencil()[at] == 0 ? "lit" : "shadowed";
 }
@@ -45,43 +47,43 @@ Status choose_pass_named(const std::string& name, bool other_program, TracedPixe
                                            names.empty() ? "none, as nothing was drawn at the pixel" : names)};
 }
 
-Result<RenderedPixel> render_pixel(const SceneFlags& flags, const Scene& scene, RenderSettings settings,
-                                   const GroundTruthScene* rays, const PixelQuestion& question,
-                                   const Progress& progress) {
-  const int x = question.x, row = settings.height - 1 - question.y;
-  settings.pixel = glm::ivec2(x, row);
+Result<std::vector<RenderedPixel>> render_pixels(const SceneFlags& flags, const Scene& scene, RenderSettings settings,
+                                                 const GroundTruthScene* rays, bool other_program,
+                                                 const Progress& progress) {
   settings.evidence = rays != nullptr;
   auto rendering = render_scene(flags, scene, settings, progress);
   if (!rendering) return rendering.error();
-
-  const auto at =
-      static_cast<std::size_t>(row) * static_cast<std::size_t>(settings.width) + static_cast<std::size_t>(x);
-  RenderedPixel out;
-  TracedPixel& pixel = out.traced;
-  pixel.x = x;
-  pixel.y = question.y;
-  pixel.file = flags.file;
-  pixel.technique = flags.technique;
-  pixel.size = fmt::format("{}x{}", settings.width, settings.height);
-  pixel.state = state_of(rendering->frame, at);
-  pixel.passes = rendering->probed;
-  pixel.index_order = std::move(rendering->index_order);
-  for (const SceneObject& object : scene.objects) pixel.objects.push_back(object.name);
-  pixel.object_of = scene.triangle_object;
-  if (const ProbedPass* const decided = deciding_pass(*rendering)) {
-    choose(static_cast<std::size_t>(decided - rendering->probed.data()), question.other_program, pixel);
+  std::vector<RenderedPixel> all;
+  for (std::size_t i = 0; i < settings.pixels.size(); ++i) {
+    const glm::ivec2& at = settings.pixels[i];
+    RenderedPixel& out = all.emplace_back();
+    TracedPixel& pixel = out.traced;
+    pixel.x = at.x;
+    pixel.y = settings.height - 1 - at.y;
+    pixel.file = flags.file;
+    pixel.technique = flags.technique;
+    pixel.size = fmt::format("{}x{}", settings.width, settings.height);
+    pixel.state = state_of(rendering->frame, at);
+    pixel.passes = rendering->probed[i];
+    pixel.index_order = rendering->index_order;
+    for (const SceneObject& object : scene.objects) pixel.objects.push_back(object.name);
+    pixel.object_of = scene.triangle_object;
+    if (const ProbedPass* const decided = deciding_pass(*rendering, i)) {
+      choose(static_cast<std::size_t>(decided - rendering->probed[i].data()), other_program, pixel);
+    }
+    if (rays == nullptr) continue;
+    const auto judged = judge_pixel(*rays, settings, *rendering, at.x, at.y);
+    if (!judged) return judged.error();
+    out.truth = *judged;
   }
-  if (rays == nullptr) return out;
-  const auto judged = judge_pixel(*rays, settings, *rendering, x, row);
-  if (!judged) return judged.error();
-  out.truth = *judged;
-  return out;
+  return all;
 }
 
 Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& common, bool ground_truth,
-                                 const PixelQuestion& question) {
+                                 const glm::ivec2& pixel, bool other_program) {
   const ThreadLimit limit(common.threads);
-  const RenderSettings settings = settings_of(flags, common);
+  RenderSettings settings = settings_of(flags, common);
+  settings.pixels = {pixel};
   ProgressLine line(common.quiet);
   line.step("loading", 0.0);
   const auto loaded = load_drawn_scene(flags, settings);
@@ -94,7 +96,9 @@ Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& com
     rays.emplace(std::move(*made));
   }
   const auto step = [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); };
-  return render_pixel(flags, loaded->scene, settings, rays ? &*rays : nullptr, question, step);
+  auto rendered = render_pixels(flags, loaded->scene, settings, rays ? &*rays : nullptr, other_program, step);
+  if (!rendered) return rendered.error();
+  return std::move(rendered->front());
 }
 
 namespace {

@@ -15,25 +15,21 @@
 
 namespace ninebit::tools {
 
-// A question about a pixel of a scene.
-struct PixelQuestion {
-  int x = 0, y = 0;            // from the top left, inside the picture
-  bool other_program = false;  // a program replaces that of the pass
-};
+// A pixel of a scene.
 struct RenderedPixel {
   TracedPixel traced;
   std::optional<JudgedPixel> truth{};  // of --ground-truth
 };
 
-// Renders the scene and probes the pixel. The traced fragment is the one that decided the result of deciding_pass();
-// without a program it is traced only if another one replaces it. `rays`, of the scene, judge the pixel; nullptr: it is
-// not judged.
-[[nodiscard]] Result<RenderedPixel> render_pixel(const SceneFlags& flags, const Scene& scene, RenderSettings settings,
-                                                 const GroundTruthScene* rays, const PixelQuestion& question,
-                                                 const Progress& progress);
-// The same for the scene of the flags, with its progress line and warnings.
+// Renders the scene once and returns what it is at each of settings.pixels. The traced fragment is the one that decided
+// the result of deciding_pass(); where that has no program, it is traced only if `other_program`, which replaces the
+// programs of passes. `rays`, of the scene, judge the pixels; nullptr: they are not judged.
+[[nodiscard]] Result<std::vector<RenderedPixel>> render_pixels(const SceneFlags& flags, const Scene& scene,
+                                                               RenderSettings settings, const GroundTruthScene* rays,
+                                                               bool other_program, const Progress& progress);
+// The same for the scene of the flags and one pixel, y up, with its progress line and warnings.
 [[nodiscard]] Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& common, bool ground_truth,
-                                               const PixelQuestion& question);
+                                               const glm::ivec2& pixel, bool other_program);
 
 // Selects another pass. Reports a name that no pass has, which is wrong usage.
 [[nodiscard]] Status choose_pass_named(const std::string& name, bool other_program, TracedPixel& pixel);
