@@ -1,6 +1,8 @@
 // The JSON forms, and whatever form a text has.
+#include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
+#include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
@@ -39,6 +41,17 @@ std::string wrong_with_words(std::string_view text, ChipClass chip, const Hardwa
   return wrong_with_state(*parsed, profile);
 }
 
+// Whether two programs give a few random fragments the same colours.
+bool same_colors(const CombinerState& one, const CombinerState& other, const HardwareProfile& profile) {
+  const Program first = normalize(one, profile), second = normalize(other, profile);
+  test::Random random(1);
+  for (int i = 0; i < 16; ++i) {
+    const RegisterFile registers = test::random_registers(random, profile);
+    if (evaluate(first, registers) != evaluate(second, registers)) return false;
+  }
+  return true;
+}
+
 // What is wrong with the forms that print a program and read it again. It need not be the same state: a pixel shader
 // has no register that is zero, and takes a constant.
 std::string wrong_with_forms(const TextProgram& program, const HardwareProfile& profile) {
@@ -52,6 +65,9 @@ std::string wrong_with_forms(const TextProgram& program, const HardwareProfile& 
       return "what " + std::string(form.name) + " printed it refuses: " + back.faults().front().text() + "\n" + *text;
     }
     if (!validate(*back, profile).empty()) return "an invalid program in " + std::string(form.name) + ":\n" + *text;
+    if (!same_colors(program.state, back->state, profile)) {
+      return "another program in " + std::string(form.name) + ":\n" + *text;
+    }
   }
   return "";
 }

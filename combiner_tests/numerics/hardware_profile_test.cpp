@@ -93,6 +93,35 @@ TEST(Profiles, ThePageHasEveryFieldWithItsEvidence) {
   EXPECT_EQ(found, expected);
 }
 
+// The evidence words are pinned here, too: a page that follows a wrong table is as wrong.
+TEST(Profiles, WhatEvidenceCarriesTheTwoChips) {
+  const auto fields_with = [](const HardwareProfile& profile, Evidence evidence) {
+    std::string names;
+    for (const ProfileField& field : profile_fields()) {
+      if (field.get(profile).evidence == evidence) names += std::string(field.name) + " ";
+    }
+    return names;
+  };
+  const HardwareProfile& card = profiles::geforce2;
+  EXPECT_EQ(fields_with(card, seed), "general_narrowing narrowing_point ");
+  EXPECT_EQ(fields_with(card, measured), "one byte_shift ");
+  EXPECT_EQ(fields_with(card, assumed),
+            "multisampling spare0_alpha_without_texture0 coverage_narrowing stage_byte negative_stage_number cull_zero "
+            "dot_divisors dependent_divisor ahead_mapping replaced_depth_narrowing ");
+  EXPECT_EQ(fields_with(card, specified),
+            "arithmetic lowest_output general_combiners texture_units per_stage_constants blue_to_alpha "
+            "mux_by_lowest_bit color_sum_inverts texture_shaders point_sprites fog_alpha_without_fog ");
+  const HardwareProfile& xbox = profiles::nv2a;
+  EXPECT_EQ(fields_with(xbox, seed), "");
+  EXPECT_EQ(fields_with(xbox, assumed),
+            "spare0_alpha_without_texture0 coverage_narrowing negative_stage_number cull_zero dot_divisors "
+            "dependent_divisor ahead_mapping ");
+  EXPECT_EQ(fields_with(xbox, inferred), "expand_offset general_narrowing narrowing_point polygon_offset_slope ");
+  EXPECT_EQ(fields_with(xbox, specified),
+            "arithmetic lowest lowest_output general_combiners texture_units per_stage_constants texture_shaders "
+            "secondary_alpha fog_alpha_without_fog ");
+}
+
 TEST(Profiles, EveryFieldReadsAndWritesItsMember) {
   for (const ProfileField& field : profile_fields()) {
     EXPECT_EQ(find_profile_field(field.name), &field);

@@ -48,6 +48,7 @@ std::span<const Technique> techniques() {
 }
 
 const ProbedPass* deciding_pass(const Rendering& rendering, std::size_t number) {
+  if (number >= rendering.probed.size()) return nullptr;
   const std::vector<ProbedPass>& passes = rendering.probed[number];
   const ProbedPass *changed = nullptr, *judged = nullptr, *written = nullptr;
   for (std::size_t i = 0; i < passes.size(); ++i) {

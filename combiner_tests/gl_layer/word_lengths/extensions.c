@@ -1,35 +1,14 @@
 /* Draws with a vertex program and with a texture of indices: extensions. Prints the pixels and the errors, which do not
  * depend on the word length. */
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GL/gl.h>
-#include <GL/glext.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { SIDE = 4 };
-#define LOOK_UP(type, name) const type name = (type)eglGetProcAddress("gl" #name)
+#include "egl_context.h"
 
 static void print_pixel(const char* what) {
   GLubyte p[4];
   glReadPixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, p);
   printf("%s: %d %d %d %d, error 0x%04x\n", what, p[0], p[1], p[2], p[3], glGetError());
-}
-
-static int make_context(void) {
-  const EGLint wanted[] = {
-      EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8, EGL_ALPHA_SIZE, 8,
-      EGL_NONE};
-  const EGLint size[] = {EGL_WIDTH, SIDE, EGL_HEIGHT, SIDE, EGL_NONE};
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  EGLConfig config;
-  EGLint found = 0;
-  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API) ||
-      !eglChooseConfig(display, wanted, &config, 1, &found) || !found) {
-    return 0;
-  }
-  const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-  return eglMakeCurrent(display, surface, surface, eglCreateContext(display, config, EGL_NO_CONTEXT, NULL));
 }
 
 static void draw_with_programs(void) {
@@ -86,7 +65,7 @@ static void draw_with_indices(void) {
 }
 
 int main(void) {
-  if (!make_context()) return 77;
+  if (!make_context(4)) return 77;
   draw_with_programs();
   draw_with_indices();
   return 0;

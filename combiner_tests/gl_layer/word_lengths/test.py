@@ -1,7 +1,7 @@
 """Programs of 32 bits beside those of 64: the dynamic linker takes the layer of the program's own word length.
 
-Where there is a 32-bit OpenGL, old_ways draws with it, and a program with further extensions: in NINEBIT_GL32_LIBRARIES, or
-where Debian has it.
+Where there is a 32-bit OpenGL, old_ways draws with it, a program with further extensions, and random programs, NINEBIT_GL_PROGRAMS
+of them or 60, whose pictures must be those of 64 bits: in NINEBIT_GL32_LIBRARIES, or where Debian has it. In CI, `fetch` gets it.
 """
 import os
 import pathlib
@@ -56,15 +56,44 @@ def check_extensions(kit, folder, bits, options, environment):
     kit.check(done.returncode == 0 and done.stdout == DRAWN, f"further extensions, {bits} bits: {'; '.join(done.stdout.splitlines())}")
 
 
-def check_drawing(kit, folder):
+def check_random_programs(kit, folder, of_each):
+    """of_each: for each word length the compiler's options and the environment."""
+    count = int(os.environ.get("NINEBIT_GL_PROGRAMS", 60))
+    printed = {}
+    for bits, (options, environment) in of_each.items():
+        program = folder / f"random_programs{bits}"
+        build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "word_lengths/random_programs.c", "-o", program,
+               *options])
+        printed[bits] = kit.run([program, count], {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **environment}, layer=True,
+                                timeout=60 + count).stdout.splitlines()
+        good = [line for line in printed[bits] if line.endswith("error 0x0000")]
+        pictures = {line.split()[1] for line in good}
+        kit.check(len(good) == len(printed[bits]) == count and 2 * len(pictures) > count,
+                  f"random programs, {bits} bits: {len(good)} of {count} drawn, {len(pictures)} different pictures")
+    differ = sum(map(str.__ne__, printed[64], printed[32]))
+    kit.check(differ == 0, f"random programs: {differ} of {count} pictures of 256 fragments differ between 32 and 64 bits")
+
+
+def libraries_of_32_bits(folder):
+    """The folder of a 32-bit OpenGL, or None."""
     libraries = pathlib.Path(os.environ.get("NINEBIT_GL32_LIBRARIES", "/usr/lib/i386-linux-gnu"))
+    if (libraries / "libGL.so.1").exists() or not os.environ.get("CI"):
+        return libraries
+    fetched = subprocess.run([HERE / "word_lengths/fetch", folder / "fetched"], capture_output=True, text=True)
+    print(fetched.stderr, end="")
+    return pathlib.Path(fetched.stdout.strip()) if fetched.returncode == 0 else libraries
+
+
+def check_drawing(kit, folder):
+    libraries = libraries_of_32_bits(folder)
     linked = [libraries / name for name in ("libglut.so.3.12", "libGLU.so.1", "libGL.so.1", "libEGL.so.1")]
     if not all(map(pathlib.Path.exists, linked)) or not shutil.which("Xvfb"):
         print(f"      skipped: drawing with 32 bits needs {OPENGL}, and xvfb")
         return
     of_32_bits = {"LD_LIBRARY_PATH": str(libraries), "LIBGL_DRIVERS_PATH": str(libraries / "dri")}
-    check_extensions(kit, folder, 32, ["-m32", "-mpreferred-stack-boundary=2", *linked[2:], "-Wl,--allow-shlib-undefined"],
-                     of_32_bits)
+    options = ["-m32", "-mpreferred-stack-boundary=2", *linked[2:], "-Wl,--allow-shlib-undefined"]
+    check_extensions(kit, folder, 32, options, of_32_bits)
+    check_random_programs(kit, folder, {64: (["-lEGL", "-lGL"], {}), 32: (options, of_32_bits)})
     for name, stack in (("32 bits", []), ("32 bits, a stack at multiples of 4", ["-mpreferred-stack-boundary=2"])):
         program = folder / "old_ways32"
         compile_old_ways(program, "-m32", *stack, libraries=[*linked[:3], "-Wl,--allow-shlib-undefined", "-lm"])

@@ -25,8 +25,8 @@ struct Technique {
 };
 
 // The pass of `probed` that decided whether a pixel, settings.pixels[number], is in shadow, or nullptr where nothing is
-// drawn: the last of the passes that mark shadows which changed the pixel's stencil value. If none of them changed it,
-// the last of them with a deciding fragment; if none has one either, the last pass that wrote the pixel.
+// drawn or probed: the last of the passes that mark shadows which changed the pixel's stencil value. If none of them
+// changed it, the last of them with a deciding fragment; if none has one either, the last pass that wrote the pixel.
 [[nodiscard]] const ProbedPass* deciding_pass(const Rendering& rendering, std::size_t number = 0);
 
 // All techniques, the default first.
