@@ -151,7 +151,7 @@ TEST(VectorPlan, SingleFaultsAreNamed) {
   if (test::kSanitized) GTEST_SKIP() << "too slow; the build without sanitizers runs this";
   std::size_t exact = 0, seen = 0;
   std::string others;
-  for (std::size_t i = 0; i < std::size(kFaults); i += judges_all() ? 1 : 3) {
+  for (std::size_t i = 0; i < std::size(kFaults); i += judges_all() ? 1U : 3U) {
     const NamedFault& one = kFaults[i];
     SCOPED_TRACE(one.mistake);
     const VectorVerdict verdict = judged({one.fault});
