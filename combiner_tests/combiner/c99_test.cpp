@@ -39,6 +39,7 @@ constexpr FieldInC field_in_c(const char* name) {
 #define NINEBIT_FIELD(member) field_in_c<&nbc_profile::member>(#member),
 constexpr std::array kFieldsInC{NBC_ARITHMETIC(NINEBIT_FIELD) NBC_CHIP(NINEBIT_FIELD)};
 #undef NINEBIT_FIELD
+static_assert(kFieldsInC.size() == 15);
 
 nbc_profile profile_in_c(const HardwareProfile& profile) {
   nbc_profile c{};

@@ -11,6 +11,8 @@
 #include "combiner_tests/raster/support.h"
 #include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/prepared_draw.h"
+#include "src/raster/lanes/tile_planes.h"
+#include "src/raster/surface/sample_planes.h"
 
 namespace ninebit::test {
 namespace {
@@ -131,6 +133,19 @@ TEST(Samples, OfWideRowsAreDrawnAsSingleOnesOnEveryTarget) {
   }
   EXPECT_GT(changed, kSlowBuild ? 2U : 20U);
   EXPECT_GT(runs, 0U);
+  for (const SampleMode mode : {SampleMode::center_corner_2, SampleMode::square_offset_4}) {
+    Surface surface = Surface::make(64, 64, {.samples = mode}).value();
+    const RenderTarget planes = planes_of_sample(surface.target(), sample_places(mode)[0]);
+    TileContents all{.depth = true,
+                     .stencil = true,
+                     .writes_depth = true,
+                     .writes_stencil = true,
+                     .color = {true, true, true, true},
+                     .is_sample = true};
+    EXPECT_EQ(TilePlanes(planes, all).form, RowForm::every_second);
+    all.is_sample = false;  // then what lies between may be another thread's
+    EXPECT_EQ(TilePlanes(planes, all).form, RowForm::scattered);
+  }
 }
 
 TEST(Samples, AreClearedWithinTheScissorAndOfOtherPlanesToo) {

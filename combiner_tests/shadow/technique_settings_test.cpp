@@ -111,8 +111,34 @@ TEST(TechniqueSettings, ANewTechniqueReadsWhatAllRead) {
   EXPECT_TRUE(is_read(*common, "table", {}));
 }
 
-// The title of a group names the techniques that read it.
 TEST(TechniqueSettings, EachTechniqueReadsItsOwn) {
+  const auto read = [](std::string_view technique, const RenderSettings& settings = {}) {
+    std::string names;
+    for (const TechniqueSetting& s : technique_settings()) {
+      if (s.group->readers != kAllTechniques && is_read(s, technique, settings)) names += std::string(s.name) + ' ';
+    }
+    return names;
+  };
+  const std::string indices =
+      "map-size index-format index-scope index-step section-size index-order patch-angle index-scales ";
+  const std::string map = "depth-encoding polygon-offset depth-storage ";
+  EXPECT_EQ(read("index-cube"), indices);
+  EXPECT_EQ(read("depth-cube"), "map-size depth-bits bias ");
+  EXPECT_EQ(read("shadow-map"), "map-size " + map);
+  EXPECT_EQ(read("shadow-volume"), "volume-method stencil-sides ");
+  EXPECT_EQ(read("reflective"), "map-size " + map + "samples kernel pattern gather-scale ");
+  EXPECT_EQ(read("light-cookie"), indices + "cookie light-rotate cookie-shadows ");
+  RenderSettings lit;
+  lit.light_cookie.shadows = false;
+  EXPECT_EQ(read("light-cookie", lit), "cookie light-rotate cookie-shadows ");
+  EXPECT_EQ(read("none"), "");
+  for (const Technique& technique : techniques()) {
+    EXPECT_NE(read(technique.name), "") << technique.name << " has no row in the readers of technique_settings.cpp";
+  }
+}
+
+// The title of a group names the techniques that read it.
+TEST(TechniqueSettings, TitlesOfGroupsNameTheirReaders) {
   const auto names = [](const TechniqueSetting& s, std::string_view technique) {
     const std::string_view title = s.group->title;
     const std::size_t at = title.find(technique, title.find('('));

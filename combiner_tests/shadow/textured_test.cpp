@@ -330,6 +330,7 @@ TEST(ProbedPasses, TogetherAreThoseOfEachAlone) {
     settings.pixels.push_back(settings.pixels[7]);
     const Rendering together = render_by(way.technique, scene, settings);
     ASSERT_EQ(together.probed.size(), settings.pixels.size());
+    EXPECT_EQ(deciding_pass(together, settings.pixels.size()), nullptr);
     std::set<std::string> texts;
     for (std::size_t i = 0; i < settings.pixels.size(); ++i) {
       RenderSettings one = way.settings;

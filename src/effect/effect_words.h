@@ -11,7 +11,7 @@
 
 namespace ninebit::effect_detail {
 
-// A text in quotes for a message: at most 80 bytes, with escapes for control characters.
+// A text in quotes for a message, as quoted_briefly() writes it: of at most 80 of its bytes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 // A table of words and their values.

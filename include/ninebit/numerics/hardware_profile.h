@@ -1,7 +1,8 @@
 // Every hardware behaviour is a field of a named profile, tagged with its evidence.
 //
 // In this order: the words of the fields, the profile, the parts of it that programs keep, the shipped profiles. A new
-// behaviour is a field here, a row of profile_fields.cpp, and a rule that reads it; everything else walks that table.
+// behaviour is a field here with its value in each profile (and in Datapath or StageChoices, if a program keeps it), a
+// row of profile_fields.cpp, a rule that reads it, and its row in docs/numerics.md; everything else walks the table.
 //
 // A profile is a value: to try a "what if", copy one and change a field. The rules that read these fields are in
 // combiner/arithmetic.inl; docs/numerics.md gives each rule's evidence in full.

@@ -31,7 +31,8 @@ using ShadowGrid = std::vector<ShadowAxis>;
 // Polygon offsets for a search: factors from 0 to 4 with units from 0 to 65536. The first is no offset.
 [[nodiscard]] std::span<const OffsetArguments> offsets_to_search();
 
-// What `ninebit trace --ground-truth` prints of each of settings.pixels, of the picture with these settings.
+// What `ninebit trace --ground-truth` prints of each of settings.pixels, of the picture with these settings: one text
+// for each, in their order.
 using TraceTexts =
     std::function<Result<std::vector<std::string>>(const RenderSettings& settings, const Progress& progress)>;
 

@@ -51,7 +51,10 @@ def functions_of(path, names):
 
 def datapath_fields():
     body = re.search(r'\nstruct Datapath \{\n(.*?)\n\};', read(PROFILE), re.S).group(1)
-    return [field for field in re.findall(r'^  \w+ (\w+) = ', body, re.M) if field != 'arithmetic']
+    fields = re.findall(r'^  \w+ (\w+) = ', body, re.M)
+    if len(fields) + body.count('friend') != len(re.findall(r';', re.sub(r'//.*', '', body))):
+        fail('cannot read the fields of Datapath in ' + PROFILE)
+    return [field for field in fields if field != 'arithmetic']
 
 
 def fields_macro(name, fields):

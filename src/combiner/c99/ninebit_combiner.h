@@ -143,7 +143,8 @@ typedef struct nbc_profile {
   bool mux_by_lowest_bit; /* the mux may test the lowest bit of spare0's alpha */
   bool color_sum_inverts; /* spare0 and the secondary colour may go into the colour sum as 1 - x */
 } nbc_profile;
-/* X(member) for each member of nbc_profile that the arithmetic reads, and for the others without the name. */
+/* NBC_ARITHMETIC(X) is X(member) for each member of nbc_profile that the arithmetic reads, NBC_CHIP(X) the same for the
+   others but the name. */
 #define NBC_ARITHMETIC(X) \
   X(one) X(lowest) X(lowest_output) X(half) X(expand_offset) X(general_narrowing) X(narrowing_point) \
   X(final_narrowing)

@@ -133,13 +133,6 @@ std::string final_text(const Program& program) {
   return text + "out.a = " + final_operand(f.g, ComponentUsage::alpha) + ";\n";
 }
 
-bool reads_finally(const FinalCombiner& f, Register reg) {
-  for (const CombinerInput FinalCombiner::*const in : gl::detail::kFinalInputs) {
-    if ((f.*in).reg == reg) return true;
-  }
-  return false;
-}
-
 // The features of a valid program that the language cannot express; empty: none.
 std::string inexpressible(const Program& program) {
   const std::string_view no_words = "!!RC1.0 cannot express this: ";
@@ -178,8 +171,8 @@ class Printer {
 
   // Then one of the final combiner does that it does not read. Empty: it reads both.
   [[nodiscard]] std::string marker() const {
-    if (!reads_finally(program_.final_combiner, Register::constant0)) return constant("const0", {});
-    return reads_finally(program_.final_combiner, Register::constant1) ? "" : constant("const1", {});
+    if (!detail::final_reads(program_.final_combiner, Register::constant0)) return constant("const0", {});
+    return detail::final_reads(program_.final_combiner, Register::constant1) ? "" : constant("const1", {});
   }
 
  private:
@@ -214,7 +207,7 @@ class Printer {
   }
 
   [[nodiscard]] bool reads_globally(Register reg) const {
-    bool reads = reads_finally(program_.final_combiner, reg);
+    bool reads = detail::final_reads(program_.final_combiner, reg);
     for (std::size_t i = 0; i < stages() && !state_.per_stage_constants; ++i) {
       reads = reads || detail::stage_reads(program_.general[i], reg);
     }

@@ -159,6 +159,10 @@ class ShadowSweep final : public Study {
       for (const PictureTrace& one : traces) settings.pixels.emplace_back(one.x, settings.height - 1 - one.y);
       auto texts = traces_(settings, step);
       if (!texts) return texts.error();
+      if (texts->size() != traces.size()) {
+        return Diagnostic{.message = "there are " + std::to_string(texts->size()) + " texts of " +
+                                     std::to_string(traces.size()) + " traced pixels"};
+      }
       for (std::size_t t = 0; t < traces.size(); ++t) traces[t].text = std::move((*texts)[t]);
     }
     return {};

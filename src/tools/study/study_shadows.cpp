@@ -159,7 +159,7 @@ TraceTexts trace_texts_of(const ShadowsFlags& flags) {
         say_warning(fmt::format("the report has no traces, and their commands fail, too: {}", drawn.error().text()));
       return std::vector<std::string>(settings.pixels.size());
     }
-    if (is_first) {
+    if (!traced->rays) {
       auto rays = GroundTruthScene::make(drawn->scene);
       if (!rays) return rays.error();
       traced->rays.emplace(std::move(*rays));

@@ -91,20 +91,21 @@ std::string facts_text(const TraceFacts& facts, const Program* program, const Tr
 Result<std::vector<std::string>> judged_pixel_texts(const SceneFlags& flags, const CommonFlags& common,
                                                     const Scene& scene, const RenderSettings& settings,
                                                     const GroundTruthScene& rays, const Progress& progress) {
-  const auto rendered = render_pixels(flags, scene, settings, &rays, false, progress);
-  if (!rendered) return rendered.error();
   std::vector<std::string> texts;
-  for (const RenderedPixel& one : *rendered) {
+  const auto add_text = [&](const RenderedPixel& one) {
     const TracedPixel& pixel = one.traced;
     const TraceFacts facts{
         .profile = common.profile, .pixel = &pixel, .truth = &*one.truth, .hardware = &settings.profile};
     if (!pixel.fragment) {
       texts.push_back(facts_text(facts, nullptr, nullptr, {}));
-      continue;
+      return;
     }
     const ProbedPass& pass = pixel.passes[*pixel.pass];
     const Trace traced = trace(*pass.program, settings.profile, pass.fragments[*pixel.fragment].registers);
     texts.push_back(facts_text(facts, &*pass.program, &traced, {}));
+  };
+  if (Status rendered = render_pixels(flags, scene, settings, &rays, false, progress, add_text); !rendered) {
+    return rendered.error();
   }
   return texts;
 }

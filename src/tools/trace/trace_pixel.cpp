@@ -47,16 +47,14 @@ Status choose_pass_named(const std::string& name, bool other_program, TracedPixe
                                            names.empty() ? "none, as nothing was drawn at the pixel" : names)};
 }
 
-Result<std::vector<RenderedPixel>> render_pixels(const SceneFlags& flags, const Scene& scene, RenderSettings settings,
-                                                 const GroundTruthScene* rays, bool other_program,
-                                                 const Progress& progress) {
+Status render_pixels(const SceneFlags& flags, const Scene& scene, RenderSettings settings, const GroundTruthScene* rays,
+                     bool other_program, const Progress& progress, const std::function<void(RenderedPixel)>& take) {
   settings.evidence = rays != nullptr;
   auto rendering = render_scene(flags, scene, settings, progress);
   if (!rendering) return rendering.error();
-  std::vector<RenderedPixel> all;
   for (std::size_t i = 0; i < settings.pixels.size(); ++i) {
     const glm::ivec2& at = settings.pixels[i];
-    RenderedPixel& out = all.emplace_back();
+    RenderedPixel out;
     TracedPixel& pixel = out.traced;
     pixel.x = at.x;
     pixel.y = settings.height - 1 - at.y;
@@ -71,12 +69,14 @@ Result<std::vector<RenderedPixel>> render_pixels(const SceneFlags& flags, const 
     if (const ProbedPass* const decided = deciding_pass(*rendering, i)) {
       choose(static_cast<std::size_t>(decided - rendering->probed[i].data()), other_program, pixel);
     }
-    if (rays == nullptr) continue;
-    const auto judged = judge_pixel(*rays, settings, *rendering, at.x, at.y);
-    if (!judged) return judged.error();
-    out.truth = *judged;
+    if (rays != nullptr) {
+      const auto judged = judge_pixel(*rays, settings, *rendering, at.x, at.y);
+      if (!judged) return judged.error();
+      out.truth = *judged;
+    }
+    take(std::move(out));
   }
-  return all;
+  return {};
 }
 
 Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& common, bool ground_truth,
@@ -96,9 +96,11 @@ Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& com
     rays.emplace(std::move(*made));
   }
   const auto step = [&](std::string_view pass, double done) { return line.step(pass, 0.1 + 0.9 * done); };
-  auto rendered = render_pixels(flags, loaded->scene, settings, rays ? &*rays : nullptr, other_program, step);
+  RenderedPixel found;
+  const Status rendered = render_pixels(flags, loaded->scene, settings, rays ? &*rays : nullptr, other_program, step,
+                                        [&](RenderedPixel one) { found = std::move(one); });
   if (!rendered) return rendered.error();
-  return std::move(rendered->front());
+  return found;
 }
 
 namespace {

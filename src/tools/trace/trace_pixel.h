@@ -1,6 +1,7 @@
 // The fragment of a rendering to trace, and a report on its pixel.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,12 +22,12 @@ struct RenderedPixel {
   std::optional<JudgedPixel> truth{};  // of --ground-truth
 };
 
-// Renders the scene once and returns what it is at each of settings.pixels. The traced fragment is the one that decided
-// the result of deciding_pass(); where that has no program, it is traced only if `other_program`, which replaces the
-// programs of passes. `rays`, of the scene, judge the pixels; nullptr: they are not judged.
-[[nodiscard]] Result<std::vector<RenderedPixel>> render_pixels(const SceneFlags& flags, const Scene& scene,
-                                                               RenderSettings settings, const GroundTruthScene* rays,
-                                                               bool other_program, const Progress& progress);
+// Renders the scene once and passes on what it is at each of settings.pixels, in their order. The traced fragment is
+// the one that decided the result of deciding_pass(); where that has no program, it is traced only if `other_program`,
+// which replaces the programs of passes. `rays`, of the scene, judge the pixels; nullptr: they are not judged.
+[[nodiscard]] Status render_pixels(const SceneFlags& flags, const Scene& scene, RenderSettings settings,
+                                   const GroundTruthScene* rays, bool other_program, const Progress& progress,
+                                   const std::function<void(RenderedPixel)>& take);
 // The same for the scene of the flags and one pixel, y up, with its progress line and warnings.
 [[nodiscard]] Result<RenderedPixel> load_pixel(const SceneFlags& flags, const CommonFlags& common, bool ground_truth,
                                                const glm::ivec2& pixel, bool other_program);
