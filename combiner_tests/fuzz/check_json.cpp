@@ -1,8 +1,9 @@
 // The JSON forms, and whatever form a text has.
-#include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/fuzz/checks.h"
 #include "combiner_tests/fuzz/common.h"
+#include "combiner_tests/support/random.h"
 #include "ninebit/combiner/evaluate.h"
+#include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
@@ -45,8 +46,16 @@ std::string wrong_with_words(std::string_view text, ChipClass chip, const Hardwa
 bool same_colors(const CombinerState& one, const CombinerState& other, const HardwareProfile& profile) {
   const Program first = normalize(one, profile), second = normalize(other, profile);
   test::Random random(1);
+  const auto fill = [&](auto& bytes) {
+    for (std::uint8_t& byte : bytes) byte = random.byte();
+  };
   for (int i = 0; i < 16; ++i) {
-    const RegisterFile registers = test::random_registers(random, profile);
+    FragmentInputs inputs{.fog_factor = random.byte()};
+    fill(inputs.primary);
+    fill(inputs.secondary);
+    fill(inputs.fog_color);
+    for (auto& texture : inputs.texture) fill(texture.emplace().value);
+    const RegisterFile registers = initial_registers(profile, inputs);
     if (evaluate(first, registers) != evaluate(second, registers)) return false;
   }
   return true;
