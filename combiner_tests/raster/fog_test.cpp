@@ -75,7 +75,7 @@ TEST(FogFunctions, VectorsTakeCoordinatesThatAreNotFiniteAsSingleFragmentsDo) {
                    .color = {},
                    .function = static_cast<FogFunction>(function),
                    .bias = random.real_f(0.5, 2.5),
-                   .slope = random.pick({0.0F, 1.0F, random.real_f(-1, 1)})};
+                   .slope = index == 0 ? 1.0F : random.pick({0.0F, 1.0F, random.real_f(-1, 1)})};
       state.program = pass_through(Register::fog, Register::fog, state.profile);
       std::vector<glm::vec4> positions;
       std::vector<float> coordinates, finite;
@@ -101,7 +101,7 @@ TEST(FogFunctions, VectorsTakeCoordinatesThatAreNotFiniteAsSingleFragmentsDo) {
         runs += only.ran() ? 1 : 0;
       }
     }
-    EXPECT_GT(changed, 1000) << function;
+    EXPECT_GT(changed, kSlowBuild ? 100 : 1000) << function;
     EXPECT_GT(runs, 0) << function;
   }
 }
