@@ -1,5 +1,5 @@
-# The tests of a room, as CTest reads it: `room`, its `program` (after an emulator, if it needs one) and `sources`, the
-# `folder` and the `environment` that it runs in. A file is one test, as starting a process takes longer than most cases. Its
+# The tests of a room, as CTest reads it: `room`, its `part`, its `program` (after an emulator, if it needs one) and
+# `sources`, the `folder` and the `environment` that it runs in. A file is one test, as starting a process takes longer than most cases. Its
 # cases are those that its lines have.
 cmake_policy(VERSION 3.22)
 set(known)
@@ -26,5 +26,5 @@ list(REMOVE_ITEM tests ${room}.others)
 if(tests)
   set_tests_properties(${tests} PROPERTIES FAIL_REGULAR_EXPRESSION "Running 0 tests from 0 test suites")
 endif()
-set_tests_properties(${tests} ${room}.others PROPERTIES LABELS ${room} TIMEOUT 1800 WORKING_DIRECTORY ${folder}
+set_tests_properties(${tests} ${room}.others PROPERTIES LABELS "${room};part_${part}" TIMEOUT 1800 WORKING_DIRECTORY ${folder}
                      ENVIRONMENT "${environment}")

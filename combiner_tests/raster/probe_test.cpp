@@ -201,6 +201,7 @@ TEST(Probe, AnyNumberOfThreadsTellsTheSame) {
       {.x = 150, .y = 100}, {.x = 0, .y = 0}, {.x = 64, .y = 63}, {.x = 66, .y = 63}, {.x = 0, .y = 0}};
   const std::vector<FragmentProbe> together = probed_by(7, watched);
   EXPECT_EQ(together[1].fragments, together[4].fragments);
+  if (kThreadSanitizer) return;  // which has seen the threads
   for (std::size_t i = 0; i < 3; ++i) {
     const std::vector<ProbedFragment> one = probed_by(1, {watched[i]})[0].fragments;
     EXPECT_TRUE(together[i].fragments == one);
@@ -210,7 +211,6 @@ TEST(Probe, AnyNumberOfThreadsTellsTheSame) {
     }));
     EXPECT_GT(one.back().primitive, 140000U);
     EXPECT_TRUE(probed_by(7, {watched[i]})[0].fragments == one);
-    if (kSlowBuild) break;
     EXPECT_TRUE(probed_by(2, {watched[i]})[0].fragments == one);
   }
 }
