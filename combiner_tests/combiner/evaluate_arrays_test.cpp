@@ -238,10 +238,12 @@ TEST(EvaluateArrays, AConstantThatVariesIsReadFromTheSamples) {
 TEST(EvaluateArrays, ACodeThatNoRegisterHoldsIsFoundWhereverItStands) {
   const Program program = normalize(CombinerState{}, profiles::geforce2);
   for (const int wrong : {256, -256, 32767, -32768}) {
-    for (const std::size_t where : {0U, 31U, 255U, 256U, 700U}) {
-      std::vector<s9> codes(701, s9{-255});
+    // The last one of vectors of each length and of what is left of them, too.
+    for (const std::size_t where : {0U, 1U, 7U, 8U, 15U, 16U, 30U, 31U, 39U, 42U, 255U, 256U, 700U}) {
+      const std::size_t count = where < 255 ? where + 1 : 701;
+      std::vector<s9> codes(count, s9{-255});
       codes[where] = static_cast<s9>(wrong);
-      FragmentArrays samples{.count = 701};
+      FragmentArrays samples{.count = count};
       samples.input[static_cast<std::size_t>(Register::texture3)][kBlue] = {codes.data(), sizeof(s9)};
       const auto found = find_code_out_of_range(program, samples);
       ASSERT_TRUE(found) << wrong << ' ' << where;

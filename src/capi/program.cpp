@@ -41,10 +41,10 @@ void write_registers(const RegisterFile& from, ninebit_registers& to) {
 FragmentArrays arrays_of(const ninebit_planes& planes) {
   FragmentArrays samples{.count = planes.count};
   constexpr std::ptrdiff_t kStride = sizeof(int16_t);
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (std::size_t r = NINEBIT_FOG; r < kRegisterCount; ++r) samples.input[r][c] = {planes.input[r][c], kStride};
-    samples.color[c] = {planes.color[c], kStride};
+  for (std::size_t r = NINEBIT_FOG; r < kRegisterCount; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) samples.input[r][c] = {planes.input[r][c], kStride};
   }
+  for (std::size_t c = 0; c < 4; ++c) samples.color[c] = {planes.color[c], kStride};
   return samples;
 }
 

@@ -123,21 +123,23 @@ void rgba16_out(const std::array<const s9*, 4>& from, std::size_t count, s9* to)
       });
 }
 
-bool within(const s9* from, std::size_t count, s9 lowest, s9 highest) {
-  const V16 low = set(lowest), high = set(highest);
-  V16 outside = hn::Zero(kD16);  // a sign for each that is
-  const auto judge = [&](V16 v) HWY_ATTR {
+// Whether those of `count` codes are within that fill whole vectors; takes these off.
+template <class D>
+bool all_within_vectors(D d, const s9*& from, std::size_t& count, s9 lowest, s9 highest) {
+  const auto low = hn::Set(d, lowest), high = hn::Set(d, highest);
+  auto outside = hn::Zero(d);  // a sign for each that is
+  for (; count >= hn::Lanes(d); count -= hn::Lanes(d), from += hn::Lanes(d)) {
+    const auto v = hn::LoadU(d, from);
     outside = hn::Or(outside, hn::Or(hn::SaturatedSub(v, low), hn::SaturatedSub(high, v)));
-  };
-  const std::size_t lanes = hn::Lanes(kD16);
-  for (; count >= lanes; count -= lanes, from += lanes) judge(hn::LoadU(kD16, from));
-  if (count > 0) {
-    alignas(64) std::array<s9, hn::MaxLanes(kD16)> rest;
-    rest.fill(lowest);
-    std::copy_n(from, count, rest.data());
-    judge(hn::Load(kD16, rest.data()));
   }
-  return hn::AllFalse(kD16, hn::Lt(outside, hn::Zero(kD16)));
+  return hn::AllFalse(d, hn::Lt(outside, hn::Zero(d)));
+}
+
+bool within(const s9* from, std::size_t count, s9 lowest, s9 highest) {
+  // A few fragments are not copied to a long vector, which would wait for the copy.
+  if (!all_within_vectors(kD16, from, count, lowest, highest)) return false;
+  if (!all_within_vectors(hn::CappedTag<s9, 8>(), from, count, lowest, highest)) return false;
+  return std::all_of(from, from + count, [&](s9 code) { return lowest <= code && code <= highest; });
 }
 
 }  // namespace ninebit::detail::HWY_NAMESPACE

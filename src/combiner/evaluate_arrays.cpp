@@ -135,7 +135,7 @@ class Batches {
       for (std::size_t c = 0; c < 4; ++c) {
         // A register that the program never touches is still the caller's, where it is wanted.
         const bool needed = program.reads().contains(static_cast<Register>(r), static_cast<int>(c)) ||
-                            samples.after[r][c].first != nullptr;
+                            (!program.keeps_registers() && samples.after[r][c].first != nullptr);
         if (!needed) continue;
         const InputArray& from = samples.input[r][c];
         s9* const plane = registers.plane[r][c].data();
@@ -163,7 +163,7 @@ class Batches {
     s9 code;
   };
   std::array<Same, 4 * kRegisterCount> same_;
-  std::array<std::optional<RegisterInput>, kRegisterCount> inputs_{};
+  std::array<std::optional<RegisterInput>, kRegisterCount> inputs_;
   std::size_t sames_ = 0, varyings_ = 0;
 };
 
