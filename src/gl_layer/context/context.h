@@ -124,6 +124,7 @@ class Context {
   bool in_begin = false;             // between glBegin and glEnd
   unsigned app_program = 0;          // glUseProgram's argument
   CachedProgram* program = nullptr;  // of the last draw; nullptr: drawn without combiners
+  std::array<CachedProgram*, 4> of_fog{};  // by FogFactor: those of the last draw's state apart from fog, if known
   bool bound = false;                // whether the driver's current program is this one
   ShaderInputs inputs{};             // as of the last draw with combiners
   bool own_fragments = false;        // whether something took precedence over combiners then
@@ -143,6 +144,7 @@ class Context {
   // Changes since the last draw.
   bool inputs_changed = true;   // the inputs differ from those of the last draw
   bool inputs_stale = true;     // enabled textures, fog, lighting, the program's own shaders
+  bool fog_stale = true;        // fog alone, which programs switch on and off often
   bool program_stale = true;    // the combiners' state, apart from constants
   bool constants_stale = true;  // and the numbers of texture-shader stages
 
