@@ -105,7 +105,8 @@ Status check_values(const Scene& scene) {
     }
   }
   for (std::size_t i = 0; i < scene.fog_factors.size(); ++i) {
-    if (!std::isfinite(scene.fog_factors[i])) return invalid(fmt::format("the fog factor of vertex {} is not finite", i));
+    if (!std::isfinite(scene.fog_factors[i]))
+      return invalid(fmt::format("the fog factor of vertex {} is not finite", i));
   }
   for (const Material& material : scene.materials) {
     if (!is_finite(material.base_color)) {

@@ -1,8 +1,8 @@
 /* The calls of Direct3D 7 for texture_stages.c. */
 #define DIRECTDRAW_VERSION 0x0700
 #define DIRECT3D_VERSION 0x0700
-#include <ddraw.h>
 #include <d3d.h>
+#include <ddraw.h>
 #include <string.h>
 
 static IDirectDraw7* direct_draw;
@@ -40,7 +40,9 @@ static int make_device(HWND window) {
   return SUCCEEDED(IDirect3DDevice7_SetViewport(device, &whole));
 }
 
-static DWORD pixel_shaders(void) { return 0; }
+static DWORD pixel_shaders(void) {
+  return 0;
+}
 
 static void set_stage(DWORD stage, D3DTEXTURESTAGESTATETYPE type, DWORD value) {
   IDirect3DDevice7_SetTextureStageState(device, stage, type, value);
@@ -54,7 +56,8 @@ static void copy_rows(IDirectDrawSurface7* surface, DWORD* pixels, int side, int
   IDirectDrawSurface7_Lock(surface, NULL, &rows, DDLOCK_WAIT, NULL);
   for (y = 0; y < side; ++y) {
     char* row = (char*)rows.lpSurface + y * rows.lPitch;
-    memcpy(write ? row : (char*)(pixels + y * side), write ? (char*)(pixels + y * side) : row, (size_t)side * sizeof *pixels);
+    memcpy(write ? row : (char*)(pixels + y * side), write ? (char*)(pixels + y * side) : row,
+           (size_t)side * sizeof *pixels);
   }
   IDirectDrawSurface7_Unlock(surface, NULL);
 }
@@ -77,10 +80,14 @@ static void begin_picture(void) {
 }
 
 static void draw_triangles(Corner* vertices, DWORD count) {
-  IDirect3DDevice7_DrawPrimitive(device, D3DPT_TRIANGLELIST, D3DFVF_XYZ | D3DFVF_DIFFUSE | D3DFVF_TEX1, vertices, 3 * count,
-                                 0);
+  IDirect3DDevice7_DrawPrimitive(device, D3DPT_TRIANGLELIST, D3DFVF_XYZ | D3DFVF_DIFFUSE | D3DFVF_TEX1, vertices,
+                                 3 * count, 0);
 }
 
-static void end_picture(void) { IDirect3DDevice7_EndScene(device); }
+static void end_picture(void) {
+  IDirect3DDevice7_EndScene(device);
+}
 
-static void read_picture(DWORD* pixels) { copy_rows(target, pixels, PIXELS, 0); }
+static void read_picture(DWORD* pixels) {
+  copy_rows(target, pixels, PIXELS, 0);
+}

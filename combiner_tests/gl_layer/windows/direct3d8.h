@@ -56,7 +56,9 @@ static void draw_triangles(const Corner* vertices, DWORD count) {
   IDirect3DDevice8_DrawPrimitiveUP(device, D3DPT_TRIANGLELIST, count, vertices, sizeof *vertices);
 }
 
-static void end_picture(void) { IDirect3DDevice8_EndScene(device); }
+static void end_picture(void) {
+  IDirect3DDevice8_EndScene(device);
+}
 
 static void read_picture(DWORD* pixels) {
   IDirect3DSurface8 *target, *copy;

@@ -54,7 +54,9 @@ static void draw_triangles(const Corner* vertices, DWORD count) {
   IDirect3DDevice9_DrawPrimitiveUP(device, D3DPT_TRIANGLELIST, count, vertices, sizeof *vertices);
 }
 
-static void end_picture(void) { IDirect3DDevice9_EndScene(device); }
+static void end_picture(void) {
+  IDirect3DDevice9_EndScene(device);
+}
 
 static void read_picture(DWORD* pixels) {
   IDirect3DSurface9 *target, *copy;

@@ -80,8 +80,8 @@ struct Bounds {
 enum class UpAxis : std::uint8_t { y, z };
 
 // Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions, and so
-// have texture_coordinates, tangents, colors, secondary_colors and fog_factors unless they are empty; the triangles of one object are consecutive, and
-// the objects cover all triangles in order.
+// have texture_coordinates, tangents, colors, secondary_colors and fog_factors unless they are empty; the triangles of
+// one object are consecutive, and the objects cover all triangles in order.
 struct Scene {
   std::string name;                              // the file's name, for reports
   std::vector<glm::vec3> positions;              // world space, finite

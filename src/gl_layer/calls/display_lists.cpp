@@ -279,7 +279,7 @@ void prepare_list_for_vertices(Context& context, unsigned arrays) {
 
 namespace {
 
-void mark(bool Context::* stale) {
+void mark(bool Context::*stale) {
   Context* const context = current();
   if (context == nullptr) return;
   context->*stale = true;

@@ -62,7 +62,8 @@ class PixelMesh {
                        "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar "
                        "green\nproperty uchar blue\nproperty uchar alpha\n" +
                        (varying_.secondary ? kSecondary : "") + (varying_.fog ? "property float fog_factor\n" : "") +
-                       "element face " + std::to_string(quads_) + "\nproperty list uchar int vertex_indices\nend_header\n" + vertices_;
+                       "element face " + std::to_string(quads_) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n" + vertices_;
     for (std::size_t quad = 0; quad < quads_; ++quad) {
       text += '\4';
       for (std::size_t corner = 0; corner < 4; ++corner) append(text, static_cast<std::int32_t>(4 * quad + corner));

@@ -304,8 +304,8 @@ bool computes_colors(const Context& context) {
 bool needs_preparation(const Context& context) {
   if (!context.touched) return false;
   if (!computes_colors(context)) return context.bound;
-  return !context.bound || context.inputs_stale || context.fog_stale || context.inputs_changed || context.program_stale ||
-         context.constants_stale;
+  return !context.bound || context.inputs_stale || context.fog_stale || context.inputs_changed ||
+         context.program_stale || context.constants_stale;
 }
 
 void prepare_draw(Context& context) {

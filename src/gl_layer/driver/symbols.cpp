@@ -16,8 +16,8 @@ using GetProcAddress = AnyFunction (*)(const char*);
 // The window systems' lookups that a program has found in a library which is not in the global scope.
 constinit GetProcAddress loaded_glx = nullptr, loaded_egl = nullptr;
 
-// A function of the C library by the version that it has on this processor. Other libraries may stand in front of it, and
-// look up functions themselves when theirs is called.
+// A function of the C library by the version that it has on this processor. Other libraries may stand in front of it,
+// and look up functions themselves when theirs is called.
 template <class Function>
 Function in_c_library(const char* name) {
   for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.1", "GLIBC_2.0"}) {
@@ -54,8 +54,8 @@ void remember(std::string_view name, void* symbol) {
   }
 }
 
-// Whether the code at an address belongs to the interposer that this library's own calls go to. The layer's function would
-// call it again.
+// Whether the code at an address belongs to the interposer that this library's own calls go to. The layer's function
+// would call it again.
 bool stands_behind(const char* name, const void* caller) {
   Dl_info library{}, behind{};
   void* const next = next_dlsym()(RTLD_NEXT, name);

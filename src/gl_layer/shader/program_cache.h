@@ -40,7 +40,7 @@ struct CachedProgram {
   std::shared_ptr<std::atomic<std::uint64_t>> draws = std::make_shared<std::atomic<std::uint64_t>>(0);  // calls with it
   ConstantCodes uploaded{};  // what the uniform array holds
   std::optional<StageUniforms> uploaded_stages{};
-  bool dumped = false;       // whether --dump has written it
+  bool dumped = false;  // whether --dump has written it
 };
 
 class ProgramCache {

@@ -159,7 +159,7 @@ export async function unpacked(file) {
       if (method !== 0 && method !== 8) throw new Error(`${file.name}: ${name} is packed in another way than by deflate`);
       const content = method === 0 ? packed : await inflated(packed, size);
       if (content.length !== size || crc32(content) !== crc) throw wrong(`${name} has other bytes than it should`);
-      const plain = name.split('/').pop();
+      const plain = name.slice(name.lastIndexOf('/') + 1);
       files.push(new File([/** @type {BlobPart} */ (content)], plain, { type: /\.png$/i.test(plain) ? 'image/png' : '' }));
     }
   } catch (error) {

@@ -161,7 +161,8 @@ std::uint32_t MeshBuilder::vertex(const MeshVertex& corner) {
   }
   if (corner.tangent || !scene_.tangents.empty()) scene_.tangents.push_back(own.tangent);
   if (corner.color || !scene_.colors.empty()) scene_.colors.push_back(own.color);
-  if (corner.secondary_color || !scene_.secondary_colors.empty()) scene_.secondary_colors.push_back(own.secondary_color);
+  if (corner.secondary_color || !scene_.secondary_colors.empty())
+    scene_.secondary_colors.push_back(own.secondary_color);
   if (corner.fog_factor || !scene_.fog_factors.empty()) scene_.fog_factors.push_back(own.fog_factor);
   return slot;
 }

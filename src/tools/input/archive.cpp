@@ -45,7 +45,8 @@ std::uint32_t number_at(std::string_view text, std::size_t at, std::size_t bytes
 bool leads_below(const std::string& name) {
   const fs::path path(name);
   return !name.empty() && name.find('\\') == std::string::npos && name.find('\0') == std::string::npos &&
-         path.is_relative() && std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
+         path.is_relative() &&
+         std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
 }
 
 // The files of an archive, or what is wrong with it.
@@ -75,8 +76,8 @@ class Directory {
       return end;
     }
     const std::size_t name_size = number_at(archive_, at + 28, 2);
-    const std::size_t next = at + kDirectoryHeadingSize + name_size + number_at(archive_, at + 30, 2) +
-                             number_at(archive_, at + 32, 2);
+    const std::size_t next =
+        at + kDirectoryHeadingSize + name_size + number_at(archive_, at + 30, 2) + number_at(archive_, at + 32, 2);
     if (next > end) {
       fault_ = "is a damaged archive: its directory is not whole";
       return end;
@@ -108,7 +109,8 @@ class Directory {
                !archive_.substr(at).starts_with(kFileHeading)) {
       fault_ = fmt::format("is a damaged archive: '{}' is not there", name);
     } else {
-      const std::size_t begin = at + kFileHeadingSize + number_at(archive_, at + 26, 2) + number_at(archive_, at + 28, 2);
+      const std::size_t begin =
+          at + kFileHeadingSize + number_at(archive_, at + 26, 2) + number_at(archive_, at + 28, 2);
       if (begin > archive_.size() || archive_.size() - begin < packed) {
         fault_ = fmt::format("is a damaged archive: '{}' ends early", name);
       } else {
@@ -132,7 +134,7 @@ std::optional<std::string> unpacked(const Entry& entry) {
   } else {
     content.resize(entry.size);
     z_stream stream{};
-    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();  // without a heading
+    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();              // without a heading
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(entry.packed.data()));  // zlib does not write there
     stream.avail_in = static_cast<uInt>(entry.packed.size());
     stream.next_out = reinterpret_cast<Bytef*>(content.data());
@@ -180,7 +182,9 @@ Result<EffectFile> EffectFile::open(const std::string& name) {
   file.path_ = name;
   const auto [archive, inside] = archive_in(name);
   if (name == "-" || !is_archive(archive)) return file;
-  const auto fault = [&](std::string message) { return Diagnostic{.message = std::move(message), .file = archive.string()}; };
+  const auto fault = [&](std::string message) {
+    return Diagnostic{.message = std::move(message), .file = archive.string()};
+  };
   std::error_code error;
   const std::string content = posix::read_file(archive, kMostBytes + 1, error);
   if (error) return fault("cannot be read: " + error.message());
@@ -196,7 +200,8 @@ Result<EffectFile> EffectFile::open(const std::string& name) {
   std::vector<std::string> effects;
   for (const Entry& entry : directory.entries()) {
     const std::optional<std::string> text = unpacked(entry);
-    if (!text) return fault(fmt::format("is a damaged archive: '{}' has other bytes than it should", printable(entry.name)));
+    if (!text)
+      return fault(fmt::format("is a damaged archive: '{}' has other bytes than it should", printable(entry.name)));
     fs::create_directories((folder / entry.name).parent_path(), error);
     std::ofstream stream(folder / entry.name, std::ios::binary);
     stream << *text;
@@ -206,19 +211,22 @@ Result<EffectFile> EffectFile::open(const std::string& name) {
   }
   if (effects.empty()) return fault("has no effect");
   const std::string first = fmt::format("{}/{}", printable(archive.string()), printable(effects[0]));
-  const auto found = inside.empty() ? effects.begin() : std::find(effects.begin(), effects.end(), inside.generic_string());
+  const auto found =
+      inside.empty() ? effects.begin() : std::find(effects.begin(), effects.end(), inside.generic_string());
   if (found == effects.end()) {
     return fault(fmt::format("has no effect '{}'; expected one of its {}, such as {}", printable(inside.string()),
                              effects.size(), first));
   }
   file.path_ = (folder / *found).string();
   if (inside.empty() && effects.size() > 1) {
-    file.note_ = fmt::format("{} is taken, the first of {} effects; name another one in the same way", first, effects.size());
+    file.note_ =
+        fmt::format("{} is taken, the first of {} effects; name another one in the same way", first, effects.size());
   }
   if (fs::exists(folder / "profile.json", error)) {
     if (!file.note_.empty()) file.note_ += "; ";
-    file.note_ += fmt::format("{} has a profile of its own, which is not used; unpack it and give --profile profile.json",
-                              printable(archive.string()));
+    file.note_ +=
+        fmt::format("{} has a profile of its own, which is not used; unpack it and give --profile profile.json",
+                    printable(archive.string()));
   }
   return file;
 }
