@@ -67,7 +67,8 @@ TEST(Archive, TheFirstEffectAndNamedOnesAreDrawn) {
   const Outcome traced = ninebit({"trace", "--effect", archive + "/b.json", "--pixel", "1,1"});
   EXPECT_EQ(traced.code, 0) << traced.err;
   EXPECT_TRUE(traced.err.empty()) << traced.err;
-  expect_error(ninebit({"draw", archive + "/c.json"}), 3, {"frame.zip", "'c.json'", "expected one of its 2"});
+  expect_error(ninebit({"draw", archive + "/c.json", "-o", folder / "p.png"}), 3,
+               {"frame.zip", "'c.json'", "expected one of its 2"});
 }
 
 TEST(Archive, WhatItHasOfItsOwnIsSaid) {
@@ -85,7 +86,7 @@ TEST(Archive, FaultsAreNamed) {
   const std::string archive = folder / "a.zip";
   const auto refused = [&](const NamedFiles& files, const std::string& why) {
     write_bytes(archive, archive_of(files));
-    expect_error(ninebit({"draw", archive}), 3, {"a.zip", why});
+    expect_error(ninebit({"draw", archive, "-o", folder / "p.png"}), 3, {"a.zip", why});
   };
   refused({{"lib/p.rc1", kProgramText}}, "has no effect");
   refused({{"../a.json", effect_of("1,0,0")}}, "does not lie in it");
@@ -95,12 +96,12 @@ TEST(Archive, FaultsAreNamed) {
   const std::string whole = archive_of(two_effects());
   for (std::size_t size = 4; size < whole.size(); size += 37) {
     write_bytes(archive, whole.substr(0, size));
-    expect_error(ninebit({"draw", archive}), 3, {"a.zip", "ends early"});
+    expect_error(ninebit({"draw", archive, "-o", folder / "p.png"}), 3, {"a.zip", "ends early"});
   }
   std::string changed = whole;
   changed[changed.find("!!RC1.0")] = '?';
   write_bytes(archive, changed);
-  expect_error(ninebit({"draw", archive}), 3, {"a.zip", "'lib/p.rc1' has other bytes"});
+  expect_error(ninebit({"draw", archive, "-o", folder / "p.png"}), 3, {"a.zip", "'lib/p.rc1' has other bytes"});
 }
 
 // A change of any byte of a heading is refused or changes nothing, and nothing stays behind.
@@ -112,7 +113,7 @@ TEST(Archive, DamagedHeadings) {
     std::string changed = whole;
     changed[at] = static_cast<char>(~changed[at]);
     write_bytes(archive, changed);
-    const Outcome outcome = ninebit({"draw", archive + "/a.json", "--quiet"});
+    const Outcome outcome = ninebit({"draw", archive + "/a.json", "-o", folder / "p.png", "--quiet"});
     EXPECT_TRUE(outcome.code == 0 || outcome.code == 3) << at << ": " << outcome.err;
     if (outcome.code == 3) {
       EXPECT_NE(outcome.err.find(": "), std::string::npos) << at;

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;  // of an archive, and of what is in it
 constexpr std::size_t kMostFiles = 4096;
+constexpr std::uint64_t kMostDeflated = 1032;  // bytes from one
 constexpr std::string_view kFileHeading = "PK\3\4", kDirectoryHeading = "PK\1\2", kEndHeading = "PK\5\6";
 constexpr std::size_t kFileHeadingSize = 30, kDirectoryHeadingSize = 46, kEndHeadingSize = 22;
 
@@ -103,6 +104,8 @@ class Directory {
       fault_ = fmt::format("has '{}' twice", name);
     } else if ((flags & 1U) != 0 || (entry.method != 0 && entry.method != 8)) {
       fault_ = fmt::format("has '{}' encrypted or packed in another way than by deflate", name);
+    } else if (entry.method == 0 ? entry.size != packed : entry.size > kMostDeflated * packed) {
+      fault_ = fmt::format("is a damaged archive: '{}' cannot have {} bytes", name, entry.size);
     } else if (bytes_ > kMostBytes) {
       fault_ = fmt::format("has more than {} bytes unpacked", kMostBytes);
     } else if (at > archive_.size() || archive_.size() - at < kFileHeadingSize ||
