@@ -57,8 +57,8 @@ TEST(Archive, TheFirstEffectAndNamedOnesAreDrawn) {
   const TempFolder folder;
   const std::string archive = folder / "frame.zip";
   write_bytes(archive, archive_of(two_effects()));
-  const Json first = json_of(ninebit({"draw", archive, "--json", "--quiet"}));
-  const Json second = json_of(ninebit({"draw", archive + "/b.json", "--json", "--quiet"}));
+  const Json first = json_of(ninebit({"draw", archive, "-o", folder / "p.png", "--json", "--quiet"}));
+  const Json second = json_of(ninebit({"draw", archive + "/b.json", "-o", folder / "p.png", "--json", "--quiet"}));
   EXPECT_NE(first["hash"]["color"], second["hash"]["color"]);
   EXPECT_TRUE(second["warnings"].empty()) << second["warnings"];
   ASSERT_EQ(first["warnings"].size(), 1U);
@@ -76,7 +76,8 @@ TEST(Archive, WhatItHasOfItsOwnIsSaid) {
   NamedFiles files = two_effects();
   files.emplace_back("profile.json", "{}");
   write_bytes(folder / "a.zip", archive_of(files));
-  const Json drawn = json_of(ninebit({"draw", (folder / "a.zip") + "/a.json", "--json", "--quiet"}));
+  const Json drawn =
+      json_of(ninebit({"draw", (folder / "a.zip") + "/a.json", "-o", folder / "p.png", "--json", "--quiet"}));
   ASSERT_EQ(drawn["warnings"].size(), 1U);
   EXPECT_NE(drawn["warnings"][0].get<std::string>().find("--profile profile.json"), std::string::npos);
 }

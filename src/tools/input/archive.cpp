@@ -183,7 +183,8 @@ EffectFile::Folder::~Folder() {
 Result<EffectFile> EffectFile::open(const std::string& name) {
   EffectFile file;
   file.path_ = name;
-  const auto [archive, inside] = archive_in(name);
+  const Named named = archive_in(name);
+  const fs::path &archive = named.archive, &inside = named.inside;
   if (name == "-" || !is_archive(archive)) return file;
   const auto fault = [&](std::string message) {
     return Diagnostic{.message = std::move(message), .file = archive.string()};
