@@ -72,6 +72,20 @@ Effect rectangle_effect() {
   return effect;
 }
 
+TEST(EffectRenderer, WhatTheMeshDoesNotHaveIsAFault) {
+  Effect colored = rectangle_effect();
+  colored.passes[0].secondary.source = VertexSource::secondary_color;
+  Effect fogged = rectangle_effect();
+  fogged.passes[0].fog.mode = FogMode::mesh;
+  std::vector<std::uint8_t> bytes;
+  const EffectReaders readers = readers_of(kProgram, random_texture(bytes));
+  for (const auto& [effect, missing] : {std::pair{&colored, "secondary colours"}, std::pair{&fogged, "fog factors"}}) {
+    const auto made = EffectRenderer::make(*effect, profiles::nv2a, readers);
+    ASSERT_FALSE(made) << missing;
+    EXPECT_NE(made.error().text().find(missing), std::string::npos) << made.error().text();
+  }
+}
+
 // With the nearest texel of a texture of the picture's size, each pixel is what evaluation gives for its texel.
 TEST(EffectRenderer, TheRectangleIsEvaluation) {
   std::vector<std::uint8_t> bytes;

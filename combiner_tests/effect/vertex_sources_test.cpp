@@ -111,6 +111,17 @@ TEST(VertexSources, ColoursOfALight) {
   EXPECT_EQ(normals[1], (ColorBytes{128, 128, 0, 255}));
 }
 
+TEST(VertexSources, SecondaryColoursAndFogFactorsOfTheMesh) {
+  Scene scene = one_triangle();
+  scene.secondary_colors = {{1, 0.2F, 0, 1}, {0, 0, 1, 0}, {0, 1, 0, 1}};
+  scene.fog_factors = {0, 0.25F, 1};
+  const std::vector<ColorBytes> colors =
+      vertex_colors({.source = VertexSource::secondary_color}, {.scene = &scene}, profiles::geforce2);
+  EXPECT_EQ(colors, (std::vector<ColorBytes>{{255, 51, 0, 255}, {0, 0, 255, 0}, {0, 255, 0, 255}}));
+  EXPECT_EQ(fog_factors(parse_fog("mesh").value(), {.scene = &scene}), scene.fog_factors);
+  EXPECT_FALSE(parse_fog("mesh:1").ok());
+}
+
 // Fog is measured along the view axis.
 TEST(VertexSources, FogByDistanceAlongTheAxis) {
   Scene scene = one_triangle();

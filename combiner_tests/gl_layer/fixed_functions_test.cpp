@@ -85,6 +85,51 @@ TEST(LayerFixedFunctions, FogFactors) {
   EXPECT_NEAR(center_pixel()[3], 0.25 * 255.0, 1.01);
 }
 
+// The shaders with fog and without are kept beside each other: what changes between is drawn by new ones.
+TEST(LayerFixedFunctions, FogBetweenOtherChanges) {
+  NINEBIT_GL_CONTEXT(context);
+  glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+  glFogi(GL_FOG_MODE, GL_LINEAR);
+  glFogf(GL_FOG_START, 1.0F);
+  glFogf(GL_FOG_END, 3.0F);
+  glFogCoordf(2.5F);
+  const std::uint8_t texel[]{1, 2, 3, 77};
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  const auto alpha = [](bool fog) {
+    (fog ? glEnable : glDisable)(GL_FOG);
+    clear_picture();
+    draw_square();
+    return int{center_pixel()[3]};
+  };
+  show_register(GL_FOG);
+  glDisable(GL_FOG);
+  const int without = alpha(false);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(alpha(true), 64, 1);
+    EXPECT_EQ(alpha(false), without);
+  }
+  show_register(GL_TEXTURE0_ARB);
+  const int no_texture = alpha(false);
+  EXPECT_EQ(alpha(true), no_texture);
+  glEnable(GL_TEXTURE_2D);
+  EXPECT_EQ(alpha(false), 77);
+  EXPECT_EQ(alpha(true), 77);
+  glDisable(GL_TEXTURE_2D);
+  EXPECT_EQ(alpha(false), no_texture);
+  show_register(GL_FOG);
+  EXPECT_NEAR(alpha(true), 64, 1);
+  glFogi(GL_FOG_MODE, GL_EXP);
+  glFogf(GL_FOG_DENSITY, 0.2F);
+  EXPECT_NEAR(alpha(true), 255.0 * std::exp(-0.5), 1.01);
+  glPushAttrib(GL_FOG_BIT);
+  EXPECT_EQ(alpha(false), without);
+  glPopAttrib();
+  clear_picture();
+  draw_square();
+  EXPECT_NEAR(center_pixel()[3], 255.0 * std::exp(-0.5), 1.01);
+}
+
 TEST(LayerFixedFunctions, ShadeModel) {
   NINEBIT_GL_CONTEXT(context);
   show_register(GL_PRIMARY_COLOR_NV);

@@ -9,6 +9,7 @@ import shlex
 import threading
 import time
 
+import archives
 import gltf
 import judge
 import parts
@@ -17,7 +18,7 @@ import programs
 import scenes
 
 FORMATS = {"obj": scenes.obj, "off": scenes.off, "ply": scenes.ply, "gltf": gltf.gltf, "glb": gltf.glb,
-           "3ds": scenes.three_ds,
+           "3ds": scenes.three_ds, "archive": archives.archive,
            "part": parts.part, "picture": pictures_more.picture, **programs.FORMATS}
 SLOWER = {"picture": 3}  # times fewer than of the others: loading the picture library takes longest
 LEAST = 40  # mutants of a format from which on all refused, or all accepted, means that the run shows nothing

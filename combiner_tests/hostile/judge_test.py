@@ -107,7 +107,7 @@ class Programs(unittest.TestCase):
 class Generators(unittest.TestCase):
     def test_a_number_gives_the_same_mutant(self):
         context = campaign.Context("no program")
-        for kind in ("obj", "off", "ply", "gltf", "glb", "3ds", "picture", "profile", "table"):
+        for kind in ("obj", "off", "ply", "gltf", "glb", "3ds", "archive", "picture", "profile", "table"):
             for number in range(20):
                 once, again = (campaign.make(kind, 3, number, context) for _ in range(2))
                 self.assertEqual((once.command, once.files), (again.command, again.files), f"{kind}:3:{number}")

@@ -73,6 +73,38 @@ TEST_F(SceneFiles, ObjCountsTextureCoordinatesFromTheBottom) {
   EXPECT_EQ(odd.y, mapped.y);
 }
 
+TEST_F(SceneFiles, PlyHasSecondaryColoursAndFogFactors) {
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar secondary_red\nproperty uchar secondary_green\nproperty uchar secondary_blue\n";
+  const std::string faces = "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  // The last vertex lies at the place of the first.
+  const Result<Scene> read_one = read("s.ply", vertices + "property float fog_factor\n" + faces +
+                                                   "0 0 0 255 51 0 0.25\n3 0 0 0 0 255 7\n0 5 0 0 0 0 nan\n"
+                                                   "0 0 0 255 51 0 0.75\n3 0 1 2\n3 3 1 2\n");
+  ASSERT_TRUE(read_one) << read_one.error().text();
+  expect_contract(*read_one);
+  EXPECT_EQ(read_one->positions.size(), 4U) << "corners with other factors are other vertices";
+  EXPECT_EQ(read_one->fog_factors, (std::vector<float>{0.25F, 1.0F, 1.0F, 0.75F}));
+  ASSERT_EQ(read_one->secondary_colors.size(), 4U);
+  EXPECT_EQ(read_one->secondary_colors[0], glm::vec4(1, 0.2F, 0, 1));
+  EXPECT_TRUE(read_one->colors.empty());
+  const Result<Scene> with_floor = complete_scene(*read_one, {}, 1.0F);
+  ASSERT_TRUE(with_floor) << with_floor.error().text();
+  EXPECT_EQ(with_floor->fog_factors.back(), 1.0F);
+  EXPECT_EQ(with_floor->secondary_colors.back(), glm::vec4(0, 0, 0, 1));
+  EXPECT_TRUE(validate(*with_floor));
+
+  // Without fog, both corners are one vertex. An alpha is read.
+  const Result<Scene> without = read("a.ply", vertices + "property uchar secondary_alpha\n" + faces +
+                                                  "0 0 0 255 51 0 51\n3 0 0 0 0 255 0\n0 5 0 0 0 0 0\n"
+                                                  "0 0 0 255 51 0 51\n3 0 1 2\n3 3 1 2\n");
+  ASSERT_TRUE(without) << without.error().text();
+  EXPECT_TRUE(without->fog_factors.empty());
+  ASSERT_EQ(without->secondary_colors.size(), 3U);
+  EXPECT_EQ(without->secondary_colors[0], glm::vec4(1, 0.2F, 0, 0.2F));
+}
+
 TEST_F(SceneFiles, AFloorHasThemToo) {
   const Result<Scene> read_one = read("f.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
   ASSERT_TRUE(read_one);
@@ -99,6 +131,14 @@ TEST(Validate, DataForSomeVerticesIsAFault) {
   EXPECT_FALSE(validate(scene));
   scene.texture_coordinates.clear();
   scene.colors.assign(4, glm::vec4(1.0F));
+  EXPECT_FALSE(validate(scene));
+  scene.colors.clear();
+  scene.secondary_colors.assign(3, glm::vec4(std::numeric_limits<float>::infinity()));
+  EXPECT_FALSE(validate(scene));
+  scene.secondary_colors.clear();
+  scene.fog_factors.assign(2, 1.0F);
+  EXPECT_FALSE(validate(scene));
+  scene.fog_factors.assign(3, std::numeric_limits<float>::quiet_NaN());
   EXPECT_FALSE(validate(scene));
 }
 

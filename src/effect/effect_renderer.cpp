@@ -255,10 +255,16 @@ Status EffectRenderer::Prepared::set_vertices(const EffectPass& pass, PreparedPa
       return Diagnostic{.message =
                             "reads " + std::string(name_of(source)) + ", but the mesh has no texture coordinates"};
     }
+    if (source == VertexSource::secondary_color && prepared.scene->secondary_colors.empty()) {
+      return Diagnostic{.message = "reads secondary-color, but the mesh has no secondary colours"};
+    }
     if (source == VertexSource::projected && scene.lights[0].kind == LightKind::point) {
       return Diagnostic{.message = "reads the view of a point light; expected a spot or directional light"};
     }
     if (is_mesh && needs_tangents(source) && mesh_tangents.empty()) mesh_tangents = tangents_of(scene);
+  }
+  if (pass.fog.mode == FogMode::mesh && prepared.scene->fog_factors.empty()) {
+    return Diagnostic{.message = "reads the mesh's fog factors, but the mesh has none"};
   }
   VertexInputs inputs{.scene = prepared.scene, .tangents = is_mesh ? &mesh_tangents : &rectangle_tangents};
   inputs.clip_from_world = prepared.projections[0];

@@ -197,6 +197,10 @@ Result<EffectFog> parse_fog(std::string_view text) {
   const std::vector<float> n = numbers_in(said.rest);
   EffectFog fog;
   if (said.word == "none" && !said.has_rest) return fog;
+  if (said.word == "mesh" && !said.has_rest) {
+    fog.mode = FogMode::mesh;
+    return fog;
+  }
   if (said.word == "linear" && n.size() == 2 && n[0] != n[1]) {
     fog.mode = FogMode::linear;
     fog.start = n[0];
@@ -219,7 +223,7 @@ Result<EffectFog> parse_fog(std::string_view text) {
     }
   }
   return wrong(in_quotes(text) +
-               " is not a fog; expected none, linear:START,END with two different distances, exp:DENSITY or "
+               " is not a fog; expected none, mesh, linear:START,END with two different distances, exp:DENSITY or "
                "exp2:DENSITY with a density that is not negative, or registers-FUNCTION:BIAS,SLOPE with the function " +
                list_of(kFogFunctions));
 }

@@ -46,7 +46,7 @@ template <class T, std::size_t N>
   return list;
 }
 
-inline constexpr Words<VertexSource, 19> kVertexSources{{{"uv", VertexSource::uv},
+inline constexpr Words<VertexSource, 20> kVertexSources{{{"uv", VertexSource::uv},
                                                          {"screen", VertexSource::screen},
                                                          {"projected", VertexSource::projected},
                                                          {"position", VertexSource::position},
@@ -63,6 +63,7 @@ inline constexpr Words<VertexSource, 19> kVertexSources{{{"uv", VertexSource::uv
                                                          {"tangent-to-world-z", VertexSource::tangent_to_world_z},
                                                          {"point-sprite", VertexSource::point_sprite},
                                                          {"color", VertexSource::color},
+                                                         {"secondary-color", VertexSource::secondary_color},
                                                          {"lambert", VertexSource::lambert},
                                                          {"index", VertexSource::index}}};
 

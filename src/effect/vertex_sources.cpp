@@ -121,6 +121,7 @@ float fog_factor(const EffectFog& fog, float distance) {
     case FogMode::registers:
       return distance;
     case FogMode::none:
+    case FogMode::mesh:
       break;
   }
   return 1.0F;
@@ -153,6 +154,7 @@ std::vector<ColorBytes> vertex_colors(const ColorSource& source, const VertexInp
   const auto color = [&](std::size_t v) -> glm::vec4 {
     if (source.source == VertexSource::constant) return source.constant;
     if (source.source == VertexSource::color) return surface[v];
+    if (source.source == VertexSource::secondary_color) return scene.secondary_colors[v];
     if (source.source == VertexSource::lambert) {
       const glm::vec3 light = unit_or_zero(towards_light(scene.lights[0], scene.positions[v]));
       const float cosine = std::max(0.0F, glm::dot(scene.normals[v], light));
@@ -170,6 +172,7 @@ std::vector<ColorBytes> vertex_colors(const ColorSource& source, const VertexInp
 
 std::vector<float> fog_factors(const EffectFog& fog, const VertexInputs& inputs) {
   if (fog.mode == FogMode::none) return {};
+  if (fog.mode == FogMode::mesh) return inputs.scene->fog_factors;
   const Camera& camera = inputs.scene->cameras[0];
   const glm::vec3 axis = unit_or_zero(camera.look_at - camera.position);
   std::vector<float> factors;

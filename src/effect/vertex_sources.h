@@ -28,11 +28,11 @@ struct UnitCoordinates {
 
 [[nodiscard]] UnitCoordinates unit_coordinates(const CoordinateSource& source, const VertexInputs& inputs);
 
-// One colour per vertex. `source` is not VertexSource::index.
+// One colour per vertex. `source` is not VertexSource::index; for `secondary_color` the scene has secondary colours.
 [[nodiscard]] std::vector<ColorBytes> vertex_colors(const ColorSource& source, const VertexInputs& inputs,
                                                     const HardwareProfile& profile);
 
-// One factor per vertex; empty without fog.
+// One factor per vertex; empty without fog. For FogMode::mesh the scene has them.
 [[nodiscard]] std::vector<float> fog_factors(const EffectFog& fog, const VertexInputs& inputs);
 
 // Whether a source reads tangents, or texture coordinates.

@@ -96,6 +96,8 @@ void add_floor(Scene& scene, const FloorReach& reach, float height) {
     if (!scene.texture_coordinates.empty()) scene.texture_coordinates.push_back((corner + 1.0F) * 0.5F);
     if (!scene.tangents.empty()) scene.tangents.emplace_back(1.0F, 0.0F, 0.0F, 1.0F);
     if (!scene.colors.empty()) scene.colors.emplace_back(1.0F);
+    if (!scene.secondary_colors.empty()) scene.secondary_colors.emplace_back(0.0F, 0.0F, 0.0F, 1.0F);
+    if (!scene.fog_factors.empty()) scene.fog_factors.push_back(1.0F);
   }
   for (const glm::uvec3& corners : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 3)}) {
     scene.triangles.push_back(corners + first_vertex);

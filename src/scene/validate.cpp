@@ -25,7 +25,9 @@ Status check_sizes(const Scene& scene) {
   }
   for (const auto& [size, what] :
        {std::pair{scene.texture_coordinates.size(), "texture coordinates"},
-        std::pair{scene.tangents.size(), "tangents"}, std::pair{scene.colors.size(), "vertex colours"}}) {
+        std::pair{scene.tangents.size(), "tangents"}, std::pair{scene.colors.size(), "vertex colours"},
+        std::pair{scene.secondary_colors.size(), "secondary colours"},
+        std::pair{scene.fog_factors.size(), "fog factors"}}) {
     if (size == 0 || size == scene.positions.size()) continue;
     return invalid(fmt::format("the scene has {} {} for {} positions; expected one for each, or none", size, what,
                                scene.positions.size()));
@@ -95,9 +97,16 @@ Status check_values(const Scene& scene) {
     if (is_finite(glm::vec3(scene.tangents[i])) && std::isfinite(scene.tangents[i].w)) continue;
     return invalid(fmt::format("the tangent of vertex {} is not finite", i));
   }
-  for (std::size_t i = 0; i < scene.colors.size(); ++i) {
-    if (is_finite(glm::vec3(scene.colors[i])) && std::isfinite(scene.colors[i].w)) continue;
-    return invalid(fmt::format("the colour of vertex {} is not finite", i));
+  for (const auto& [colors, what] :
+       {std::pair{&scene.colors, "colour"}, std::pair{&scene.secondary_colors, "secondary colour"}}) {
+    for (std::size_t i = 0; i < colors->size(); ++i) {
+      if (is_finite(glm::vec3((*colors)[i])) && std::isfinite((*colors)[i].w)) continue;
+      return invalid(fmt::format("the {} of vertex {} is not finite", what, i));
+    }
+  }
+  for (std::size_t i = 0; i < scene.fog_factors.size(); ++i) {
+    if (!std::isfinite(scene.fog_factors[i]))
+      return invalid(fmt::format("the fog factor of vertex {} is not finite", i));
   }
   for (const Material& material : scene.materials) {
     if (!is_finite(material.base_color)) {

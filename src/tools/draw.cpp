@@ -209,6 +209,7 @@ int draw(const DrawFlags& flags) {
     if (Status changed = override_effect(flags, *file.effect); !changed)
       return wrong_usage("draw", changed.error().message);
     done.warnings = unused_moment(flags.moment_options, file.effect->moves, flags.file);
+    if (!file.file.note().empty()) done.warnings.push_back(file.file.note());
   } else {
     for (const CLI::Option* const option : flags.moment_options) {
       if (option->count() == 0) continue;
@@ -248,7 +249,7 @@ void add_draw(CLI::App& app, int& exit_code) {
       "from-light, light-vector, view-vector, half-vector, normal, reflection, tangent-light-vector,\n"
       "tangent-half-vector, point-sprite, constant:S,T[,R[,Q]]. Sources of colours: the vectors, range-compressed, and "
       "color, "
-      "lambert,\n"
+      "secondary-color, lambert,\n"
       "index[:FORMAT,STEP], constant:R,G,B[,A].\n"
       "Examples:\n"
       "  ninebit draw dot3.gl --tex0 normals:bricks.png --primary tangent-light-vector -o bricks.png\n"
@@ -257,7 +258,7 @@ void add_draw(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<DrawFlags>();
   add_common_flags(*verb, flags->common);
   flags->profile = verb->get_option("--profile");
-  verb->add_option("program", flags->file, "Program in any form, or an effect file")
+  verb->add_option("program", flags->file, "Program in any form, an effect file, or a ZIP archive with one")
       ->required()
       ->type_name("PROGRAM|EFFECT.json");
   verb->add_option("-o,--output", flags->output, "Picture to write")

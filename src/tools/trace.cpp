@@ -253,7 +253,7 @@ void add_trace(CLI::App& app, int& exit_code) {
           ->type_name("REGISTER=R,G,B,A")
           ->allow_extra_args(false);
   CLI::Option* const scene = add_scene_file(*verb, "--scene", flags->scene)->excludes(set);
-  verb->add_option("--effect", flags->effect, "Effect file whose picture has the pixel")
+  verb->add_option("--effect", flags->effect, "Effect file, or a ZIP archive with one, whose picture has the pixel")
       ->type_name("FILE")
       ->excludes(set)
       ->excludes(scene);

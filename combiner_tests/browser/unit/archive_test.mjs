@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { enlarged, png, zip } from '../../../src/playground/web/archive.js';
+import { enlarged, png, unpacked, zip } from '../../../src/playground/web/archive.js';
 import { decodePng } from '../../../src/playground/web/png.js';
 
 const pixels = (width, height) => Uint8Array.from({ length: width * height * 4 }, (_, at) => at * 37 % 256);
@@ -51,5 +51,30 @@ test('a ZIP archive unpacks with another program', async () => {
     for (const [name, text] of files) assert.equal(readFileSync(join(folder, name), 'utf8'), text);
   } finally {
     rmSync(folder, { recursive: true });
+  }
+});
+
+test('an archive is unpacked, stored or deflated; a damaged one is refused', async () => {
+  const contents = /** @type {[string, Uint8Array][]} */ ([['effect.json', new TextEncoder().encode('{"ninebit": "effect"}')], ['textures/a.png', Uint8Array.from({ length: 300 }, (_, i) => i)]]);
+  const stored = new Uint8Array(await zip(contents).arrayBuffer());
+  const open = (/** @type {Uint8Array} */ bytes) => unpacked(new File([/** @type {BlobPart} */ (bytes)], 'a.zip'));
+  const read = async (/** @type {File[]} */ files) => Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())]));
+  const expected = contents.map(([name, content]) => [name.split('/').pop(), content]);
+  assert.deepEqual(await read(await open(stored)), expected);
+  const folder = mkdtempSync(join(tmpdir(), 'ninebit-archive-'));
+  try {
+    execFileSync('/usr/bin/python3', ['-c', `import zipfile\nwith zipfile.ZipFile('${folder}/a.zip', 'w', zipfile.ZIP_DEFLATED) as archive:\n    archive.writestr('effect.json', '{"ninebit": "effect"}')\n    archive.writestr('textures/a.png', bytes(i % 256 for i in range(300)))`]);
+    assert.deepEqual(await read(await open(new Uint8Array(readFileSync(`${folder}/a.zip`)))), expected);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  const other = new File(['text'], 'a.txt');
+  assert.deepEqual(await unpacked(other), [other]);
+  for (let size = 4; size < stored.length; size += 7) await assert.rejects(open(stored.slice(0, size)), /a damaged archive: it ends early/);
+  for (let at = 4; at < stored.length; at += 3) {
+    const changed = stored.slice();
+    changed[at] ^= 0xFF;
+    // A field that nobody reads may be anything; other changes are found.
+    await open(changed).catch((error) => assert.match(String(error), /a\.zip: /));
   }
 });

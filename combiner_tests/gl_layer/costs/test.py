@@ -1,16 +1,55 @@
 """The processor's time of many draws: with the layer against without it, and combiners against a shader written by hand.
 
-Each figure is the best of three processes. The limits leave room for a loaded machine, and fail where something is done at
-each draw that need not be.
+Each round runs all processes one after the other, and a figure is the median of the rounds' ratios: other programs slow down
+both sides. So what a change takes is counted in the time of the driver's own glUseProgram. Where a limit is exceeded, more
+rounds decide.
 """
 import re
+import statistics
 
 from kit import HERE, build, display, require
 
 PACKAGES = "freeglut3-dev, gcc and xvfb"
-# What one draw after a change may take longer than the same with a shader written by hand, in microseconds.
-LIMITS = {"nothing": 0.15, "blending": 0.2, "texture": 2.0, "constant": 0.8, "fog colour": 0.2, "program": 3.0}
-WITH_STAGES = {**LIMITS, "texture": 2.5, "program": 3.0}
+MODES = (("fixed", False), ("fixed", True), ("glsl", False), ("combiners", True), ("stages", True))
+ROUNDS, MOST_ROUNDS = 5, 15
+UNUSED = 1.10  # times the time without the layer, over all changes, if combiners are never enabled
+# What one draw after a change may take longer than the same with a shader written by hand, by what the draw after glUseProgram
+# takes: 1.2 us on a machine that does nothing else, so that 1.67 are 2 us.
+LIMITS = {"nothing": 0.12, "blending": 0.16, "texture": 1.67, "constant": 0.5, "fog colour": 0.16, "program": 1.67, "fog": 1.67}
+# Fog on or off takes another shader: by hand, glUseProgram.
+RIVALS = {"fog": "program"}
+
+
+def measure(kit, program, environment):
+    """Nanoseconds a draw of each change, by mode and layer."""
+    found = {}
+    for mode, layer in MODES:
+        done = kit.run([program, mode], environment, layer=layer, profile="nv2a" if layer else None)
+        found[mode, layer] = {name: int(time) for name, time in re.findall(r"^(.*): (\d+)$", done.stdout, re.M)}
+        if done.returncode or len(found[mode, layer]) != 7:
+            raise RuntimeError(f"costs {mode}: {done.stdout.strip()}")
+    return found
+
+
+class Figures:
+    """Medians of the rounds so far."""
+
+    def __init__(self, rounds):
+        def median(of):
+            return statistics.median(map(of, rounds))
+
+        def unused(found, names):
+            return sum(found["fixed", True][name] for name in names) / sum(found["fixed", False][name] for name in names)
+
+        self.unused = median(lambda found: unused(found, LIMITS))
+        self.unused_each = {name: median(lambda found, name=name: unused(found, [name])) for name in LIMITS}
+        self.more = {mode: {name: median(lambda found, mode=mode, name=name: (
+            found[mode, True][name] - found["glsl", False][RIVALS.get(name, name)]) / found["glsl", False]["program"])
+            for name in LIMITS} for mode in ("combiners", "stages")}
+        self.times = {key: {name: median(lambda found, key=key, name=name: found[key][name] / 1000) for name in LIMITS}
+                      for key in MODES}
+        self.good = {"unused": self.unused < UNUSED} | {
+            mode: all(more[name] < limit for name, limit in LIMITS.items()) for mode, more in self.more.items()}
 
 
 def run(kit):
@@ -18,26 +57,23 @@ def run(kit):
     program = kit.folder("costs") / "costs"
     build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Wno-cast-function-type", "-Werror", HERE / "costs/costs.c",
            "-o", program, "-lglut", "-lGL"])
-    best = {}
+    rounds = []
     with display() as environment:
         environment |= {"LP_NUM_THREADS": "0"}
-        for _ in range(3):
-            for mode, layer in (("fixed", False), ("fixed", True), ("glsl", False), ("combiners", True), ("stages", True)):
-                done = kit.run([program, mode], environment, layer=layer, profile="nv2a" if layer else None)
-                times = {name: int(time) for name, time in re.findall(r"^(.*): (\d+)$", done.stdout, re.M)}
-                if done.returncode or len(times) != 7:
-                    kit.check(False, f"costs {mode}: {done.stdout.strip()}")
-                    return
-                known = best.setdefault((mode, layer), times)
-                best[mode, layer] = {name: min(time, known[name]) for name, time in times.items()}
-    without, unused = best["fixed", False], best["fixed", True]
-    total = sum(unused.values()) / sum(without.values())
-    kit.check(total < 1.15, f"costs, combiners unused: {total:.2f} times the time without the layer; of single changes "
-              f"{', '.join(f'{name} {unused[name] / without[name]:.2f}' for name in without)}")
-    for mode, limits in (("combiners", LIMITS), ("stages", WITH_STAGES)):
-        times, rival = best[mode, True], best["glsl", False]
-        more = {name: (times[name] - rival[name]) / 1000 for name in limits}
-        kit.check(all(more[name] < limit for name, limit in limits.items()),
-                  f"costs, {mode}: {times['nothing'] / rival['nothing']:.2f} times a shader's time where nothing changes; "
-                  f"a change takes more, in us: {', '.join(f'{name} {value:.2f}' for name, value in more.items())}; "
-                  f"fog on and off {times['fog'] / 1000:.2f} us a draw, fixed functions {without['fog'] / 1000:.2f}")
+        while True:
+            rounds.append(measure(kit, program, environment))
+            if len(rounds) < ROUNDS:
+                continue
+            figures = Figures(rounds)
+            if all(figures.good.values()) or len(rounds) >= MOST_ROUNDS:
+                break
+    kit.check(figures.good["unused"], f"costs, combiners unused: {figures.unused:.2f} times the time without the layer, the median "
+              f"of {len(rounds)} rounds; of single changes "
+              f"{', '.join(f'{name} {ratio:.2f}' for name, ratio in figures.unused_each.items())}")
+    rival = figures.times["glsl", False]
+    for mode, more in figures.more.items():
+        times = figures.times[mode, True]
+        kit.check(figures.good[mode], f"costs, {mode}: {times['nothing'] / rival['nothing']:.2f} times a shader's time where nothing "
+                  f"changes; a change takes more, by {rival['program']:.2f} us: "
+                  f"{', '.join(f'{name} {value:.2f}' for name, value in more.items())}; fog on and off "
+                  f"{times['fog'] / figures.times['fixed', False]['fog']:.2f} times fixed functions")

@@ -1,4 +1,4 @@
-"""What else lives in a process beside the layer: interposers before it and after it, another OpenGL, a tracer.
+"""What else lives in a process beside the layer: interposers before it and after it, another OpenGL, apitrace, RenderDoc.
 
 Each gets what it would get without the layer, and the combiners draw where the program looks them up.
 """
@@ -8,7 +8,8 @@ import subprocess
 
 from kit import HERE, build, display, require
 
-PACKAGES = "freeglut3-dev, gcc, libosmesa6, apitrace and xvfb"
+PACKAGES = "freeglut3-dev, gcc, libosmesa6, apitrace, renderdoccmd and xvfb"
+RENDERDOC = "/usr/lib/librenderdoc.so"
 WAYS = ("library", "default", "next")
 
 
@@ -59,10 +60,31 @@ def copied_contexts(kit, environment):
               f"glXCopyContext with combiners: {', '.join(done.stdout.splitlines())}")
 
 
+def renderdoc(kit, draws, environment):
+    """The program under RenderDoc, which is loaded behind the layer, and before it: there it hides extensions of others."""
+    environment = {**environment, "HOME": str(kit.output / "neighbours")}  # for its settings
+    capture = ["renderdoccmd", "capture", "--wait-for-exit", "--capture-file", kit.output / "neighbours/capture"]
+    asked = [draws, "library", "GL_NV_register_combiners"]
+    with_combiners = "GL_NV_register_combiners is listed\npixel 0 255 0, error 0x0000\n"
+    without = "GL_NV_register_combiners is not listed\npixel 255 0 0, error 0x0000\n"
+    layer = kit.ninebit_path.parent / "libninebit_gl.so"
+    for name, expected, done in (
+            ("in gl-run", with_combiners, kit.run([*capture, *asked], environment, layer=True)),
+            ("that starts gl-run", with_combiners,
+             kit.run([*capture, "--opt-hook-children", *kit.command(asked, layer=True)], environment)),
+            ("before the layer", without, kit.run(["env", f"LD_PRELOAD={RENDERDOC}:{layer}", *asked], environment)),
+            ("alone", without, kit.run([*capture, *asked], environment))):
+        kit.check(done.returncode == 0 and expected in done.stdout,
+                  f"RenderDoc {name}: exit {done.returncode}, {done.stdout.strip().splitlines()[-2:]}")
+
+
 def run(kit):
-    require(PACKAGES, ["gcc", "Xvfb", "apitrace"], ["/usr/include/GL/freeglut.h", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8"])
+    require(PACKAGES, ["gcc", "Xvfb", "apitrace", "renderdoccmd"],
+            ["/usr/include/GL/freeglut.h", "/usr/lib/x86_64-linux-gnu/libOSMesa.so.8", RENDERDOC])
     folder = kit.folder("neighbours")
-    interposer = compiled(kit, "interposer", ["-shared", "-fPIC"], output="libinterposer.so")
+    interposers = {"interposer": compiled(kit, "interposer", ["-shared", "-fPIC"], output="libinterposer.so"),
+                   "interposer that looks in the library": compiled(kit, "interposer", ["-shared", "-fPIC", "-DFROM_LIBRARY"],
+                                                                    output="liblooks.so")}
     draws = compiled(kit, "draws", [], ["-lglut", "-lGL", "-ldl"])
     layer = kit.ninebit_path.parent / "libninebit_gl.so"
     expected = "pixel 0 255 0, error 0x0000\n"
@@ -78,10 +100,12 @@ def run(kit):
                       f"--extensions {wanted}: {done.stdout.splitlines()[0]}")
         logs(kit, draws, environment)
         copied_contexts(kit, environment)
-        for name, preloaded in (("before", f"{interposer}:{layer}"), ("after", f"{layer}:{interposer}")):
-            done = kit.run(["env", f"LD_PRELOAD={preloaded}", draws, "default"], environment)
-            kit.check(done.returncode == 0 and done.stdout == counted,
-                      f"an interposer {name} the layer: {done.stdout.strip()}")
+        for kind, interposer in interposers.items():
+            for name, preloaded in (("before", f"{interposer}:{layer}"), ("after", f"{layer}:{interposer}")):
+                done = kit.run(["env", f"LD_PRELOAD={preloaded}", draws, "default"], environment)
+                kit.check(done.returncode == 0 and done.stdout == counted,
+                          f"an {kind} {name} the layer: exit {done.returncode}, {done.stdout.strip()}")
+        renderdoc(kit, draws, environment)
         trace = folder / "draws.trace"
         done = kit.run(["apitrace", "trace", "--output", trace, draws, "library"], environment, layer=True)
         dump = subprocess.run(["apitrace", "dump", "--color=never", trace], capture_output=True, text=True).stdout

@@ -9,6 +9,7 @@ import numpy
 from kit import HERE, build
 
 PROFILE = "nv2a"
+LIBRARIES = {7: ["-lddraw", "-ldxguid"], 8: [], 9: ["-ld3d9"]}
 PLAIN = {"WINE_D3D_CONFIG": "shader_backend=none,MaxVersionGL=0x00020001",
          "MESA_EXTENSION_OVERRIDE": "-GL_ATI_fragment_shader -GL_ARB_fragment_program -GL_ARB_vertex_program"}
 
@@ -24,16 +25,18 @@ def results(text):
     return found
 
 
-def check(kit, folder, planes, environment, compiler):
-    build([compiler, "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "windows/texture_stages.c", "-o",
-           folder / "texture_stages.exe", "-ld3d9"])
-    command = ["wine", "texture_stages.exe", "inputs.bin"]
+def check_version(kit, folder, planes, environment, compiler, version):
+    stem = f"direct3d{version}"
+    build([compiler, "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", f"-DDIRECT3D={version}", HERE / "windows/texture_stages.c",
+           "-o", folder / f"{stem}.exe", *LIBRARIES[version]])
+    command = ["wine", f"{stem}.exe", "inputs.bin"]
     usual = results(kit.run(command, environment, cwd=folder).stdout)
-    dump = folder / "stages"
+    dump = folder / stem
     done = kit.run(command, environment | PLAIN, layer=True, profile=PROFILE, options=["--dump", dump], cwd=folder)
     ours, programs = results(done.stdout), sorted(dump.glob("program-*.json"))
-    kit.check(len(usual) == len(ours) == 13 and len(programs) >= 12 and "pixel shaders: 0.0" in done.stdout,
-              f"windows, Direct3D: {len(ours)} of 13 set-ups, {len(programs)} combiner programs, exit status {done.returncode}")
+    kit.check(len(usual) == len(ours) == 13 and len(programs) >= 12 and "pixel shaders: 0" in done.stdout,
+              f"windows, Direct3D {version}: {len(ours)} of 13 set-ups, {len(programs)} combiner programs, exit status "
+              f"{done.returncode}")
 
     columns = [f"{register}.{c}" for register in ("primary", "tex0", "tex1") for c in "rgba"]
     rows = numpy.concatenate([planes[0], planes[2], planes[3]], axis=1).tolist()
@@ -41,5 +44,10 @@ def check(kit, folder, planes, environment, compiler):
     for name in (name for name in usual if name in ours):
         wrong = min(((ours[name] != picture).any(axis=1).sum() for picture in evaluated), default=256)
         off = abs(ours[name] - usual[name])[:, :3 if name == "dot3" else 4].max()
-        kit.check(wrong == 0 and off <= 1, f"windows, Direct3D, {name}: {wrong} of 256 fragments differ from eval of the dumped "
+        kit.check(wrong == 0 and off <= 1, f"windows, Direct3D {version}, {name}: {wrong} of 256 fragments differ from eval of the dumped "
                                            f"program, off by {off} from GLSL, at most 1")
+
+
+def check(kit, folder, planes, environment, compiler):
+    for version in LIBRARIES:
+        check_version(kit, folder, planes, environment, compiler, version)

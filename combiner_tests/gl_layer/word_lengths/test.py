@@ -1,14 +1,16 @@
 """Programs of 32 bits beside those of 64: the dynamic linker takes the layer of the program's own word length.
 
-Where there is a 32-bit OpenGL, old_ways draws with it, a program with further extensions, and random programs, NINEBIT_GL_PROGRAMS
-of them or 60, whose pictures must be those of 64 bits: in NINEBIT_GL32_LIBRARIES, or where Debian has it. In CI, `fetch` gets it.
+Where there is a 32-bit OpenGL, old_ways draws with it, index_cube_2000, a program with further extensions, and random programs,
+NINEBIT_GL_PROGRAMS of them or 60; the pictures of the last two must be those of 64 bits: in NINEBIT_GL32_LIBRARIES, or where Debian has it. In CI, `fetch` gets it.
 """
 import os
 import pathlib
 import shutil
 import subprocess
 
-from kit import HERE, Missing, build, display, require
+from index_cube_2000.scene_text import scene_text
+from index_cube_2000.test import Picture, judge, report
+from kit import HERE, ROOT, Missing, build, display, require
 from old_ways.test import check_ways, compile_old_ways
 
 PACKAGES = "g++-multilib, libegl-dev and libgl-dev"
@@ -74,6 +76,22 @@ def check_random_programs(kit, folder, of_each):
     kit.check(differ == 0, f"random programs: {differ} of {count} pictures of 256 fragments differ between 32 and 64 bits")
 
 
+def check_index_cube(kit, folder, libraries, of_32_bits):
+    """The article's program with both word lengths: its rules hold for the pictures of 32 bits beside those of 64."""
+    (folder / "room.txt").write_text(scene_text(ROOT / "scenes/index_room.gltf"))
+    with display() as environment:
+        for bits, options, more in ((64, ["-lglut", "-lGLU", "-lGL"], {}), (32, ["-m32", *libraries, "-lm"], of_32_bits)):
+            program = folder / f"index_cube_2000_{bits}"
+            build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "index_cube_2000/index_cube_2000.c", "-o", program,
+                   *options])
+            done = kit.run([program, folder / "room.txt", "--size", "320x240", "--map-size", 128, "--step", 2, "--frames", 1,
+                            "--output", folder / f"room{bits}"], environment | more, layer=True)
+            kit.check(done.returncode == 0, f"index_cube_2000, {bits} bits: exit status {done.returncode} {done.stdout.strip()[-200:]}")
+    ours, theirs = (Picture.of_program(folder / f"room{bits}") for bits in (32, 64))
+    # The vertices' floats differ between the processor's units. Too few polygons differ for the fourth rule.
+    report(kit, "32 bits (in the place of render: 64)", judge(kit, ours, theirs, "nv2a")[:3])
+
+
 def libraries_of_32_bits(folder):
     """The folder of a 32-bit OpenGL, or None."""
     libraries = pathlib.Path(os.environ.get("NINEBIT_GL32_LIBRARIES", "/usr/lib/i386-linux-gnu"))
@@ -94,6 +112,7 @@ def check_drawing(kit, folder):
     options = ["-m32", "-mpreferred-stack-boundary=2", *linked[2:], "-Wl,--allow-shlib-undefined"]
     check_extensions(kit, folder, 32, options, of_32_bits)
     check_random_programs(kit, folder, {64: (["-lEGL", "-lGL"], {}), 32: (options, of_32_bits)})
+    check_index_cube(kit, folder, [*linked[:3], "-Wl,--allow-shlib-undefined"], of_32_bits)
     for name, stack in (("32 bits", []), ("32 bits, a stack at multiples of 4", ["-mpreferred-stack-boundary=2"])):
         program = folder / "old_ways32"
         compile_old_ways(program, "-m32", *stack, libraries=[*linked[:3], "-Wl,--allow-shlib-undefined", "-lm"])

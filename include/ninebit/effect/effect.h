@@ -52,6 +52,7 @@ enum class VertexSource : std::uint8_t {
   tangent_to_world_z,    // likewise
   point_sprite,          // the place in a point, (0, 0) at its upper left corner: of polygon mode point
   color,                 // the mesh's vertex colour times its material's base colour
+  secondary_color,       // the mesh's secondary vertex colour
   lambert,               // the base colour times the light's colour times max(0, dot(N, L)); alpha of `color`
   index                  // the colour of the polygon's index: flat, as in index cube shadow mapping
 };
@@ -76,6 +77,7 @@ struct ColorSource {
 // The fog factor of a vertex from the distance z to the camera's plane, as GL_FOG_MODE computes it.
 enum class FogMode : std::uint8_t {
   none,      // GL_FOG is disabled
+  mesh,      // the factors of the mesh's vertices
   linear,    // (end - z) / (end - start)
   exp,       // e^(-density z)
   exp2,      // e^(-(density z)^2)

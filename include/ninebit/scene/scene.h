@@ -80,8 +80,8 @@ struct Bounds {
 enum class UpAxis : std::uint8_t { y, z };
 
 // Vertices are shared by index. Every triangle index is < positions.size(); normals has the size of positions, and so
-// have texture_coordinates, tangents and colors unless they are empty; the triangles of one object are consecutive, and
-// the objects cover all triangles in order.
+// have texture_coordinates, tangents, colors, secondary_colors and fog_factors unless they are empty; the triangles of
+// one object are consecutive, and the objects cover all triangles in order.
 struct Scene {
   std::string name;                              // the file's name, for reports
   std::vector<glm::vec3> positions;              // world space, finite
@@ -91,6 +91,8 @@ struct Scene {
   // has none. The bitangent is along falling t. Empty: the file has no tangents.
   std::vector<glm::vec4> tangents{};
   std::vector<glm::vec4> colors{};               // red, green, blue, alpha in [0, 1]; empty: the file has none
+  std::vector<glm::vec4> secondary_colors{};     // likewise
+  std::vector<float> fog_factors{};              // in [0, 1], 1 is no fog; empty: the file has none
   std::vector<glm::uvec3> triangles;             // counter-clockwise seen from the front
   std::vector<std::uint32_t> triangle_object;    // for each triangle, an index into objects
   std::vector<std::uint32_t> triangle_material;  // for each triangle, an index into materials

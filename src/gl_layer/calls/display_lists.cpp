@@ -277,11 +277,23 @@ void prepare_list_for_vertices(Context& context, unsigned arrays) {
   open.arrays = arrays;
 }
 
-void mark_stale() {
+namespace {
+
+void mark(bool Context::*stale) {
   Context* const context = current();
   if (context == nullptr) return;
-  context->inputs_stale = true;
+  context->*stale = true;
   if (context->open_list != nullptr) context->open_list->stale = true;
+}
+
+}  // namespace
+
+void mark_stale() {
+  mark(&Context::inputs_stale);
+}
+
+void mark_fog_stale() {
+  mark(&Context::fog_stale);
 }
 
 void mark_images_changed() {

@@ -50,6 +50,8 @@ void prepare_list_for_vertices(Context& context, unsigned arrays);
 
 // After a command that changes what a shader depends on: the next draw call looks again.
 void mark_stale();
+// The same where fog alone may have changed.
+void mark_fog_stale();
 // The same for a command that makes or deletes images of textures.
 void mark_images_changed();
 

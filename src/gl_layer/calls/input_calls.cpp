@@ -108,6 +108,8 @@ void get_sgix_shadow(GLenum target, GLenum pname, T* params) {
   NINEBIT_CALL_THAT_MARKS(name, parameters, arguments, mark_stale())
 #define NINEBIT_IMAGE_CALL(name, parameters, arguments) \
   NINEBIT_CALL_THAT_MARKS(name, parameters, arguments, mark_images_changed())
+#define NINEBIT_FOG_CALL(name, parameters, arguments) \
+  NINEBIT_CALL_THAT_MARKS(name, parameters, arguments, if (!changes_no_shader(pname)) mark_fog_stale())
 #define NINEBIT_PARAMETER_CALL(name, parameters, arguments) \
   NINEBIT_CALL_THAT_MARKS(name, parameters, arguments, if (!changes_no_shader(pname)) mark_stale())
 
@@ -165,10 +167,10 @@ NINEBIT_IMAGE_CALL(CopyTexImage2D,
                    (GLenum target, GLint level, GLenum internal, GLint x, GLint y, GLsizei width, GLsizei height,
                     GLint border),
                    (target, level, internal, x, y, width, height, border))
-NINEBIT_PARAMETER_CALL(Fogf, (GLenum pname, GLfloat param), (pname, param))
-NINEBIT_PARAMETER_CALL(Fogi, (GLenum pname, GLint param), (pname, param))
-NINEBIT_PARAMETER_CALL(Fogfv, (GLenum pname, const GLfloat* params), (pname, params))
-NINEBIT_PARAMETER_CALL(Fogiv, (GLenum pname, const GLint* params), (pname, params))
+NINEBIT_FOG_CALL(Fogf, (GLenum pname, GLfloat param), (pname, param))
+NINEBIT_FOG_CALL(Fogi, (GLenum pname, GLint param), (pname, param))
+NINEBIT_FOG_CALL(Fogfv, (GLenum pname, const GLfloat* params), (pname, params))
+NINEBIT_FOG_CALL(Fogiv, (GLenum pname, const GLint* params), (pname, params))
 NINEBIT_PARAMETER_CALL(LightModelf, (GLenum pname, GLfloat param), (pname, param))
 NINEBIT_PARAMETER_CALL(LightModeli, (GLenum pname, GLint param), (pname, param))
 NINEBIT_PARAMETER_CALL(LightModelfv, (GLenum pname, const GLfloat* params), (pname, params))

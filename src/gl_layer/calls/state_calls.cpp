@@ -28,7 +28,6 @@ bool changes_inputs(GLenum cap) {
     case GL_TEXTURE_CUBE_MAP:
     case GL_TEXTURE_RECTANGLE:
     case GL_COLOR_SUM:
-    case GL_FOG:
     case GL_LIGHTING:
     case GL_FRAGMENT_PROGRAM_ARB:
     case GL_VERTEX_PROGRAM_ARB:
@@ -45,8 +44,9 @@ void set_enabled(GLenum cap, bool enabled) {
   if (is_shared_palette(*context, cap)) return enable_shared_palette(enabled);
   if (!is_the_layers(*context, cap)) {
     by_driver(cap);
-    if (!changes_inputs(cap)) return;
-    return mark_stale();
+    if (cap == GL_FOG) return mark_fog_stale();
+    if (changes_inputs(cap)) mark_stale();
+    return;
   }
   context->touched = true;
   if (context->open_list != nullptr) {

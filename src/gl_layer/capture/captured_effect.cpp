@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "ninebit/numerics/fixed9.h"
 #include "src/gl_layer/capture/png.h"
 #include "src/gl_layer/driver/log.h"
 
@@ -19,8 +20,9 @@ using Json = nlohmann::ordered_json;
 constexpr double kCameraDistance = 3.0;
 constexpr double kPi = 3.14159265358979323846;
 
+// As ninebit_codes() of the shader rounds: in floats of 32 bits, in which 0.7 * 255 is 178.5.
 unsigned char byte_of(float value) {
-  return byte_of_color(value);
+  return value > 0.0F ? static_cast<unsigned char>(std::min(value, 1.0F) * 255.0F + 0.5F) : 0;
 }
 
 BytePixel bytes_of(const FloatPixel& pixel) {
@@ -31,10 +33,22 @@ bool is_drawn(const CapturedDraw& draw, std::size_t i) {
   return draw.primary[i][0] >= 0.0F;
 }
 
-// Rectangles one pixel high, each of one primary colour, as a PLY file whose corners are the pixels' corners.
+// A fog factor in the middle of those that become the same byte under the profile.
+float steady_factor(const HardwareProfile& profile, float factor) {
+  const auto byte = static_cast<float>(byte_of_fog_factor(profile, factor));
+  return profile.fog_byte.value == StageByte::nearest ? byte / 255.0F : std::min((byte + 0.5F) / 255.0F, 1.0F);
+}
+
+// What the mesh has beside positions and primary colours.
+struct Varying {
+  bool secondary = false, fog = false;
+};
+
+// Rectangles one pixel high, each with the same inputs everywhere, as a PLY file whose corners are the pixels' corners.
 class PixelMesh {
  public:
-  explicit PixelMesh(const CapturedDraw& draw) : draw_(draw) {
+  PixelMesh(const CapturedDraw& draw, const HardwareProfile& profile, Varying varying)
+      : draw_(draw), profile_(profile), varying_(varying) {
     const auto width = static_cast<std::size_t>(draw.width);
     for (std::size_t row = 0; row < draw.primary.size() / width; ++row) {
       for (std::size_t x = 0; x < width;) x = add_run(row, x, width);
@@ -46,8 +60,10 @@ class PixelMesh {
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment pixels of a captured draw call\nelement vertex " +
                        std::to_string(4 * quads_) +
                        "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar "
-                       "green\nproperty uchar blue\nproperty uchar alpha\nelement face " +
-                       std::to_string(quads_) + "\nproperty list uchar int vertex_indices\nend_header\n" + vertices_;
+                       "green\nproperty uchar blue\nproperty uchar alpha\n" +
+                       (varying_.secondary ? kSecondary : "") + (varying_.fog ? "property float fog_factor\n" : "") +
+                       "element face " + std::to_string(quads_) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n" + vertices_;
     for (std::size_t quad = 0; quad < quads_; ++quad) {
       text += '\4';
       for (std::size_t corner = 0; corner < 4; ++corner) append(text, static_cast<std::int32_t>(4 * quad + corner));
@@ -56,19 +72,38 @@ class PixelMesh {
   }
 
  private:
+  static constexpr const char* kSecondary =
+      "property uchar secondary_red\nproperty uchar secondary_green\nproperty uchar secondary_blue\nproperty uchar "
+      "secondary_alpha\n";
+
+  struct Inputs {
+    BytePixel primary{}, secondary{};
+    float fog = 0.0F;
+    bool operator==(const Inputs&) const = default;
+  };
+
+  [[nodiscard]] Inputs inputs_at(std::size_t i) const {
+    Inputs inputs{.primary = bytes_of(draw_.primary[i])};
+    if (varying_.secondary) inputs.secondary = bytes_of(draw_.secondary[i]);
+    if (varying_.fog) inputs.fog = steady_factor(profile_, draw_.fog[i][3]);
+    return inputs;
+  }
+
   // Returns where the run ends.
   std::size_t add_run(std::size_t row, std::size_t x, std::size_t width) {
     const std::size_t first = row * width;
     if (!is_drawn(draw_, first + x)) return x + 1;
-    const BytePixel color = bytes_of(draw_.primary[first + x]);
+    const Inputs inputs = inputs_at(first + x);
     std::size_t end = x + 1;
-    while (end < width && is_drawn(draw_, first + end) && bytes_of(draw_.primary[first + end]) == color) ++end;
+    while (end < width && is_drawn(draw_, first + end) && inputs_at(first + end) == inputs) ++end;
     for (const auto& [column, line] : {std::pair{x, row}, {end, row}, {end, row + 1}, {x, row + 1}}) {
       append(vertices_,
              (2.0F * static_cast<float>(column) - static_cast<float>(draw_.width)) / static_cast<float>(draw_.height));
       append(vertices_, 2.0F * static_cast<float>(line) / static_cast<float>(draw_.height) - 1.0F);
       append(vertices_, 0.0F);
-      for (const unsigned char byte : color) vertices_ += static_cast<char>(byte);
+      append(vertices_, inputs.primary);
+      if (varying_.secondary) append(vertices_, inputs.secondary);
+      if (varying_.fog) append(vertices_, inputs.fog);
     }
     ++quads_;
     return end;
@@ -83,6 +118,8 @@ class PixelMesh {
   }
 
   const CapturedDraw& draw_;
+  const HardwareProfile& profile_;
+  Varying varying_;
   std::string vertices_{};
   std::size_t quads_ = 0;
 };
@@ -146,9 +183,23 @@ Json matrix_to(const CapturedDraw& draw) {
       {Json::array({s, 0, 0, 0}), Json::array({0, t, 0, 0}), Json::array({0, 0, 1, 0}), Json::array({0, 0, 0, 1})});
 }
 
+// The fog register's colour; a fog colour that changes within a display list cannot be said.
+Json fog_of(const CapturedDraw& draw, bool varying, CapturedFiles& files) {
+  std::vector<FloatPixel> colors = draw.fog;
+  for (FloatPixel& color : colors) color[3] = 0.0F;
+  Json fog = Json::object();
+  if (varying) fog["factor"] = "mesh";
+  if (const auto color = common_bytes(draw, colors)) {
+    fog["color"] = Json::array({(*color)[0] / 255.0, (*color)[1] / 255.0, (*color)[2] / 255.0});
+  } else {
+    files.left_out.emplace_back("the fog colour differs from pixel to pixel; the effect has 0");
+  }
+  return fog;
+}
+
 // The effect's pass; the program file holds the constants of the state when it was first drawn with.
 Json pass_of(const CapturedDraw& draw, const CombinerState& state, const HardwareProfile& profile,
-             const std::string& program, CapturedFiles& files) {
+             const std::string& program, Varying varying, CapturedFiles& files) {
   Json pass{{"name", draw.call}, {"program", program}, {"primary", "color"}, {"shade", "flat"}, {"depth", nullptr}};
   Json& constants = pass["constants"];
   constants = {{"const0", color_of(state.constant0)}, {"const1", color_of(state.constant1)}};
@@ -160,19 +211,9 @@ Json pass_of(const CapturedDraw& draw, const CombinerState& state, const Hardwar
           {{"const0", color_of(general.constant0)}, {"const1", color_of(general.constant1)}});
     }
   }
-  const auto secondary = common_bytes(draw, draw.secondary);
-  if (secondary) {
-    pass["secondary"] = constant_source(*secondary);
-  } else {
-    files.left_out.emplace_back("the secondary colour differs from pixel to pixel; the effect has 0");
-  }
-  const auto fog = common_bytes(draw, draw.fog);
-  if (fog) {
-    pass["fog"] = {{"color", Json::array({(*fog)[0] / 255.0, (*fog)[1] / 255.0, (*fog)[2] / 255.0})}};
-  }
-  if (draw.inputs.fog != FogFactor::off) {
-    files.left_out.emplace_back("the fog factor; the effect has no fog");
-  }
+  pass["secondary"] =
+      varying.secondary ? "secondary-color" : constant_source(common_bytes(draw, draw.secondary).value_or(BytePixel{}));
+  pass["fog"] = fog_of(draw, varying.fog, files);
   return pass;
 }
 
@@ -199,7 +240,8 @@ CapturedFiles write_effect(const std::filesystem::path& folder, const std::strin
   };
   write(name + ".png", picture_file(draw));
   for (std::size_t i = 0; i < draw.primary.size(); ++i) files.pixels += is_drawn(draw, i) ? 1U : 0U;
-  const PixelMesh mesh(draw);
+  const Varying varying{.secondary = !common_bytes(draw, draw.secondary), .fog = draw.inputs.fog != FogFactor::off};
+  const PixelMesh mesh(draw, profile, varying);
   if (mesh.empty()) return files;
   write(name + ".ply", mesh.ply());
   Json effect{{"ninebit", "effect"},
@@ -213,7 +255,7 @@ CapturedFiles write_effect(const std::filesystem::path& folder, const std::strin
                 {"look_at", Json::array({0, 0, 0})},
                 {"fov", 2.0 * std::atan(1.0 / kCameraDistance) * 180.0 / kPi},
                 {"light", Json::array({-1, 1, 1})}}}};
-  Json pass = pass_of(draw, state, profile, program, files);
+  Json pass = pass_of(draw, state, profile, program, varying, files);
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
     if (draw.texels[i].empty()) {
       pass["units"].push_back(nullptr);

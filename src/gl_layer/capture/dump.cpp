@@ -1,11 +1,14 @@
 #include "src/gl_layer/capture/dump.h"
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -16,6 +19,7 @@
 #include "src/gl_layer/capture/capture.h"
 #include "src/gl_layer/capture/captured_effect.h"
 #include "src/gl_layer/capture/draw_description.h"
+#include "src/gl_layer/capture/zip.h"
 #include "src/gl_layer/driver/log.h"
 
 namespace ninebit::gl_layer {
@@ -23,6 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+// What an archive can count, and about the bytes of the headings of one file.
+constexpr std::size_t kMostArchived = 65535, kArchiveHeadings = 512;
 
 std::string numbered(const char* name, std::size_t number) {
   char text[64];
@@ -90,9 +97,11 @@ class Dump {
     write_list();
     if (frame_ == 0 || context.frame != frame_) return;
     const Json frame{{"ninebit", "captured frame"}, {"version", 1}, {"frame", frame_}, {"draws", draws_}};
-    write_file(folder_ / (numbered("frame", frame_) + ".json"), frame.dump(2) + '\n');
+    const std::string name = numbered("frame", frame_), description = frame.dump(2) + '\n';
+    write_file(folder_ / (name + ".json"), description);
+    write_archive(folder_ / name, name, description);
     log_line("frame " + std::to_string(frame_) + ": " + std::to_string(draws_.size()) + " draw calls in " +
-             (folder_ / numbered("frame", frame_)).string());
+             (folder_ / name).string() + " and " + name + ".zip");
     draws_ = Json::array();
   }
 
@@ -108,6 +117,25 @@ class Dump {
       const std::lock_guard lock(get().mutex_);
       get().write_list();
     });
+  }
+
+  // The frame's files in one. A frame without combiners has no folder and no archive.
+  static void write_archive(const fs::path& folder, const std::string& name, const std::string& description) {
+    std::vector<std::pair<std::string, std::string>> files;
+    std::uint64_t bytes = 0;
+    std::error_code fault;
+    for (const auto& entry : fs::directory_iterator(folder, fault)) {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      files.emplace_back(entry.path().filename().string(), std::string(std::istreambuf_iterator<char>(stream), {}));
+      bytes += files.back().second.size() + kArchiveHeadings;
+    }
+    if (files.empty()) return;
+    if (files.size() >= kMostArchived || bytes >> 32U != 0) {
+      return log_line(name + ".zip: the frame is too large for an archive: " + std::to_string(bytes) + " bytes");
+    }
+    std::sort(files.begin(), files.end());
+    files.emplace_back(name + ".json", description);
+    write_file(folder.parent_path() / (name + ".zip"), zip_file(files));
   }
 
   void write_list() const {

@@ -1,8 +1,6 @@
 #include "src/gl_layer/capture/png.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <string_view>
 
 namespace ninebit::gl_layer {
 namespace {
@@ -11,15 +9,6 @@ std::string big_endian(std::uint32_t value) {
   std::string bytes;
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 255U);
   return bytes;
-}
-
-std::uint32_t crc(std::string_view bytes) {
-  std::uint32_t value = ~0U;
-  for (const char byte : bytes) {
-    value ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1U) ^ ((value & 1U) != 0 ? 0xEDB88320U : 0U);
-  }
-  return ~value;
 }
 
 std::uint32_t adler(std::string_view bytes) {
@@ -34,7 +23,7 @@ std::uint32_t adler(std::string_view bytes) {
 std::string chunk(std::string_view type, std::string_view content) {
   std::string body(type);
   body += content;
-  return big_endian(static_cast<std::uint32_t>(content.size())) + body + big_endian(crc(body));
+  return big_endian(static_cast<std::uint32_t>(content.size())) + body + big_endian(crc_of(body));
 }
 
 // A zlib stream of blocks that are stored as they are.
@@ -54,6 +43,15 @@ std::string stored(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::uint32_t crc_of(std::string_view bytes) {
+  std::uint32_t value = ~0U;
+  for (const char byte : bytes) {
+    value ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) value = (value >> 1U) ^ ((value & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+  return ~value;
+}
 
 std::string png_file(const std::vector<std::array<unsigned char, 4>>& pixels, std::size_t width) {
   const std::size_t height = pixels.size() / width;

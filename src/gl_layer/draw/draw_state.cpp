@@ -238,15 +238,22 @@ bool combiners_apply(Context& context) {
         "combiners or texture shaders are enabled while shaders of the program itself are current: its shaders draw");
     return false;
   }
+  if (!context.inputs_stale && context.fog_stale) {
+    const FogFactor fog = fog_factor();
+    context.inputs_changed = context.inputs_changed || fog != context.inputs.fog;
+    context.inputs.fog = fog;
+  }
   if (context.inputs_stale) {
     context.own_fragments = context.features.fragment_program && driver_enables(GL_FRAGMENT_PROGRAM_ARB);
     ShaderInputs inputs = find_inputs(context);
     if (!(inputs == context.inputs)) {
       context.inputs = std::move(inputs);
       context.inputs_changed = true;
+      context.of_fog = {};
     }
     context.inputs_stale = false;
   }
+  context.fog_stale = false;
   return !context.own_fragments;
 }
 
@@ -271,9 +278,8 @@ void upload_constants(CachedProgram& cached, const ConstantCodes& codes) {
 
 void upload_stage_numbers(CachedProgram& cached, const TextureShaderState& state) {
   if (!cached.inputs.stages) return;
-  std::array<GLfloat, 4 * kLayerUnits> matrices{};
-  std::array<GLfloat, 2 * kLayerUnits> scales{};
-  std::array<GLfloat, 3 * kLayerUnits> eyes{};
+  StageUniforms numbers;
+  auto& [matrices, scales, eyes] = numbers;
   for (std::size_t i = 0; i < kLayerUnits; ++i) {
     const TextureStage& stage = state.stage[i];
     std::copy(stage.matrix.begin(), stage.matrix.end(), &matrices[4 * i]);
@@ -281,6 +287,8 @@ void upload_stage_numbers(CachedProgram& cached, const TextureShaderState& state
     scales[2 * i + 1] = stage.bias;
     std::copy(stage.eye.begin(), stage.eye.end(), &eyes[3 * i]);
   }
+  if (cached.uploaded_stages == numbers) return;
+  cached.uploaded_stages = numbers;
   constexpr auto kUnits = static_cast<GLsizei>(kLayerUnits);
   found_driver.Uniform4fv(cached.stage_numbers[0], kUnits, matrices.data());  // a location of -1 is ignored
   found_driver.Uniform2fv(cached.stage_numbers[1], kUnits, scales.data());
@@ -296,8 +304,8 @@ bool computes_colors(const Context& context) {
 bool needs_preparation(const Context& context) {
   if (!context.touched) return false;
   if (!computes_colors(context)) return context.bound;
-  return !context.bound || context.inputs_stale || context.inputs_changed || context.program_stale ||
-         context.constants_stale;
+  return !context.bound || context.inputs_stale || context.fog_stale || context.inputs_changed ||
+         context.program_stale || context.constants_stale;
 }
 
 void prepare_draw(Context& context) {
@@ -312,8 +320,13 @@ void prepare_draw(Context& context) {
     const Program& program = context.shown;
     CachedProgram* cached = context.program;
     if (cached == nullptr || context.inputs_changed || context.program_stale) {
+      if (context.program_stale) context.of_fog = {};
+      CachedProgram*& of_fog = context.of_fog[static_cast<std::size_t>(context.inputs.fog)];
       const std::size_t known = context.programs->size();
-      cached = &context.programs->find(without_constants(program), profile, inputs_of(program, context.inputs));
+      if (of_fog == nullptr) {
+        of_fog = &context.programs->find(without_constants(program), profile, inputs_of(program, context.inputs));
+      }
+      cached = of_fog;
       if (context.programs->size() != known) context.bound = false;  // the driver has another program current
     }
     context.inputs_changed = context.program_stale = context.constants_stale = false;

@@ -27,7 +27,7 @@ __attribute__((optimize("O2")))
 #endif
 void* ninebit_dlsym(void* handle, const char* name) {
   if (void* const own = ninebit::gl_layer::own_symbol(handle, name)) {
-    return ninebit::gl_layer::looked_up(handle, name, own);
+    return ninebit::gl_layer::looked_up(handle, name, own, __builtin_return_address(0));
   }
   NINEBIT_JUMP ninebit::gl_layer::next_dlsym()(handle, name);
 }

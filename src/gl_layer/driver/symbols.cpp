@@ -16,12 +16,28 @@ using GetProcAddress = AnyFunction (*)(const char*);
 // The window systems' lookups that a program has found in a library which is not in the global scope.
 constinit GetProcAddress loaded_glx = nullptr, loaded_egl = nullptr;
 
+// A function of the C library by the version that it has on this processor. Other libraries may stand in front of it,
+// and look up functions themselves when theirs is called.
+template <class Function>
+Function in_c_library(const char* name) {
+  for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.1", "GLIBC_2.0"}) {
+    if (void* const symbol = dlvsym(RTLD_NEXT, name, version)) return reinterpret_cast<Function>(symbol);
+  }
+  return nullptr;
+}
+
+using OpenLibrary = void* (*)(const char*, int);
+OpenLibrary next_dlopen() {
+  static const auto found = in_c_library<OpenLibrary>("dlopen");
+  return found;
+}
+
 // A symbol of an OpenGL driver that the program has loaded, perhaps without making its symbols global; nullptr: none
 // has it, or none that `accept` takes.
 template <class Accept>
 void* from_loaded_library(const char* name, const Accept& accept) {
   for (const char* file : {"libGL.so.1", "libOpenGL.so.0", "libGLX.so.0", "libEGL.so.1"}) {
-    void* const library = dlopen(file, RTLD_LAZY | RTLD_NOLOAD);
+    void* const library = next_dlopen()(file, RTLD_LAZY | RTLD_NOLOAD);
     if (library == nullptr) continue;
     void* const symbol = next_dlsym()(library, name);
     dlclose(library);
@@ -36,6 +52,15 @@ void remember(std::string_view name, void* symbol) {
   } else if (name == "eglGetProcAddress") {
     loaded_egl = reinterpret_cast<GetProcAddress>(symbol);
   }
+}
+
+// Whether the code at an address belongs to the interposer that this library's own calls go to. The layer's function
+// would call it again.
+bool stands_behind(const char* name, const void* caller) {
+  Dl_info library{}, behind{};
+  void* const next = next_dlsym()(RTLD_NEXT, name);
+  return next != nullptr && dladdr(next, &behind) != 0 && dladdr(caller, &library) != 0 &&
+         library.dli_fbase == behind.dli_fbase;
 }
 
 // Whether the library of a symbol makes contexts of a window system itself: a driver under a name of its own.
@@ -71,13 +96,7 @@ AnyFunction proc_address(const char* name, const char* lookup, GetProcAddress lo
 }  // namespace
 
 FindSymbol next_dlsym() noexcept {
-  // By the version that it has on this processor.
-  static const FindSymbol found = [] {
-    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.0"}) {
-      if (void* const symbol = dlvsym(RTLD_NEXT, "dlsym", version)) return reinterpret_cast<FindSymbol>(symbol);
-    }
-    return FindSymbol{nullptr};
-  }();
+  static const auto found = in_c_library<FindSymbol>("dlsym");
   return found;
 }
 
@@ -88,11 +107,11 @@ void* own_symbol(void* handle, const char* name) {
   return handle != RTLD_NEXT ? reinterpret_cast<void*>(own) : nullptr;
 }
 
-void* looked_up(void* handle, const char* name, void* own) {
+void* looked_up(void* handle, const char* name, void* own, const void* caller) {
   void* symbol = next_dlsym()(handle, name);
   if (symbol == own) return symbol;
   if (symbol != nullptr) {
-    const bool ours = is_the_drivers(handle, name, symbol);
+    const bool ours = is_the_drivers(handle, name, symbol) && !stands_behind(name, caller);
     if (ours) remember(name, symbol);
     dlerror();  // of the lookups since
     return ours ? own : symbol;

@@ -25,8 +25,9 @@ using FindSymbol = void* (*)(void*, const char*) noexcept;  // as it is declared
 [[nodiscard]] FindSymbol next_dlsym() noexcept;
 // This library's function that dlsym may give for a name; nullptr: the C library's answer is right as it is.
 [[nodiscard]] void* own_symbol(void* handle, const char* name);
-// The result of dlsym for that name: the function, if the handle's library is a driver, else the library's own.
-[[nodiscard]] void* looked_up(void* handle, const char* name, void* own);
+// The result of dlsym for that name: the function, if the handle's library is a driver, else the library's own. An
+// interposer behind this library, in which `caller` is an address, gets the driver's.
+[[nodiscard]] void* looked_up(void* handle, const char* name, void* own, const void* caller);
 
 template <class Function>
 Function next_function_as(const char* name) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -20,6 +21,14 @@ namespace ninebit::gl_layer {
 // The codes of all constants, as the uniform array of a shader holds them.
 using ConstantCodes = std::array<std::array<int, 4>, kGlslConstants>;
 
+// The numbers of texture-shader stages that are uniforms, likewise.
+struct StageUniforms {
+  std::array<float, 4 * kLayerUnits> matrices{};
+  std::array<float, 2 * kLayerUnits> scales{};  // and biases
+  std::array<float, 3 * kLayerUnits> eyes{};
+  bool operator==(const StageUniforms&) const = default;
+};
+
 struct CachedProgram {
   Program program{};  // its constants are 0
   ShaderInputs inputs{};
@@ -30,7 +39,8 @@ struct CachedProgram {
   std::string shader{};                          // its text
   std::shared_ptr<std::atomic<std::uint64_t>> draws = std::make_shared<std::atomic<std::uint64_t>>(0);  // calls with it
   ConstantCodes uploaded{};  // what the uniform array holds
-  bool dumped = false;       // whether --dump has written it
+  std::optional<StageUniforms> uploaded_stages{};
+  bool dumped = false;  // whether --dump has written it
 };
 
 class ProgramCache {

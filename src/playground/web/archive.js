@@ -1,5 +1,6 @@
 /**
- * Files that the page writes: pictures as PNG to the bit, animations as APNG, several files as a ZIP archive.
+ * Files that the page writes: pictures as PNG to the bit, animations as APNG, several files as a ZIP archive. Archives are
+ * read, too.
  */
 
 const table = Uint32Array.from({ length: 256 }, (_, byte) => {
@@ -110,4 +111,60 @@ export function zip(files) {
   const size = directory.reduce((sum, part) => sum + part.length, 0);
   const end = littleEndian([4, 0x06054B50], [2, 0], [2, 0], [2, files.length], [2, files.length], [4, size], [4, at], [2, 0]);
   return new Blob(/** @type {BlobPart[]} */ ([...parts, ...directory, end]), { type: 'application/zip' });
+}
+
+/** The most files of an archive, and the most bytes that it unpacks to. */
+const mostFiles = 4096, mostUnpacked = 512 * 1024 * 1024;
+
+/** @param {Uint8Array} packed @param {number} size @returns {Promise<Uint8Array<ArrayBuffer>>} at most one byte more than `size` */
+async function inflated(packed, size) {
+  const bytes = new Uint8Array(size);
+  const reader = new Blob([/** @type {BlobPart} */ (packed)]).stream().pipeThrough(new DecompressionStream('deflate-raw')).getReader();
+  for (let at = 0; ;) {
+    const { done, value } = await reader.read();
+    if (done) return bytes.subarray(0, at);
+    if (at + value.length > size) throw new Error('it has more bytes than it says');
+    bytes.set(value, at);
+    at += value.length;
+  }
+}
+
+/**
+ * The files of a ZIP archive, with their names without folders; any other file as it is.
+ * @param {File} file
+ * @returns {Promise<File[]>}
+ */
+export async function unpacked(file) {
+  if (file.size > mostUnpacked || await file.slice(0, 4).text() !== 'PK\x03\x04') return [file];
+  const wrong = (/** @type {string} */ what) => new Error(`${file.name}: a damaged archive: ${what}`);
+  const bytes = new Uint8Array(await file.arrayBuffer()), view = new DataView(bytes.buffer);
+  let end = bytes.length - 22;
+  while (end >= 0 && view.getUint32(end, true) !== 0x06054B50) end--;
+  if (end < 0) throw wrong('it ends early');
+  const count = view.getUint16(end + 10, true);
+  if (count > mostFiles) throw new Error(`${file.name}: the page takes at most ${mostFiles} files of an archive`);
+  /** @type {File[]} */
+  const files = [];
+  try {
+    for (let number = 0, at = view.getUint32(end + 16, true), total = 0; number < count; number++) {
+      if (view.getUint32(at, true) !== 0x02014B50) throw wrong('its directory is not whole');
+      const method = view.getUint16(at + 10, true), crc = view.getUint32(at + 16, true), size = view.getUint32(at + 24, true);
+      const name = new TextDecoder().decode(bytes.subarray(at + 46, at + 46 + view.getUint16(at + 28, true)));
+      const local = view.getUint32(at + 42, true), first = local + 30 + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
+      const packed = bytes.subarray(first, first + view.getUint32(at + 20, true));
+      at += 46 + view.getUint16(at + 28, true) + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+      if (name.endsWith('/')) continue;
+      total += size;
+      if (total > mostUnpacked) throw new Error(`${file.name}: it has more than ${mostUnpacked / 1e6} MB unpacked`);
+      if (method !== 0 && method !== 8) throw new Error(`${file.name}: ${name} is packed in another way than by deflate`);
+      const content = method === 0 ? packed : await inflated(packed, size);
+      if (content.length !== size || crc32(content) !== crc) throw wrong(`${name} has other bytes than it should`);
+      const plain = name.slice(name.lastIndexOf('/') + 1);
+      files.push(new File([/** @type {BlobPart} */ (content)], plain, { type: /\.png$/i.test(plain) ? 'image/png' : '' }));
+    }
+  } catch (error) {
+    if (error instanceof RangeError || error instanceof TypeError) throw wrong('it ends early');
+    throw error;
+  }
+  return files;
 }

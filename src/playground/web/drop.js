@@ -1,7 +1,8 @@
 /**
  * Files dropped on the page: pictures become textures, meshes the effect's mesh, texts the program. An effect file opens
- * with the files that it names.
+ * with the files that it names, also from an archive.
  */
+import { unpacked } from './archive.js';
 import { mostBytes } from './decode_picture.js';
 import { findEffect, stateOfDropped } from './effect_drop.js';
 import { messageOf } from './dom.js';
@@ -44,9 +45,12 @@ async function take(file, unit, { store, shelf, inputs, editor }) {
  * @param {(message: string|null) => void} say shows what went wrong
  */
 export function acceptDrops(page, say) {
-  /** @param {File[]} files @param {number} unit */
-  const takeAll = async (files, unit) => {
+  /** @param {File[]} dropped @param {number} unit */
+  const takeAll = async (dropped, unit) => {
+    /** @type {File[]} */
+    let files;
     try {
+      files = (await Promise.all(dropped.map(unpacked))).flat();
       const found = await findEffect(files);
       if (found) return page.open(await stateOfDropped(found.effect, found.file.name, files, page.shelf));
     } catch (error) {

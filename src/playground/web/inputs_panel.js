@@ -11,7 +11,7 @@ import { bare, passOf } from './state.js';
 const vectors = ['uv', 'screen', 'projected', 'position', 'normal', 'from-light', 'light-vector', 'view-vector', 'half-vector',
   'reflection', 'tangent-light-vector', 'tangent-half-vector'];
 const coordinates = [...vectors, 'tangent-to-world-x', 'tangent-to-world-y', 'tangent-to-world-z'];
-const colours = [...vectors.slice(3), 'color', 'lambert', 'index', 'constant:1,1,1', 'constant:0,0,0', 'constant:0.5,0.5,0.5'];
+const colours = [...vectors.slice(3), 'color', 'secondary-color', 'lambert', 'index', 'constant:1,1,1', 'constant:0,0,0', 'constant:0.5,0.5,0.5'];
 const off = '(off)';
 
 /** Sources whose textures have a steepness. */

@@ -17,6 +17,8 @@ namespace {
 constexpr glm::vec2 kNoTextureCoordinate(0.0F);
 constexpr glm::vec4 kNoTangent(0.0F);
 constexpr glm::vec4 kNoColor(1.0F);
+constexpr glm::vec4 kNoSecondaryColor(0.0F, 0.0F, 0.0F, 1.0F);
+constexpr float kNoFog = 1.0F;
 
 // Adding +0 turns -0 into +0: both are the same position.
 std::uint32_t bits(float value) {
@@ -111,13 +113,16 @@ MeshBuilder::Stored MeshBuilder::stored(std::uint32_t vertex) const {
           .texture_coordinate =
               scene_.texture_coordinates.empty() ? kNoTextureCoordinate : scene_.texture_coordinates[vertex],
           .tangent = scene_.tangents.empty() ? kNoTangent : scene_.tangents[vertex],
-          .color = scene_.colors.empty() ? kNoColor : scene_.colors[vertex]};
+          .color = scene_.colors.empty() ? kNoColor : scene_.colors[vertex],
+          .secondary_color = scene_.secondary_colors.empty() ? kNoSecondaryColor : scene_.secondary_colors[vertex],
+          .fog_factor = scene_.fog_factors.empty() ? kNoFog : scene_.fog_factors[vertex]};
 }
 
 bool MeshBuilder::equal(const Stored& a, const Stored& b) {
   return same_bits(a.position, b.position) && same_bits(a.normal, b.normal) &&
          same_bits(a.texture_coordinate, b.texture_coordinate) && same_bits(a.tangent, b.tangent) &&
-         same_bits(a.color, b.color);
+         same_bits(a.color, b.color) && same_bits(a.secondary_color, b.secondary_color) &&
+         bits(a.fog_factor) == bits(b.fog_factor);
 }
 
 std::size_t MeshBuilder::hash(const Stored& vertex) {
@@ -126,6 +131,8 @@ std::size_t MeshBuilder::hash(const Stored& vertex) {
   if (!same_bits(vertex.texture_coordinate, kNoTextureCoordinate)) hash = mix(hash, vertex.texture_coordinate);
   if (!same_bits(vertex.tangent, kNoTangent)) hash = mix(hash, vertex.tangent);
   if (!same_bits(vertex.color, kNoColor)) hash = mix(hash, vertex.color);
+  if (!same_bits(vertex.secondary_color, kNoSecondaryColor)) hash = mix(hash, vertex.secondary_color);
+  if (vertex.fog_factor != kNoFog) hash = mix(hash, glm::vec2(vertex.fog_factor, 0.0F));
   return static_cast<std::size_t>(hash);
 }
 
@@ -134,7 +141,9 @@ std::uint32_t MeshBuilder::vertex(const MeshVertex& corner) {
                    .normal = unit_or_zero(glm::dvec3(corner.normal)),
                    .texture_coordinate = corner.texture_coordinate.value_or(kNoTextureCoordinate),
                    .tangent = corner.tangent.value_or(kNoTangent),
-                   .color = corner.color.value_or(kNoColor)};
+                   .color = corner.color.value_or(kNoColor),
+                   .secondary_color = corner.secondary_color.value_or(kNoSecondaryColor),
+                   .fog_factor = corner.fog_factor.value_or(kNoFog)};
   shared_.reserve_one([this](std::uint32_t i) { return hash(stored(i)); });
   std::uint32_t& slot = shared_.slot(hash(own), [&](std::uint32_t i) { return equal(stored(i), own); });
   if (slot != VertexTable::kFree) return slot;
@@ -143,6 +152,8 @@ std::uint32_t MeshBuilder::vertex(const MeshVertex& corner) {
   if (corner.texture_coordinate) scene_.texture_coordinates.resize(slot, kNoTextureCoordinate);
   if (corner.tangent) scene_.tangents.resize(slot, kNoTangent);
   if (corner.color) scene_.colors.resize(slot, kNoColor);
+  if (corner.secondary_color) scene_.secondary_colors.resize(slot, kNoSecondaryColor);
+  if (corner.fog_factor) scene_.fog_factors.resize(slot, kNoFog);
   scene_.positions.push_back(own.position);
   scene_.normals.push_back(own.normal);
   if (corner.texture_coordinate || !scene_.texture_coordinates.empty()) {
@@ -150,6 +161,9 @@ std::uint32_t MeshBuilder::vertex(const MeshVertex& corner) {
   }
   if (corner.tangent || !scene_.tangents.empty()) scene_.tangents.push_back(own.tangent);
   if (corner.color || !scene_.colors.empty()) scene_.colors.push_back(own.color);
+  if (corner.secondary_color || !scene_.secondary_colors.empty())
+    scene_.secondary_colors.push_back(own.secondary_color);
+  if (corner.fog_factor || !scene_.fog_factors.empty()) scene_.fog_factors.push_back(own.fog_factor);
   return slot;
 }
 
@@ -171,6 +185,8 @@ void MeshBuilder::end_object() {
   if (!scene_.texture_coordinates.empty()) scene_.texture_coordinates.resize(first_vertex_);
   if (!scene_.tangents.empty()) scene_.tangents.resize(first_vertex_);
   if (!scene_.colors.empty()) scene_.colors.resize(first_vertex_);
+  if (!scene_.secondary_colors.empty()) scene_.secondary_colors.resize(first_vertex_);
+  if (!scene_.fog_factors.empty()) scene_.fog_factors.resize(first_vertex_);
 }
 
 std::optional<std::string> MeshBuilder::vertex_at(const MeshPlace& place, MeshVertex corner, std::uint32_t& vertex) {

@@ -29,6 +29,8 @@ struct MeshVertex {
   std::optional<glm::vec2> texture_coordinate{};
   std::optional<glm::vec4> tangent{};  // as in Scene; of any length
   std::optional<glm::vec4> color{};
+  std::optional<glm::vec4> secondary_color{};
+  std::optional<float> fog_factor{};
 };
 
 // A hash table of vertex numbers, keyed by the bits of the vertices' data in the scene. Its memory and the time to
@@ -52,8 +54,8 @@ class VertexTable {
 
 // Corners of one object with equal data, bit for bit, become one vertex: files store corners,
 // techniques need shared vertices. A corner whose normal is zero or not finite gets the mean normal of the object's
-// triangles at exactly its position, weighted by area. Texture coordinates, tangents and colours that a corner does not
-// have, while others of the scene do, are (0, 0), zero and white.
+// triangles at exactly its position, weighted by area. Texture coordinates, tangents, colours, secondary colours and
+// fog factors that a corner does not have, while others of the scene do, are (0, 0), zero, white, black and 1.
 class MeshBuilder {
  public:
   explicit MeshBuilder(Scene& scene) : scene_(scene) {}
@@ -78,6 +80,8 @@ class MeshBuilder {
     glm::vec2 texture_coordinate;
     glm::vec4 tangent;
     glm::vec4 color;
+    glm::vec4 secondary_color;
+    float fog_factor;
   };
   [[nodiscard]] Stored stored(std::uint32_t vertex) const;
   [[nodiscard]] static bool equal(const Stored& a, const Stored& b);

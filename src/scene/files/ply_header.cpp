@@ -27,8 +27,23 @@ PlyKind kind_of(std::string_view element) {
 
 PlyRole role_of(PlyKind kind, const PlyProperty& property) {
   // In the order of PlyRole; programs have several names for texture coordinates.
-  constexpr std::array<std::string_view, kPlyValues> kOfVertices{"x",   "y",     "z",    "nx",    "ny", "nz",
-                                                                 "red", "green", "blue", "alpha", "s",  "t"};
+  constexpr std::array<std::string_view, kPlyValues> kOfVertices{"x",
+                                                                 "y",
+                                                                 "z",
+                                                                 "nx",
+                                                                 "ny",
+                                                                 "nz",
+                                                                 "red",
+                                                                 "green",
+                                                                 "blue",
+                                                                 "alpha",
+                                                                 "s",
+                                                                 "t",
+                                                                 "secondary_red",
+                                                                 "secondary_green",
+                                                                 "secondary_blue",
+                                                                 "secondary_alpha",
+                                                                 "fog_factor"};
   constexpr std::array<std::string_view, 6> kOtherCoordinates{"u",         "v",          "texture_u",
                                                               "texture_v", "texcoord_s", "texcoord_t"};
   constexpr std::array<std::string_view, 3> kOfMaterials{"diffuse_red", "diffuse_green", "diffuse_blue"};

@@ -19,8 +19,28 @@ struct PlyType {
 };
 
 // The meaning of a property. The roles before `corners` are the indices of PlyRow::values.
-enum class PlyRole : std::uint8_t { x, y, z, nx, ny, nz, red, green, blue, alpha, s, t, corners, none };
-inline constexpr std::size_t kPlyValues = 12;
+enum class PlyRole : std::uint8_t {
+  x,
+  y,
+  z,
+  nx,
+  ny,
+  nz,
+  red,
+  green,
+  blue,
+  alpha,
+  s,
+  t,
+  secondary_red,
+  secondary_green,
+  secondary_blue,
+  secondary_alpha,
+  fog_factor,
+  corners,
+  none
+};
+inline constexpr std::size_t kPlyValues = 17;
 
 struct PlyProperty {
   std::string name;

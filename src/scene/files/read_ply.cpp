@@ -176,7 +176,9 @@ class PlyReader {
       has_normals_ = element.has(PlyRole::nx) || element.has(PlyRole::ny) || element.has(PlyRole::nz);
       has_colors_ = element.has(PlyRole::red) && element.has(PlyRole::green) && element.has(PlyRole::blue);
       has_coordinates_ = element.has(PlyRole::s) && element.has(PlyRole::t);
-      row_.values[static_cast<std::size_t>(PlyRole::alpha)] = 1.0F;  // without the property
+      has_secondary_ = element.has(PlyRole::secondary_red) && element.has(PlyRole::secondary_green) &&
+                       element.has(PlyRole::secondary_blue);
+      has_fog_ = element.has(PlyRole::fog_factor);
     }
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (auto fault = rows_.next(element, i, row_)) return fault;
@@ -197,16 +199,22 @@ class PlyReader {
     // The origin of pictures is the lower left corner, as in OpenGL.
     const glm::vec2 at(v[10], 1.0F - v[11]);
     if (has_coordinates_) coordinates_.push_back(is_finite(glm::vec3(at, 0.0F)) ? at : glm::vec2(0.0F));
-    if (has_colors_) colors_.push_back(glm::clamp(color_of_row(element), 0.0F, 1.0F));
+    if (has_colors_) colors_.push_back(glm::clamp(color_of_row(element, PlyRole::red), 0.0F, 1.0F));
+    if (has_secondary_) {
+      secondary_colors_.push_back(glm::clamp(color_of_row(element, PlyRole::secondary_red), 0.0F, 1.0F));
+    }
+    const float fog = v[static_cast<std::size_t>(PlyRole::fog_factor)];
+    if (has_fog_) fog_factors_.push_back(std::isfinite(fog) ? std::clamp(fog, 0.0F, 1.0F) : 1.0F);
     vertices_.push_back(VertexTable::kFree);
   }
 
-  // The row's colour, scaled by the types of its components; alpha is 1 without the property.
-  [[nodiscard]] glm::vec4 color_of_row(const PlyElement& element) const {
+  // The row's colour, whose red has the given role, scaled by the types of its components; alpha is 1 without the
+  // property.
+  [[nodiscard]] glm::vec4 color_of_row(const PlyElement& element, PlyRole red) const {
     glm::vec4 color(0.0F, 0.0F, 0.0F, 1.0F);
     for (const PlyProperty& property : element.properties) {
-      if (property.role < PlyRole::red || property.role > PlyRole::alpha) continue;
-      const auto channel = static_cast<glm::length_t>(property.role) - static_cast<glm::length_t>(PlyRole::red);
+      const auto channel = static_cast<glm::length_t>(property.role) - static_cast<glm::length_t>(red);
+      if (channel < 0 || channel >= 4) continue;
       color[channel] = color_of(property.type, row_.values[static_cast<std::size_t>(property.role)]);
     }
     return is_finite(glm::vec3(color)) && std::isfinite(color.a) ? color : glm::vec4(Material{}.base_color, 1.0F);
@@ -225,6 +233,8 @@ class PlyReader {
       if (has_normals_) corner.normal = normals_[at];
       if (has_coordinates_) corner.texture_coordinate = coordinates_[at];
       if (has_colors_) corner.color = colors_[at];
+      if (has_secondary_) corner.secondary_color = secondary_colors_[at];
+      if (has_fog_) corner.fog_factor = fog_factors_[at];
       if (auto fault = builder_.vertex_at(place_, corner, vertices_[at])) return fault;
     }
     corners_.push_back(vertices_[at]);
@@ -260,17 +270,18 @@ class PlyReader {
   }
 
   void add_material(const PlyElement& element) {
-    out_.materials.push_back({"", glm::clamp(glm::vec3(color_of_row(element)), 0.0F, 1.0F)});
+    out_.materials.push_back({"", glm::clamp(glm::vec3(color_of_row(element, PlyRole::red)), 0.0F, 1.0F)});
   }
 
   const PlyHeader& header_;
   PlyRows rows_;
   PlyRow row_;
-  bool has_normals_ = false, has_colors_ = false, has_coordinates_ = false;
+  bool has_normals_ = false, has_colors_ = false, has_coordinates_ = false, has_secondary_ = false, has_fog_ = false;
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
   std::vector<glm::vec2> coordinates_;
-  std::vector<glm::vec4> colors_;
+  std::vector<glm::vec4> colors_, secondary_colors_;
+  std::vector<float> fog_factors_;
   std::vector<std::uint32_t> vertices_;  // the scene's vertex for each vertex of the file that a face uses
   std::vector<std::uint32_t> corners_;
   const MeshPlace place_;

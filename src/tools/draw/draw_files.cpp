@@ -101,10 +101,12 @@ Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::s
 }
 
 DrawnFile read_effect_file(const std::string& file, const EffectReadOptions& options) {
-  if (!is_effect(file)) return {};
-  auto parsed = read_effect(file, options);
-  if (!parsed) return {.effect = {}, .exit_code = report(parsed.faults())};
-  return {.effect = std::move(*parsed)};
+  auto opened = EffectFile::open(file);
+  if (!opened) return {.exit_code = report(opened.error())};
+  if (!is_effect(opened->path())) return {};
+  auto parsed = read_effect(opened->path(), options);
+  if (!parsed) return {.exit_code = report(parsed.faults())};
+  return {.file = std::move(*opened), .effect = std::move(*parsed)};
 }
 
 EffectReaders effect_readers(bool allow_outside, const std::vector<std::string>& defines,

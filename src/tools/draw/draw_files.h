@@ -9,16 +9,18 @@
 
 #include "ninebit/effect/effect_renderer.h"
 #include "src/tools/draw/draw_flags.h"
+#include "src/tools/input/archive.h"
 
 namespace ninebit::tools {
 
 // A file that `draw` was given: an effect, or a program that the flags draw.
 struct DrawnFile {
+  EffectFile file{};               // of an effect; unpacked as long as this lives
   std::optional<Effect> effect{};  // empty: the file was not an effect
   int exit_code = kDone;           // of the faults that were printed
 };
 
-// Reads the file if its content is an effect. Prints its faults.
+// Reads the file if its content is an effect, or an archive with one. Prints its faults.
 [[nodiscard]] DrawnFile read_effect_file(const std::string& file, const EffectReadOptions& options);
 
 // Readers in isolated child processes that can be interrupted. They add what is worth a warning to `warnings`, which

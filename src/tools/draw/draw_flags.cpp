@@ -183,7 +183,7 @@ void add_pass_flags(CLI::App& verb, DrawFlags& flags) {
       ->type_name("SOURCE")
       ->check(parses(&parse_color_source));
   verb.add_option("--fog", flags.fog,
-                  "Fog factor: linear:START,END, exp:DENSITY, exp2:DENSITY, or registers-FUNCTION:BIAS,SLOPE")
+                  "Fog factor: mesh, linear:START,END, exp:DENSITY, exp2:DENSITY, or registers-FUNCTION:BIAS,SLOPE")
       ->type_name("FACTOR")
       ->check(parses(&parse_fog));
   verb.add_option("--fog-color", flags.fog_color, "Fog colour")->type_name("R,G,B")->check(checked_by(&check_rgb));

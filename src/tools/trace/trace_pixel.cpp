@@ -225,7 +225,10 @@ Result<TracedEffect> draw_pixel(const std::string& file, const std::string& pixe
                                 const CommonFlags& common, const HardwareProfile* given,
                                 const std::vector<std::string>& defines) {
   const ThreadLimit limit(common.threads);
-  const auto effect = effect_in(file, options);
+  const auto opened = EffectFile::open(file);
+  if (!opened) return opened.error();
+  if (!opened->note().empty()) say_warning(opened->note());
+  const auto effect = effect_in(opened->path(), options);
   if (!effect) return effect.error();
   const auto chosen = effect_profile(*effect, file, given);
   if (!chosen) return chosen.error();
