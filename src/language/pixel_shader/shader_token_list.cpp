@@ -136,39 +136,27 @@ TokenList tokens_in(std::string_view text, std::size_t most, SourceFaults& fault
   return list;
 }
 
-TokensRest::TokensRest(std::string_view text, const TokenList& list, SourceFaults& faults)
-    : list_(list), faults_(faults), lexer_(text.substr(std::min(list.end, text.size()))) {
-  take();
-}
-
-bool TokensRest::is_list_closed() {
-  if (list_.form == TokenForm::bytes_of_file) return true;
-  const bool is_array = list_.form == TokenForm::array;
-  const bool is_closed = is_array ? token_.is("}") : is_end() || token_.is(";");
-  if (is_closed && is_array) take();
-  if (is_closed) return true;
-  faults_.add(list_.end + token_.offset, std::string("expected a number of 32 bits or ") +
-                                             (is_array ? "'}'" : "the end of the text") + "; found " +
-                                             (is_end() ? "the end of the text" : quoted(token_.text)));
+bool is_list_closed(code::TokenReader& rest, TokenForm form, SourceFaults& faults) {
+  const bool is_array = form == TokenForm::array;
+  if (form == TokenForm::bytes_of_file || (is_array && rest.takes("}"))) return true;
+  if (!is_array && (rest.at_end() || rest.peek().is(";"))) return true;
+  faults.add(rest.peek().offset, std::string("expected a number of 32 bits or ") +
+                                     (is_array ? "'}'" : "the end of the text") + "; found " + shown(rest.peek()));
   return false;
 }
 
-void TokensRest::check() {
-  while (!is_end()) {
-    const code::Token first = take();
+void check_behind_list(code::TokenReader& rest, SourceFaults& faults) {
+  while (!rest.at_end()) {
+    const code::Token first = rest.take();
     if (first.is(";")) continue;
     if (first.is("#") && first.begins_line) {
-      while (!is_end() && !token_.begins_line) take();
+      while (!rest.at_end() && !rest.peek().begins_line) rest.take();
       continue;
     }
     std::size_t names = first.is_name() ? 1 : 0;
-    for (; names > 0 && token_.is_name(); ++names) take();
-    if (names > 1 && token_.is("=")) {
-      take();
-      if (take().kind == code::Token::Kind::number && token_.is(";")) continue;
-    }
-    return faults_.add(list_.end + first.offset,
-                       "more text stands behind the tokens; expected one shader and nothing else");
+    for (; names > 0 && rest.peek().is_name(); ++names) rest.take();
+    if (names > 1 && rest.takes("=") && rest.take().kind == code::Token::Kind::number && rest.peek().is(";")) continue;
+    return faults.add(first.offset, "more text stands behind the tokens; expected one shader and nothing else");
   }
 }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "src/language/c_like/c_lexer.h"
@@ -32,24 +31,10 @@ struct TokenList {
 // Reads at most `most` tokens. Reports what is wrong with bytes.
 [[nodiscard]] TokenList tokens_in(std::string_view text, std::size_t most, SourceFaults& faults);
 
-// The text behind the tokens. The list and the faults must outlive it.
-class TokensRest {
- public:
-  TokensRest(std::string_view text, const TokenList& list, SourceFaults& faults);
-
-  // Whether the list was read up to its end; reports what else stands there.
-  bool is_list_closed();
-  // Allows lines of the preprocessor and declarations of single numbers, such as the length that xxd -i prints.
-  void check();
-
- private:
-  [[nodiscard]] bool is_end() const { return token_.kind == code::Token::Kind::end; }
-  code::Token take() { return std::exchange(token_, lexer_.next()); }
-
-  const TokenList& list_;
-  SourceFaults& faults_;
-  code::Lexer lexer_;
-  code::Token token_{};
-};
+// Whether a list was read up to its end, behind which `rest` goes on then; reports what else stands there.
+[[nodiscard]] bool is_list_closed(code::TokenReader& rest, TokenForm form, SourceFaults& faults);
+// Reports what stands behind the list but lines of the preprocessor and declarations of single numbers, such as the
+// length that xxd -i prints.
+void check_behind_list(code::TokenReader& rest, SourceFaults& faults);
 
 }  // namespace ninebit::detail

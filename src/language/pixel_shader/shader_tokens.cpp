@@ -299,10 +299,11 @@ Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const Hardwa
   } else if (list.tokens.size() > kMostTokens) {
     faults.add(list.tokens.back().offset, "expected at most " + std::to_string(kMostTokens) + " tokens");
   }
-  detail::TokensRest rest(source.text, list, faults);
-  if (!faults.empty() || !rest.is_list_closed()) return faults.take();
+  code::TokenReader rest(source.text);
+  rest.move_to(list.end);
+  if (!faults.empty() || !detail::is_list_closed(rest, list.form, faults)) return faults.take();
   const detail::ShaderText text = detail::TokenReader(list.tokens, faults).read();
-  if (faults.empty()) rest.check();
+  if (faults.empty()) detail::check_behind_list(rest, faults);
   if (!faults.empty()) return faults.take();
   return detail::program_of_shader(text, profile, faults, notes, texture_shader);
 }

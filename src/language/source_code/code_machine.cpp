@@ -25,8 +25,9 @@ const Statement* find_mark(const std::vector<Statement>& statements, std::string
 }  // namespace
 
 bool names_vector(std::string_view word, std::size_t numbers) {
-  return (numbers == 3 || numbers == 4) && contains_any(lower_case(word), {"vec", "color", "colour", "rgba", "float4",
-                                                                           "float3", "quat", "plane", "tuple"});
+  return (numbers == 3 || numbers == 4) &&
+         contains_any(detail::lower_case(word),
+                      {"vec", "color", "colour", "rgba", "float4", "float3", "quat", "plane", "tuple"});
 }
 
 bool Machine::spend(std::size_t steps) {
