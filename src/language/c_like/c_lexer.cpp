@@ -215,6 +215,22 @@ bool TokenReader::takes(std::string_view what) {
   return true;
 }
 
+std::optional<Token> TokenReader::skip_behind_array() {
+  while (!at_end()) {
+    const Token first = take();
+    if (first.is(";")) continue;
+    if (first.is("#") && first.begins_line) {
+      while (!at_end() && !peek().begins_line) take();
+      continue;
+    }
+    std::size_t names = first.is_name() ? 1 : 0;
+    for (; names > 0 && peek().is_name(); ++names) take();
+    if (names > 1 && takes("=") && take().kind == Token::Kind::number && peek().is(";")) continue;
+    return first;
+  }
+  return std::nullopt;
+}
+
 void TokenReader::move_to(std::size_t at) {
   lexer_.move_to(at);
   end_of_last_ = at;

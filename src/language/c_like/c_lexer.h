@@ -86,6 +86,9 @@ class TokenReader {
   void move_to(std::size_t at);
   // Skips the rest of the line in which the next token begins.
   void skip_line() { move_to(text_.find('\n', next_.offset)); }
+  // Skips what may stand behind an array: lines of the preprocessor and declarations of single numbers, such as the
+  // length that xxd -i prints. Returns the first token of what else stands there, whose names it took.
+  [[nodiscard]] std::optional<Token> skip_behind_array();
   // Where the token ends that was taken last.
   [[nodiscard]] std::size_t end_of_last() const { return end_of_last_; }
   [[nodiscard]] std::optional<std::size_t> unterminated() const { return lexer_.unterminated(); }

@@ -19,7 +19,6 @@
 #include "ninebit/language/source_code.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/source/source_faults.h"
-#include "src/language/source_code/code_file.h"
 #include "src/language/source_code/code_parser.h"
 #include "src/language/source_code/code_value.h"
 #include "src/language/xbox/xbox_fields.h"

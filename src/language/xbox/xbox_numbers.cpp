@@ -260,23 +260,13 @@ std::vector<Element> take_elements(TokenReader& lexer, detail::SourceFaults& fau
 
 // Text that may follow the array: declarations of single numbers.
 void check_rest(TokenReader& lexer, const ArrayHead& head, const SourceText& source, detail::SourceFaults& faults) {
-  while (lexer.peek().kind != Token::Kind::end) {
-    const Token first = lexer.take();
-    if (first.is(";")) continue;
-    if (first.is("#")) {
-      lexer.skip_line();
-      continue;
-    }
-    std::size_t names = first.is_name() ? 1 : 0;
-    for (; names > 0 && lexer.peek().is_name(); ++names) lexer.take();
-    if (names > 1 && lexer.takes("=") && lexer.take().kind == Token::Kind::number && lexer.peek().is(";")) continue;
-    if (names > 1 && lexer.peek().is("[")) {
-      const std::string line = std::to_string(source.place(head.brace).line);
-      return faults.add(first.offset,
-                        "a second array; the first is in line " + line + ", and a text has one definition");
-    }
-    return faults.add(first.offset, "expected the end of the text behind the array; found " + shown(first));
+  const std::optional<Token> first = lexer.skip_behind_array();
+  if (!first) return;
+  if (!first->is_name() || !lexer.peek().is("[")) {
+    return faults.add(first->offset, "expected the end of the text behind the array; found " + shown(*first));
   }
+  const std::string line = std::to_string(source.place(head.brace).line);
+  faults.add(first->offset, "a second array; the first is in line " + line + ", and a text has one definition");
 }
 
 }  // namespace
