@@ -212,7 +212,7 @@ class Machine {
   int new_array(const Type* element, std::size_t count, const std::string& name);
   bool spend(std::size_t steps = 1);
 
-  // Ways that are not decided: code_fork.cpp
+  // Ways that are not decided.
   Flow fork(const Value& why, const Expression* condition, const std::vector<std::function<Flow()>>& ways);
   [[nodiscard]] Changes changes_since(std::size_t mark) const;
   void roll_back(std::size_t mark);
