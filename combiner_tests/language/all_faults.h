@@ -1,17 +1,39 @@
-// All faults of a text that was refused, one a line.
+// Faults of texts that were refused.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <string>
 
 #include "ninebit/language/source_text.h"
 
 namespace ninebit::test {
 
+// All of them, one a line.
 template <class Value>
 std::string all_faults(const Parsed<Value>& parsed) {
   std::string text;
   for (const TextFault& fault : parsed.faults()) text += fault.text() + '\n';
   return text;
+}
+
+// A fault of the file "f" at its place, with a part of its text.
+struct PlacedFault {
+  int line = 0, column = 0;
+  std::string part{};
+};
+// Fails the test unless a text was refused with this fault, beside others or not.
+template <class Value>
+void expect_fault(const Parsed<Value>& parsed, const PlacedFault& expected, std::string_view text) {
+  EXPECT_FALSE(parsed) << text.substr(0, 200);
+  const auto is_it = [&](const TextFault& fault) {
+    return fault.file == "f" && fault.line == expected.line && fault.column == expected.column &&
+           fault.text().find(expected.part) != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(parsed.faults().begin(), parsed.faults().end(), is_it))
+      << text.substr(0, 200) << "\nexpected: " << expected.line << ':' << expected.column << ": " << expected.part
+      << "\nfound: " << all_faults(parsed);
 }
 
 }  // namespace ninebit::test

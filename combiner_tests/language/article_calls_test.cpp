@@ -52,7 +52,6 @@ void set_up_index_comparison() {
   glEnable(GL_REGISTER_COMBINERS_NV);
 }
 
-using ninebit::Bias;
 using ninebit::CombinerInput;
 using ninebit::CombinerState;
 using ninebit::ComponentUsage;
@@ -141,28 +140,7 @@ TEST_F(ArticleCalls, RaiseNoErrorAndEnableTheCombiners) {
 }
 
 TEST_F(ArticleCalls, SetEveryField) {
-  const CombinerState expected = index_comparison();
-  EXPECT_EQ(state().num_general_combiners, 2);
-  for (std::size_t i = 0; i < 2; ++i) {
-    SCOPED_TRACE("general combiner " + std::to_string(i));
-    const ninebit::GeneralCombiner& actual = state().general[i];
-    const ninebit::GeneralCombiner& wanted = expected.general[i];
-    EXPECT_TRUE(actual.rgb.a == wanted.rgb.a);
-    EXPECT_TRUE(actual.rgb.b == wanted.rgb.b);
-    EXPECT_TRUE(actual.rgb.c == wanted.rgb.c);
-    EXPECT_TRUE(actual.rgb.d == wanted.rgb.d);
-    EXPECT_EQ(actual.rgb.out.ab, wanted.rgb.out.ab);
-    EXPECT_EQ(actual.rgb.out.cd, wanted.rgb.out.cd);
-    EXPECT_EQ(actual.rgb.out.sum, wanted.rgb.out.sum);
-    EXPECT_EQ(actual.rgb.out.scale, wanted.rgb.out.scale);
-    EXPECT_EQ(actual.rgb.out.bias, Bias::none);
-    EXPECT_EQ(actual.rgb.out.ab_dot_product, i == 1);
-    EXPECT_FALSE(actual.rgb.out.cd_dot_product);
-    EXPECT_FALSE(actual.rgb.out.mux_sum);
-    EXPECT_TRUE(actual.alpha.out == kNothing);
-  }
-  EXPECT_TRUE(state().final_combiner == expected.final_combiner);
-  EXPECT_TRUE(state() == expected) << "something that the article does not set has changed";
+  EXPECT_EQ(state(), index_comparison());
 }
 
 TEST_F(ArticleCalls, CompileToTheProgramKnownAtCompileTime) {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/language/c_like/c_condition.h"
 #include "src/language/c_like/c_macros.h"
+#include "src/language/c_like/c_preprocessor.h"
 
 namespace ninebit::code {
 namespace {

@@ -66,74 +66,46 @@ class DriverCode {
   DriverCode& operator=(const DriverCode&) = delete;
 };
 
-template <class Function>
-void load(Function& to, const char* name) {
-  to = reinterpret_cast<Function>(eglGetProcAddress(name));
-}
+// A function of GL by its name.
+struct EntryPoint {
+  const char* name;
+  template <class Function>
+  operator Function() const {  // NOLINT(google-explicit-constructor): it takes the type of what it is given to
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
+  }
+};
 
 // The entry points, as GL itself names them.
 struct Gl {
-  PFNGLCREATESHADERPROC CreateShader;
-  PFNGLSHADERSOURCEPROC ShaderSource;
-  PFNGLCOMPILESHADERPROC CompileShader;
-  PFNGLGETSHADERIVPROC GetShaderiv;
-  PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog;
-  PFNGLDELETESHADERPROC DeleteShader;
-  PFNGLCREATEPROGRAMPROC CreateProgram;
-  PFNGLATTACHSHADERPROC AttachShader;
-  PFNGLLINKPROGRAMPROC LinkProgram;
-  PFNGLGETPROGRAMIVPROC GetProgramiv;
-  PFNGLUSEPROGRAMPROC UseProgram;
-  PFNGLDELETEPROGRAMPROC DeleteProgram;
-  PFNGLGENTEXTURESPROC GenTextures;
-  PFNGLBINDTEXTUREPROC BindTexture;
-  PFNGLTEXIMAGE2DPROC TexImage2D;
-  PFNGLTEXSUBIMAGE2DPROC TexSubImage2D;
-  PFNGLTEXPARAMETERIPROC TexParameteri;
-  PFNGLGENFRAMEBUFFERSPROC GenFramebuffers;
-  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer;
-  PFNGLFRAMEBUFFERTEXTURE2DPROC FramebufferTexture2D;
-  PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus;
-  PFNGLGENVERTEXARRAYSPROC GenVertexArrays;
-  PFNGLBINDVERTEXARRAYPROC BindVertexArray;
-  PFNGLVIEWPORTPROC Viewport;
-  PFNGLDRAWARRAYSPROC DrawArrays;
-  PFNGLREADPIXELSPROC ReadPixels;
-  PFNGLCLEARBUFFERIVPROC ClearBufferiv;
-  PFNGLGETERRORPROC GetError;
-  PFNGLGETSTRINGPROC GetString;
-
-  Gl() {
-    load(CreateShader, "glCreateShader");
-    load(ShaderSource, "glShaderSource");
-    load(CompileShader, "glCompileShader");
-    load(GetShaderiv, "glGetShaderiv");
-    load(GetShaderInfoLog, "glGetShaderInfoLog");
-    load(DeleteShader, "glDeleteShader");
-    load(CreateProgram, "glCreateProgram");
-    load(AttachShader, "glAttachShader");
-    load(LinkProgram, "glLinkProgram");
-    load(GetProgramiv, "glGetProgramiv");
-    load(UseProgram, "glUseProgram");
-    load(DeleteProgram, "glDeleteProgram");
-    load(GenTextures, "glGenTextures");
-    load(BindTexture, "glBindTexture");
-    load(TexImage2D, "glTexImage2D");
-    load(TexSubImage2D, "glTexSubImage2D");
-    load(TexParameteri, "glTexParameteri");
-    load(GenFramebuffers, "glGenFramebuffers");
-    load(BindFramebuffer, "glBindFramebuffer");
-    load(FramebufferTexture2D, "glFramebufferTexture2D");
-    load(CheckFramebufferStatus, "glCheckFramebufferStatus");
-    load(GenVertexArrays, "glGenVertexArrays");
-    load(BindVertexArray, "glBindVertexArray");
-    load(Viewport, "glViewport");
-    load(DrawArrays, "glDrawArrays");
-    load(ReadPixels, "glReadPixels");
-    load(ClearBufferiv, "glClearBufferiv");
-    load(GetError, "glGetError");
-    load(GetString, "glGetString");
-  }
+  PFNGLCREATESHADERPROC CreateShader = EntryPoint{"glCreateShader"};
+  PFNGLSHADERSOURCEPROC ShaderSource = EntryPoint{"glShaderSource"};
+  PFNGLCOMPILESHADERPROC CompileShader = EntryPoint{"glCompileShader"};
+  PFNGLGETSHADERIVPROC GetShaderiv = EntryPoint{"glGetShaderiv"};
+  PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog = EntryPoint{"glGetShaderInfoLog"};
+  PFNGLDELETESHADERPROC DeleteShader = EntryPoint{"glDeleteShader"};
+  PFNGLCREATEPROGRAMPROC CreateProgram = EntryPoint{"glCreateProgram"};
+  PFNGLATTACHSHADERPROC AttachShader = EntryPoint{"glAttachShader"};
+  PFNGLLINKPROGRAMPROC LinkProgram = EntryPoint{"glLinkProgram"};
+  PFNGLGETPROGRAMIVPROC GetProgramiv = EntryPoint{"glGetProgramiv"};
+  PFNGLUSEPROGRAMPROC UseProgram = EntryPoint{"glUseProgram"};
+  PFNGLDELETEPROGRAMPROC DeleteProgram = EntryPoint{"glDeleteProgram"};
+  PFNGLGENTEXTURESPROC GenTextures = EntryPoint{"glGenTextures"};
+  PFNGLBINDTEXTUREPROC BindTexture = EntryPoint{"glBindTexture"};
+  PFNGLTEXIMAGE2DPROC TexImage2D = EntryPoint{"glTexImage2D"};
+  PFNGLTEXSUBIMAGE2DPROC TexSubImage2D = EntryPoint{"glTexSubImage2D"};
+  PFNGLTEXPARAMETERIPROC TexParameteri = EntryPoint{"glTexParameteri"};
+  PFNGLGENFRAMEBUFFERSPROC GenFramebuffers = EntryPoint{"glGenFramebuffers"};
+  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = EntryPoint{"glBindFramebuffer"};
+  PFNGLFRAMEBUFFERTEXTURE2DPROC FramebufferTexture2D = EntryPoint{"glFramebufferTexture2D"};
+  PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus = EntryPoint{"glCheckFramebufferStatus"};
+  PFNGLGENVERTEXARRAYSPROC GenVertexArrays = EntryPoint{"glGenVertexArrays"};
+  PFNGLBINDVERTEXARRAYPROC BindVertexArray = EntryPoint{"glBindVertexArray"};
+  PFNGLVIEWPORTPROC Viewport = EntryPoint{"glViewport"};
+  PFNGLDRAWARRAYSPROC DrawArrays = EntryPoint{"glDrawArrays"};
+  PFNGLREADPIXELSPROC ReadPixels = EntryPoint{"glReadPixels"};
+  PFNGLCLEARBUFFERIVPROC ClearBufferiv = EntryPoint{"glClearBufferiv"};
+  PFNGLGETERRORPROC GetError = EntryPoint{"glGetError"};
+  PFNGLGETSTRINGPROC GetString = EntryPoint{"glGetString"};
 };
 
 class EglRunner final : public GlRunner {

@@ -1,10 +1,11 @@
 // Register words as JSON: the same states and the same faults as by lines.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/json.h"
 
@@ -42,65 +43,43 @@ TEST(JsonWords, AHeadingIsOptionalAndNumbersCount) {
 }
 
 TEST(JsonWords, EveryFaultHasItsPlace) {
-  struct Case {
-    const char* text;
-    int line, column;
-    const char* message;
+  const std::pair<const char*, PlacedFault> cases[] = {
+      {"", {1, 1, "not valid JSON"}},
+      {"[1]", {1, 1, "must be an object, not an array"}},
+      {"{\"ninebit\": \"program\"}", {1, 13, "must be \"register_words\" here"}},
+      {"{\"version\": 2}", {1, 13, "version \"2\" is not supported"}},
+      {"{\"chip\": \"nv20\"}", {1, 10, "\"chip\" must be \"nv10\" here"}},
+      {"{\n\"RC_IN_RGB[0]\": \"08040000\"}", {2, 17, "RC_IN_RGB[0] must be a string such as"}},
+      {"{\"RC_IN_RGB[0]\": \"0x\"}", {1, 18, "must be a string such as"}},
+      {"{\"RC_IN_RGB[0]\": \"0x100000000\"}", {1, 18, "must be a string such as"}},
+      {"{\"RC_IN_RGB[0]\": 4294967296}", {1, 18, "whole number below 2^32"}},
+      {"{\"RC_IN_RGB[0]\": -1}", {1, 18, "whole number below 2^32"}},
+      {"{\"RC_IN_RGB[0]\": 1.5}", {1, 18, "whole number below 2^32"}},
+      {"{\"RC_IN_RGB[0]\": {}}", {1, 18, "whole number below 2^32"}},
+      {"{\"RC_IN_RGB[0]\": 0, \"RC_IN_RGB[0]\": 0}", {1, 21, "was given before"}},
+      {"{\"RC_IN_RGB[0]\": 0,\n\"rc_in_color0\": 0}", {2, 1, "given before, in line 1 as RC_IN_RGB[0]"}},
+      {"{\"RC_IN_\\u0007\": 0}", {1, 2, "\"RC_IN_\\x07\" is not a register word"}},
+      {"{\"RC_IN_RGB[9]\": 0}", {1, 2, "is out of range for NV10"}},
+      {"{\n \"RC_IN_RGB[0]\": \"0x06000000\"}", {2, 2, "register code 0x6"}},
+      {"{\n \"RC_OUT_RGB[0]\": \"0x00000ccc\"}", {2, 2, "GL_INVALID_OPERATION"}},
   };
-  const Case cases[] = {
-      {"", 1, 1, "not valid JSON"},
-      {"[1]", 1, 1, "must be an object, not an array"},
-      {"{\"ninebit\": \"program\"}", 1, 13, "must be \"register_words\" here"},
-      {"{\"version\": 2}", 1, 13, "version \"2\" is not supported"},
-      {"{\"chip\": \"nv20\"}", 1, 10, "\"chip\" must be \"nv10\" here"},
-      {"{\n\"RC_IN_RGB[0]\": \"08040000\"}", 2, 17, "RC_IN_RGB[0] must be a string such as"},
-      {"{\"RC_IN_RGB[0]\": \"0x\"}", 1, 18, "must be a string such as"},
-      {"{\"RC_IN_RGB[0]\": \"0x100000000\"}", 1, 18, "must be a string such as"},
-      {"{\"RC_IN_RGB[0]\": 4294967296}", 1, 18, "whole number below 2^32"},
-      {"{\"RC_IN_RGB[0]\": -1}", 1, 18, "whole number below 2^32"},
-      {"{\"RC_IN_RGB[0]\": 1.5}", 1, 18, "whole number below 2^32"},
-      {"{\"RC_IN_RGB[0]\": {}}", 1, 18, "whole number below 2^32"},
-      {"{\"RC_IN_RGB[0]\": 0, \"RC_IN_RGB[0]\": 0}", 1, 21, "was given before"},
-      {"{\"RC_IN_RGB[0]\": 0,\n\"rc_in_color0\": 0}", 2, 1, "given before, in line 1 as RC_IN_RGB[0]"},
-      {"{\"RC_IN_\\u0007\": 0}", 1, 2, "\"RC_IN_\\x07\" is not a register word"},
-      {"{\"RC_IN_RGB[9]\": 0}", 1, 2, "is out of range for NV10"},
-      {"{\n \"RC_IN_RGB[0]\": \"0x06000000\"}", 2, 2, "register code 0x6"},
-      {"{\n \"RC_OUT_RGB[0]\": \"0x00000ccc\"}", 2, 2, "GL_INVALID_OPERATION"},
-  };
-  for (const Case& expected : cases) {
-    const auto parsed = parse_json_register_words({expected.text, "f.json"}, k10, profiles::geforce2);
-    EXPECT_FALSE(parsed) << expected.text;
-    const bool found = std::any_of(parsed.faults().begin(), parsed.faults().end(), [&](const TextFault& fault) {
-      return fault.file == "f.json" && fault.line == expected.line && fault.column == expected.column &&
-             fault.text().find(expected.message) != std::string::npos;
-    });
-    EXPECT_TRUE(found) << expected.text << "\nexpected: " << expected.message << "\nfound: " << all_faults(parsed);
+  for (const auto& [text, fault] : cases) {
+    expect_fault(parse_json_register_words({text, "f"}, k10, profiles::geforce2), fault, text);
   }
 }
 
 TEST(JsonWords, DamagedTextsAreRefusedOrDecode) {
   if (kSanitized || kCoverage) GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
-  constexpr std::string_view kBytes = "{}[]\",:.0123456789abcdefx\\u \n\x80";
-  int accepted = 0, refused = 0;
-  std::string text;
-  for (int i = 0; i < 20'000; ++i) {
-    Random random(32, static_cast<std::uint64_t>(i));
-    if (i % 4 == 0) text = print_json_register_words(random_state(random, profiles::nv2a), k20, profiles::nv2a).value();
-    const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
-    const char byte = kBytes[static_cast<std::size_t>(random.below(static_cast<int>(kBytes.size())))];
-    if (random.one_in(2)) {
-      text[at] = byte;
-    } else if (random.one_in(2)) {
-      text.insert(at, 1, byte);
-    } else {
-      text.erase(at, 1);
-    }
-    const auto parsed = parse_json_register_words({text, ""}, k20, profiles::nv2a);
-    ASSERT_NE(parsed.ok(), !parsed.faults().empty()) << "case " << i;
-    ++(parsed ? accepted : refused);
-  }
-  EXPECT_GT(accepted, 200);
-  EXPECT_GT(refused, 5000);
+  const auto printed = [](Random& random) {
+    return *print_json_register_words(random_state(random, profiles::nv2a), k20, profiles::nv2a);
+  };
+  const auto parse = [](const SourceText& source, const HardwareProfile& profile) {
+    return parse_json_register_words(source, k20, profile);
+  };
+  const DamagedTexts found = parse_damaged(
+      {.seed = 32, .whole = printed, .bytes = "{}[]\",:.0123456789abcdefx\\u \n\x80"}, profiles::nv2a, parse);
+  EXPECT_GT(found.states, 200);
+  EXPECT_GT(found.refused, 5000);
 }
 
 }  // namespace

@@ -269,93 +269,86 @@ TEST(RegisterWords, MuxByTheLowestBit) {
 struct WordFault {
   ChipClass chip;
   const char* text;
-  int line, column;
-  const char* message;  // a part of it
+  PlacedFault fault;
 };
 constexpr ChipClass k10 = ChipClass::nv10, k20 = ChipClass::nv20;
 const WordFault kFaults[] = {
     // Lines.
-    {k10, "\nRC_IN_RGB[0] 0x0", 2, 14, "expected = after RC_IN_RGB[0]; found '0'"},
-    {k10, "RC_IN_RGB[0]", 1, 13, "expected = after RC_IN_RGB[0]; found the end of the line"},
-    {k10, "RC_IN_RGB[0] = ", 1, 16, "expected a value"},
-    {k10, "RC_IN_RGB[0] = 0x", 1, 16, "hexadecimal"},
-    {k10, "RC_IN_RGB[0] = 0xfg", 1, 16, "hexadecimal"},
-    {k10, "RC_IN_RGB[0] = 010", 1, 16, "without leading zeros"},
-    {k10, "RC_IN_RGB[0] = 0x100000000", 1, 16, "32 bits"},
-    {k10, "RC_IN_RGB[0] = 4294967296", 1, 16, "32 bits"},
-    {k10, "RC_IN_RGB[0] = -1", 1, 16, "expected a value"},
-    {k10, "RC_IN_RGB[0] = 0x0 0x0", 1, 20, "end of the line"},
-    {k10, "RC_IN_RGB[0] = 0x0;", 1, 19, "found ';'"},
-    {k10, "RC_IN_RGB[0 = 0x0", 1, 10, "expected ="},
-    {k10, "  = 0x0", 1, 3, "NAME = 0x"},
-    {k10, "\x80", 1, 1, "the byte 0x80"},
-    {k10, "{\"RC_IN_RGB[0]\": 0}", 1, 1, "found '{'"},
+    {k10, "\nRC_IN_RGB[0] 0x0", {2, 14, "expected = after RC_IN_RGB[0]; found '0'"}},
+    {k10, "RC_IN_RGB[0]", {1, 13, "expected = after RC_IN_RGB[0]; found the end of the line"}},
+    {k10, "RC_IN_RGB[0] = ", {1, 16, "expected a value"}},
+    {k10, "RC_IN_RGB[0] = 0x", {1, 16, "hexadecimal"}},
+    {k10, "RC_IN_RGB[0] = 0xfg", {1, 16, "hexadecimal"}},
+    {k10, "RC_IN_RGB[0] = 010", {1, 16, "without leading zeros"}},
+    {k10, "RC_IN_RGB[0] = 0x100000000", {1, 16, "32 bits"}},
+    {k10, "RC_IN_RGB[0] = 4294967296", {1, 16, "32 bits"}},
+    {k10, "RC_IN_RGB[0] = -1", {1, 16, "expected a value"}},
+    {k10, "RC_IN_RGB[0] = 0x0 0x0", {1, 20, "end of the line"}},
+    {k10, "RC_IN_RGB[0] = 0x0;", {1, 19, "found ';'"}},
+    {k10, "RC_IN_RGB[0 = 0x0", {1, 10, "expected ="}},
+    {k10, "  = 0x0", {1, 3, "NAME = 0x"}},
+    {k10, "\x80", {1, 1, "the byte 0x80"}},
+    {k10, "{\"RC_IN_RGB[0]\": 0}", {1, 1, "found '{'"}},
     // Names.
-    {k10, "RC_IN_GREEN[0] = 0x0", 1, 1, "is not a register word of NV10"},
-    {k10, "RC_IN_RGB = 0x0", 1, 1, "needs an index from 0 to 1, as in RC_IN_RGB[0]"},
-    {k10, "RC_IN_RGB[2] = 0x0", 1, 1, "is out of range for NV10"},
-    {k20, "RC_IN_RGB[8] = 0x0", 1, 1, "is out of range for NV20"},
-    {k10, "RC_ENABLE = 0x1", 1, 1, "is a word of NV20, not of NV10"},
-    {k10, "RC_COLOR[0] = 0x0\nRC_FACTOR[0] = 0x0", 2, 1, "was given before, in line 1 as RC_COLOR[0]"},
-    {k20, "0X401950 = 1", 1, 1, "0X401950 is not the address of a combiner register, such as 0x401940"},
-    {k20, "PSDotMapping = 1\nNV_PGRAPH_SHADERCTL = 2", 2, 1, "PSDotMapping was given before, in line 1"},
-    {k20, "NV_PGRAPH_SHADERCTL = 2\nPSDotMapping = 1", 2, 1, "PSDotMapping was given before, in line 1"},
-    {k20, "$1 = {combiner_control = 1}\n$2 = {combiner_control = 2}", 2, 1,
-     "expected the end of the text behind the struct; found '$'"},
-    {k20, "/* a\nb */ RC_IN_RGB[0] 0x0", 2, 19, "expected = after RC_IN_RGB[0]; found '0'"},
+    {k10, "RC_IN_GREEN[0] = 0x0", {1, 1, "is not a register word of NV10"}},
+    {k10, "RC_IN_RGB = 0x0", {1, 1, "needs an index from 0 to 1, as in RC_IN_RGB[0]"}},
+    {k10, "RC_IN_RGB[2] = 0x0", {1, 1, "is out of range for NV10"}},
+    {k20, "RC_IN_RGB[8] = 0x0", {1, 1, "is out of range for NV20"}},
+    {k10, "RC_ENABLE = 0x1", {1, 1, "is a word of NV20, not of NV10"}},
+    {k10, "RC_COLOR[0] = 0x0\nRC_FACTOR[0] = 0x0", {2, 1, "was given before, in line 1 as RC_COLOR[0]"}},
+    {k20, "0X401950 = 1", {1, 1, "0X401950 is not the address of a combiner register, such as 0x401940"}},
+    {k20, "PSDotMapping = 1\nNV_PGRAPH_SHADERCTL = 2", {2, 1, "PSDotMapping was given before, in line 1"}},
+    {k20, "NV_PGRAPH_SHADERCTL = 2\nPSDotMapping = 1", {2, 1, "PSDotMapping was given before, in line 1"}},
+    {k20,
+     "$1 = {combiner_control = 1}\n$2 = {combiner_control = 2}",
+     {2, 1, "expected the end of the text behind the struct; found '$'"}},
+    {k20, "/* a\nb */ RC_IN_RGB[0] 0x0", {2, 19, "expected = after RC_IN_RGB[0]; found '0'"}},
     // Masks and reserved codes.
-    {k10, "RC_IN_RGB[0] = 0x06000000", 1, 1, "variable A (bits 27..24) has the register code 0x6"},
-    {k10, "RC_IN_RGB[0] = 0x00070000", 1, 1, "variable B (bits 19..16) has the register code 0x7"},
-    {k10, "RC_IN_RGB[0] = 0x00000a00", 1, 1, "variable C (bits 11..8) has the register code 0xa"},
-    {k10, "RC_IN_ALPHA[1] = 0x0000000b", 1, 1, "variable D (bits 3..0) has the register code 0xb"},
-    {k10, "RC_IN_RGB[0] = 0x0e000000", 1, 1, "0xe, which is reserved here"},
-    {k20, "RC_IN_RGB[0] = 0x0f000000", 1, 1, "0xf, which is reserved here"},
-    {k20, "RC_IN_RGB[5] = 0x00000006", 1, 1, "0x6, which is reserved here"},
-    {k10, "RC_FINAL0 = 0x00000040", 1, 1, "bit 6 must be 0; the mask of the word is 0x3f3f3f3f"},
-    {k10, "RC_FINAL0 = 0xc0000000", 1, 1, "bits 31 and 30 must be 0"},
-    {k10, "RC_FINAL0 = 0x0b000000", 1, 1, "0xb"},
-    {k10, "RC_FINAL1 = 0x00001c81", 1, 1, "bit 0 must be 0; the mask of the word is 0x3f3f3fe0"},
-    {k10, "RC_FINAL1 = 0x0e001c80", 1, 1, "variable E (bits 27..24) has the register code 0xe"},
-    {k20, "RC_FINAL1 = 0x00061c80", 1, 1, "variable F (bits 19..16) has the register code 0x6"},
-    {k20, "RC_FINAL1 = 0x00001f80", 1, 1, "variable G (bits 11..8) has the register code 0xf"},
-    {k10, "RC_OUT_RGB[0] = 0x00040c00", 1, 1, "bit 18 must be 0; the mask of the word is 0x0003ffff"},
-    {k10, "RC_OUT_RGB[0] = 0x18000c00", 1, 1, "bits 28 and 27 must be 0"},
-    {k10, "RC_OUT_RGB[1] = 0x98000c00", 1, 1, "bit 31 must be 0; the mask of the word is 0x3803ffff"},
-    {k10, "RC_OUT_RGB[1] = 0x08000c00", 1, 1, "are 0; NV10 has 1 or 2"},
-    {k10, "RC_OUT_RGB[1] = 0x38000c00", 1, 1, "are 3; NV10 has 1 or 2"},
-    {k10, "RC_OUT_RGB[0] = 0x000000a0", 1, 1, "AB (bits 7..4) has the destination code 0xa"},
-    {k10, "RC_OUT_RGB[0] = 0x00000003", 1, 1, "CD (bits 3..0) has the destination code 0x3"},
-    {k10, "RC_OUT_ALPHA[0] = 0x00000100", 1, 1, "the sum (bits 11..8) has the destination code 0x1"},
-    {k20, "RC_OUT_ALPHA[0] = 0x00000e00", 1, 1, "0xe, which cannot be written"},
-    {k10, "RC_OUT_ALPHA[0] = 0x00003c00", 1, 1, "bits 13 and 12: an alpha portion has no dot product"},
-    {k10, "RC_OUT_RGB[0] = 0x00028c00", 1, 1, "bits 17..15 are 5"},
-    {k20, "RC_OUT_ALPHA[3] = 0x00038c00", 1, 1, "bits 17..15 are 7"},
-    {k20, "RC_OUT_RGB[0] = 0x00100c00", 1, 1, "bit 20 must be 0; the mask of the word is 0x000fffff"},
-    {k20, "RC_ENABLE = 0x100", 1, 1, "are 0; NV20 has 1 to 8"},
-    {k20, "RC_ENABLE = 0x109", 1, 1, "are 9; NV20 has 1 to 8"},
-    {k20, "RC_ENABLE = 0x01000101", 1, 1, "bit 24 must be 0; the mask of the word is 0x0001110f"},
+    {k10, "RC_IN_RGB[0] = 0x06000000", {1, 1, "variable A (bits 27..24) has the register code 0x6"}},
+    {k10, "RC_IN_RGB[0] = 0x00070000", {1, 1, "variable B (bits 19..16) has the register code 0x7"}},
+    {k10, "RC_IN_RGB[0] = 0x00000a00", {1, 1, "variable C (bits 11..8) has the register code 0xa"}},
+    {k10, "RC_IN_ALPHA[1] = 0x0000000b", {1, 1, "variable D (bits 3..0) has the register code 0xb"}},
+    {k10, "RC_IN_RGB[0] = 0x0e000000", {1, 1, "0xe, which is reserved here"}},
+    {k20, "RC_IN_RGB[0] = 0x0f000000", {1, 1, "0xf, which is reserved here"}},
+    {k20, "RC_IN_RGB[5] = 0x00000006", {1, 1, "0x6, which is reserved here"}},
+    {k10, "RC_FINAL0 = 0x00000040", {1, 1, "bit 6 must be 0; the mask of the word is 0x3f3f3f3f"}},
+    {k10, "RC_FINAL0 = 0xc0000000", {1, 1, "bits 31 and 30 must be 0"}},
+    {k10, "RC_FINAL0 = 0x0b000000", {1, 1, "0xb"}},
+    {k10, "RC_FINAL1 = 0x00001c81", {1, 1, "bit 0 must be 0; the mask of the word is 0x3f3f3fe0"}},
+    {k10, "RC_FINAL1 = 0x0e001c80", {1, 1, "variable E (bits 27..24) has the register code 0xe"}},
+    {k20, "RC_FINAL1 = 0x00061c80", {1, 1, "variable F (bits 19..16) has the register code 0x6"}},
+    {k20, "RC_FINAL1 = 0x00001f80", {1, 1, "variable G (bits 11..8) has the register code 0xf"}},
+    {k10, "RC_OUT_RGB[0] = 0x00040c00", {1, 1, "bit 18 must be 0; the mask of the word is 0x0003ffff"}},
+    {k10, "RC_OUT_RGB[0] = 0x18000c00", {1, 1, "bits 28 and 27 must be 0"}},
+    {k10, "RC_OUT_RGB[1] = 0x98000c00", {1, 1, "bit 31 must be 0; the mask of the word is 0x3803ffff"}},
+    {k10, "RC_OUT_RGB[1] = 0x08000c00", {1, 1, "are 0; NV10 has 1 or 2"}},
+    {k10, "RC_OUT_RGB[1] = 0x38000c00", {1, 1, "are 3; NV10 has 1 or 2"}},
+    {k10, "RC_OUT_RGB[0] = 0x000000a0", {1, 1, "AB (bits 7..4) has the destination code 0xa"}},
+    {k10, "RC_OUT_RGB[0] = 0x00000003", {1, 1, "CD (bits 3..0) has the destination code 0x3"}},
+    {k10, "RC_OUT_ALPHA[0] = 0x00000100", {1, 1, "the sum (bits 11..8) has the destination code 0x1"}},
+    {k20, "RC_OUT_ALPHA[0] = 0x00000e00", {1, 1, "0xe, which cannot be written"}},
+    {k10, "RC_OUT_ALPHA[0] = 0x00003c00", {1, 1, "bits 13 and 12: an alpha portion has no dot product"}},
+    {k10, "RC_OUT_RGB[0] = 0x00028c00", {1, 1, "bits 17..15 are 5"}},
+    {k20, "RC_OUT_ALPHA[3] = 0x00038c00", {1, 1, "bits 17..15 are 7"}},
+    {k20, "RC_OUT_RGB[0] = 0x00100c00", {1, 1, "bit 20 must be 0; the mask of the word is 0x000fffff"}},
+    {k20, "RC_ENABLE = 0x100", {1, 1, "are 0; NV20 has 1 to 8"}},
+    {k20, "RC_ENABLE = 0x109", {1, 1, "are 9; NV20 has 1 to 8"}},
+    {k20, "RC_ENABLE = 0x01000101", {1, 1, "bit 24 must be 0; the mask of the word is 0x0001110f"}},
     // A feature that the chip has and the profile has not.
-    {k20, "RC_OUT_ALPHA[0] = 0x00080c40", 1, 1, "bit 19 must be 0; the mask of the word is 0x0003cfff"},
-    {k10, "\nRC_FINAL1 = 0x00001cc0", 2, 1, "GL_INVALID_ENUM: profile geforce2 has no 1 - x in the colour sum"},
-    {k10, "RC_OUT_RGB[1] = 0x20004c00", 1, 1, "GL_INVALID_ENUM: profile geforce2 has no mux by the lowest bit"},
+    {k20, "RC_OUT_ALPHA[0] = 0x00080c40", {1, 1, "bit 19 must be 0; the mask of the word is 0x0003cfff"}},
+    {k10, "\nRC_FINAL1 = 0x00001cc0", {2, 1, "GL_INVALID_ENUM: profile geforce2 has no 1 - x in the colour sum"}},
+    {k10, "RC_OUT_RGB[1] = 0x20004c00", {1, 1, "GL_INVALID_ENUM: profile geforce2 has no mux by the lowest bit"}},
     // A state that OpenGL refuses.
-    {k10, "\nRC_IN_RGB[1] = 0x13000000", 2, 1, "GL_INVALID_OPERATION: general combiner 1, RGB portion, variable A"},
-    {k10, "RC_IN_ALPHA[0] = 0x00001300", 1, 1, "variable C: fog's alpha"},
-    {k10, "RC_OUT_RGB[0] = 0x00000ccc", 1, 1, "two outputs go to spare0"},
-    {k10, "RC_FINAL0 = 0x0e000000", 1, 1, "final combiner, variable A: spare0_plus_secondary_color"},
-    {k10, "RC_FINAL0 = 0x00001f00", 1, 1, "final combiner, variable C: e_times_f has no alpha"},
+    {k10, "\nRC_IN_RGB[1] = 0x13000000", {2, 1, "GL_INVALID_OPERATION: general combiner 1, RGB portion, variable A"}},
+    {k10, "RC_IN_ALPHA[0] = 0x00001300", {1, 1, "variable C: fog's alpha"}},
+    {k10, "RC_OUT_RGB[0] = 0x00000ccc", {1, 1, "two outputs go to spare0"}},
+    {k10, "RC_FINAL0 = 0x0e000000", {1, 1, "final combiner, variable A: spare0_plus_secondary_color"}},
+    {k10, "RC_FINAL0 = 0x00001f00", {1, 1, "final combiner, variable C: e_times_f has no alpha"}},
 };
 
 TEST(RegisterWords, EveryFaultHasItsPlaceAndNamesItsBits) {
-  for (const WordFault& expected : kFaults) {
-    const auto parsed =
-        parse_register_words({expected.text, "f.words"}, expected.chip, expected.chip == k10 ? kCard : kXbox);
-    EXPECT_FALSE(parsed) << expected.text;
-    const bool found = std::any_of(parsed.faults().begin(), parsed.faults().end(), [&](const TextFault& fault) {
-      return fault.file == "f.words" && fault.line == expected.line && fault.column == expected.column &&
-             fault.text().find(expected.message) != std::string::npos;
-    });
-    EXPECT_TRUE(found) << expected.text << "\nexpected: " << expected.message << "\nfound: " << all_faults(parsed);
+  for (const auto& [chip, text, fault] : kFaults) {
+    expect_fault(parse_register_words({text, "f"}, chip, chip == k10 ? kCard : kXbox), fault, text);
   }
 }
 

@@ -200,16 +200,6 @@ in 1 RGB A TEXTURE1 EXPAND_NORMAL RGB
 )"));
 }
 
-TEST(SourceFamilies, JavasBuffers) {
-  EXPECT_TRUE(read("buffers.java", {"chained"}) == after(R"(
-count 1
-color 0 0.25f,0.5f,0.75f,1
-color 1 1,0,0,1
-)"));
-  EXPECT_TRUE(read("buffers.java", {"byIndex"}) == after("color 0 0.5f,0.125f,0.25f,1\n"));
-  EXPECT_TRUE(read("buffers.java", {"fromElsewhere"}, {{"red", "0.5"}}) == after("color 0 0.5f,0,0,1\n"));
-}
-
 TEST(SourceFamilies, AreListedWithWhatTheyNeed) {
   const auto listed = [](const std::string& file) {
     std::string out;

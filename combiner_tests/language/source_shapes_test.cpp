@@ -89,7 +89,7 @@ TEST(SourceShapes, MembersOfAUnionAreNotGuessed) {
 
 TEST(SourceShapes, LoopsOverElements) {
   expect_calls("void f() { for (int n : new int[] {1, 3}) " + set_count("n") + " }", set_count("3"));
-  expect_calls("void f() { int[] all = {1, 2}; for (int n : all) { " + set_count("n") + " } }", set_count("2"));
+  expect_calls("void f() { int all[] = {1, 2}; for (int n : all) { " + set_count("n") + " } }", set_count("2"));
   expect_calls("void f() { for (;;) { " + set_count("2") + " break; } }", set_count("2"));
   expect_fault_of("void f() { for (int n : list) { " + set_count("n") + " } }", "'list'");
 }

@@ -223,99 +223,87 @@ TEST(XboxPixelShader, AFewWordsInBracesAreNoted) {
   EXPECT_NE(older.notes[0].message.find("nv2a is the Xbox's profile"), std::string::npos);
 }
 
-struct Fault {
-  const char* text;
-  int line, column;
-  const char* message;
-};
-
-void expect_fault(const Fault& expected, std::string_view text) {
-  const auto parsed = parse_xbox_pixel_shader({text, "psd.c"}, kShaderProfile);
-  EXPECT_FALSE(parsed) << text;
-  const bool found = std::any_of(parsed.faults().begin(), parsed.faults().end(), [&](const TextFault& fault) {
-    return fault.file == "psd.c" && fault.line == expected.line && fault.column == expected.column &&
-           fault.text().find(expected.message) != std::string::npos;
-  });
-  EXPECT_TRUE(found) << text << "\nexpected: " << expected.line << ':' << expected.column << ' ' << expected.message
-                     << "\nfound: " << all_faults(parsed);
+void expect_refused(const PlacedFault& fault, std::string_view text) {
+  expect_fault(parse_xbox_pixel_shader({text, "f"}, kShaderProfile), fault, text);
 }
 
 TEST(XboxPixelShader, EveryFaultHasItsPlace) {
-  const Fault faults[] = {
-      {"", 1, 1, "expected a D3DPIXELSHADERDEF"},
-      {"psd.PSRGBInput[0] = 1;", 1, 5,
-       "'PSRGBInput' is not a member of D3DPIXELSHADERDEF; did you mean 'PSRGBInputs'?"},
-      {"psd.RC_IN_RGB[0] = 1;", 1, 5, "register words are another form: --from words"},
-      {"psd.Banana = 1;", 1, 5, "'Banana' is not a member of D3DPIXELSHADERDEF"},
-      {"psd.PSRGBInputs[8] = 1;", 1, 5, "PSRGBInputs[8] is out of range; expected an index from 0 to 7"},
-      {"psd.PSRGBInputs = 1;", 1, 5, "PSRGBInputs needs an index from 0 to 7"},
-      {"psd.PSTextureModes[0] = 1;", 1, 5, "PSTextureModes is one word; expected no index"},
-      {"psd.PSRGBInputs[0][1] = 1;", 1, 19, "expected '='; found '['"},
-      {"psd.PSDotMapping = PS_DOTMAPPING(8, 0, 0, 0);", 1, 34,
-       "argument 1 of PS_DOTMAPPING is 0x08; expected 0 to 0x07"},
-      {"psd.PSRGBInputs[0] 1;", 1, 20, "expected '=' after PSRGBInputs; found '1'"},
-      {"psd.PSRGBInputs[0] = ;", 1, 22, "expected a value; found ';'"},
-      {"psd.PSRGBInputs[0] = 0xfffffffff;", 1, 22, "the value does not fit in 32 bits"},
-      {"psd.PSRGBInputs[0] = 0x8040000g;", 1, 22, "'0x8040000g' is not a number"},
-      {"psd.PSRGBInputs[0] = 1 << 32;", 1, 24, "a shift by 32 bits is out of range; expected 0 to 31"},
-      {"psd.PSRGBInputs[0] = 0xffffffff + 1;", 1, 33, "does not fit in 32 bits"},
-      {"psd.PSRGBInputs[0] = (1;", 1, 24, "expected ')'; found ';'"},
-      {"psd.PSRGBInputs[0] = PS_REGISTER_T5;", 1, 22, "unknown name 'PS_REGISTER_T5'; did you mean 'PS_REGISTER_T0'?"},
-      {"psd.PSRGBInputs[0] = PS_COMBINERINPUT(1, 2, 3, 4);", 1, 22, "did you mean 'PS_COMBINERINPUTS'?"},
-      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS(1, 2, 3);", 1, 22, "PS_COMBINERINPUTS has 3 arguments; expected 4"},
-      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS(1, 2, 3, 4, 5);", 1, 22, "has 5 arguments; expected 4"},
-      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS;", 1, 39, "expected '(' and the 4 arguments of PS_COMBINERINPUTS"},
-      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS(1, 0x100, 3, 4);", 1, 43,
-       "argument 2 of PS_COMBINERINPUTS is 0x0100; expected 0 to 0xff"},
-      {"psd.PSRGBOutputs[0] = PS_COMBINEROUTPUTS(16, 0, 0, 0);", 1, 42,
-       "argument 1 of PS_COMBINEROUTPUTS is 0x10; expected 0 to 0x0f"},
-      {"psd.PSTextureModes = PS_TEXTUREMODES(0, 32, 0, 0);", 1, 41, "expected 0 to 0x1f"},
-      {"a.PSCombinerCount = 1;\nb.PSTextureModes = 1;", 2, 3,
-       "a member of 'b', but of 'a' in line 1; a text has one definition"},
-      {"PSCombinerCount = 1\nPSCombinerCount = 1", 2, 1, "PSCombinerCount was given before, in line 1"},
-      {"#include <xtl.h>\nPSCombinerCount = 1", 1, 1, "lines of the preprocessor are not read"},
-      {"PSCombinerCount = 1; /* open", 1, 22, "unterminated comment; expected */"},
-      {"D3DPIXELSHADERDEF psd = {1, 2", 1, 30, "expected ',' or '}' after a word; found the end of the text"},
-      {"D3DPIXELSHADERDEF psd = {{1, 2, 3, 4, 5, 6, 7, 8, 9}};", 1, 51, "PSAlphaInputs has 8 words; found more: '9'"},
-      {"D3DPIXELSHADERDEF psd = {{0}, {1, 2}};", 1, 35, "PSFinalCombinerInputsABCD has 1 word; found more: '2'"},
-      {"D3DPIXELSHADERDEF psd = {1, {2}};", 1, 29, "'{' within PSAlphaInputs; expected PSAlphaInputs[1]"},
-      {"D3DPIXELSHADERDEF psd = {.PSConstant2 = {0}};", 1, 27, "did you mean 'PSConstant0'?"},
-      {"D3DPIXELSHADERDEF psd = {.PSConstant0 = {[8] = 1}};", 1, 42, "PSConstant0[8] is out of range"},
-      {"D3DPIXELSHADERDEF psd = {0};\nD3DPIXELSHADERDEF b = {0};", 2, 23,
-       "a second definition; the first is in line 1"},
-      {"D3DPIXELSHADERDEF psd = f();", 1, 25, "expected '{' and the words of the definition"},
-      {"{1 2}", 1, 4, "expected ',' or '}' after a word; found '2'"},
-      {"psd.PSCombinerCount = 1;\n}", 2, 1, "expected a D3DPIXELSHADERDEF"},
-      {"glEnable(GL_REGISTER_COMBINERS_NV);", 1, 1, "expected a D3DPIXELSHADERDEF"},
-      {"D3DPIXELSHADERDEF psd;", 1, 1, "expected a D3DPIXELSHADERDEF"},
-      {"memset(&psd, 0xff, 240);\nPSCombinerCount = 1", 1, 14, "expected 0, as memset is read only to clear"},
-      {"psd.PSCombinerCount(", 1, 21, "expected ')'; found the end of the text"},
-      {"psd. = 1;", 1, 6, "expected a member of D3DPIXELSHADERDEF; found '='"},
-      {"0x1 0x2 0x3 0x4", 1, 13, "4 words of 32 bits; expected the 60 of a D3DPIXELSHADERDEF"},
-      {"00 01 02 03 04", 1, 13, "5 bytes; expected the 240 of a D3DPIXELSHADERDEF"},
-      {"00000000 00000001 00000002 00000003 0000", 1, 37,
-       "'0000' is not a number of this list; expected 8 hexadecimal"},
-      {"0x1, 0x2, 0x3, 0x4, 17", 1, 21, "'17' is not a number of this list; expected 0x and up to 8"},
-      {"00 01 02 03\n*\n04 05 06 07", 2, 1, "'*' stands for repeated rows, but not for how many; expected offsets"},
-      {"0000: 00 01 02 03\n*\n", 2, 1, "'*' stands for repeated rows, but not for how many; expected offsets"},
-      {"0000: 00 01 02 03\n*\n0006: 04 05", 2, 1, "but the offsets do not fit the rows"},
-      {"0000: 00 01 02 03\n*\nfffffffffffffff0: 04", 2, 1, "more than 1000 bytes"},
-      {"DWORD ps[3] = { 1, 2, 3 };", 1, 23, "3 words of 32 bits; expected the 60 of a D3DPIXELSHADERDEF"},
-      {"const BYTE ps[] = {1, 2};", 1, 23, "2 bytes; expected the 240 of a D3DPIXELSHADERDEF"},
-      {"WORD ps[] = {};", 1, 13, "0 words of 16 bits; expected the 120 of a D3DPIXELSHADERDEF"},
-      {"DWORD ps[] = {1 2};", 1, 17, "expected ',' or '}' after a number; found '2'"},
-      {"DWORD ps[] = {1, 2", 1, 19, "expected ',' or '}' after a number; found the end of the text"},
-      {"DWORD ps[] = {1, {2}};", 1, 18, "expected a value; found '{'"},
+  const std::pair<const char*, PlacedFault> faults[] = {
+      {"", {1, 1, "expected a D3DPIXELSHADERDEF"}},
+      {"psd.PSRGBInput[0] = 1;",
+       {1, 5, "'PSRGBInput' is not a member of D3DPIXELSHADERDEF; did you mean 'PSRGBInputs'?"}},
+      {"psd.RC_IN_RGB[0] = 1;", {1, 5, "register words are another form: --from words"}},
+      {"psd.Banana = 1;", {1, 5, "'Banana' is not a member of D3DPIXELSHADERDEF"}},
+      {"psd.PSRGBInputs[8] = 1;", {1, 5, "PSRGBInputs[8] is out of range; expected an index from 0 to 7"}},
+      {"psd.PSRGBInputs = 1;", {1, 5, "PSRGBInputs needs an index from 0 to 7"}},
+      {"psd.PSTextureModes[0] = 1;", {1, 5, "PSTextureModes is one word; expected no index"}},
+      {"psd.PSRGBInputs[0][1] = 1;", {1, 19, "expected '='; found '['"}},
+      {"psd.PSDotMapping = PS_DOTMAPPING(8, 0, 0, 0);",
+       {1, 34, "argument 1 of PS_DOTMAPPING is 0x08; expected 0 to 0x07"}},
+      {"psd.PSRGBInputs[0] 1;", {1, 20, "expected '=' after PSRGBInputs; found '1'"}},
+      {"psd.PSRGBInputs[0] = ;", {1, 22, "expected a value; found ';'"}},
+      {"psd.PSRGBInputs[0] = 0xfffffffff;", {1, 22, "the value does not fit in 32 bits"}},
+      {"psd.PSRGBInputs[0] = 0x8040000g;", {1, 22, "'0x8040000g' is not a number"}},
+      {"psd.PSRGBInputs[0] = 1 << 32;", {1, 24, "a shift by 32 bits is out of range; expected 0 to 31"}},
+      {"psd.PSRGBInputs[0] = 0xffffffff + 1;", {1, 33, "does not fit in 32 bits"}},
+      {"psd.PSRGBInputs[0] = (1;", {1, 24, "expected ')'; found ';'"}},
+      {"psd.PSRGBInputs[0] = PS_REGISTER_T5;",
+       {1, 22, "unknown name 'PS_REGISTER_T5'; did you mean 'PS_REGISTER_T0'?"}},
+      {"psd.PSRGBInputs[0] = PS_COMBINERINPUT(1, 2, 3, 4);", {1, 22, "did you mean 'PS_COMBINERINPUTS'?"}},
+      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS(1, 2, 3);", {1, 22, "PS_COMBINERINPUTS has 3 arguments; expected 4"}},
+      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS(1, 2, 3, 4, 5);", {1, 22, "has 5 arguments; expected 4"}},
+      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS;", {1, 39, "expected '(' and the 4 arguments of PS_COMBINERINPUTS"}},
+      {"psd.PSRGBInputs[0] = PS_COMBINERINPUTS(1, 0x100, 3, 4);",
+       {1, 43, "argument 2 of PS_COMBINERINPUTS is 0x0100; expected 0 to 0xff"}},
+      {"psd.PSRGBOutputs[0] = PS_COMBINEROUTPUTS(16, 0, 0, 0);",
+       {1, 42, "argument 1 of PS_COMBINEROUTPUTS is 0x10; expected 0 to 0x0f"}},
+      {"psd.PSTextureModes = PS_TEXTUREMODES(0, 32, 0, 0);", {1, 41, "expected 0 to 0x1f"}},
+      {"a.PSCombinerCount = 1;\nb.PSTextureModes = 1;",
+       {2, 3, "a member of 'b', but of 'a' in line 1; a text has one definition"}},
+      {"PSCombinerCount = 1\nPSCombinerCount = 1", {2, 1, "PSCombinerCount was given before, in line 1"}},
+      {"#include <xtl.h>\nPSCombinerCount = 1", {1, 1, "lines of the preprocessor are not read"}},
+      {"PSCombinerCount = 1; /* open", {1, 22, "unterminated comment; expected */"}},
+      {"D3DPIXELSHADERDEF psd = {1, 2", {1, 30, "expected ',' or '}' after a word; found the end of the text"}},
+      {"D3DPIXELSHADERDEF psd = {{1, 2, 3, 4, 5, 6, 7, 8, 9}};", {1, 51, "PSAlphaInputs has 8 words; found more: '9'"}},
+      {"D3DPIXELSHADERDEF psd = {{0}, {1, 2}};", {1, 35, "PSFinalCombinerInputsABCD has 1 word; found more: '2'"}},
+      {"D3DPIXELSHADERDEF psd = {1, {2}};", {1, 29, "'{' within PSAlphaInputs; expected PSAlphaInputs[1]"}},
+      {"D3DPIXELSHADERDEF psd = {.PSConstant2 = {0}};", {1, 27, "did you mean 'PSConstant0'?"}},
+      {"D3DPIXELSHADERDEF psd = {.PSConstant0 = {[8] = 1}};", {1, 42, "PSConstant0[8] is out of range"}},
+      {"D3DPIXELSHADERDEF psd = {0};\nD3DPIXELSHADERDEF b = {0};",
+       {2, 23, "a second definition; the first is in line 1"}},
+      {"D3DPIXELSHADERDEF psd = f();", {1, 25, "expected '{' and the words of the definition"}},
+      {"{1 2}", {1, 4, "expected ',' or '}' after a word; found '2'"}},
+      {"psd.PSCombinerCount = 1;\n}", {2, 1, "expected a D3DPIXELSHADERDEF"}},
+      {"glEnable(GL_REGISTER_COMBINERS_NV);", {1, 1, "expected a D3DPIXELSHADERDEF"}},
+      {"D3DPIXELSHADERDEF psd;", {1, 1, "expected a D3DPIXELSHADERDEF"}},
+      {"memset(&psd, 0xff, 240);\nPSCombinerCount = 1", {1, 14, "expected 0, as memset is read only to clear"}},
+      {"psd.PSCombinerCount(", {1, 21, "expected ')'; found the end of the text"}},
+      {"psd. = 1;", {1, 6, "expected a member of D3DPIXELSHADERDEF; found '='"}},
+      {"0x1 0x2 0x3 0x4", {1, 13, "4 words of 32 bits; expected the 60 of a D3DPIXELSHADERDEF"}},
+      {"00 01 02 03 04", {1, 13, "5 bytes; expected the 240 of a D3DPIXELSHADERDEF"}},
+      {"00000000 00000001 00000002 00000003 0000",
+       {1, 37, "'0000' is not a number of this list; expected 8 hexadecimal"}},
+      {"0x1, 0x2, 0x3, 0x4, 17", {1, 21, "'17' is not a number of this list; expected 0x and up to 8"}},
+      {"00 01 02 03\n*\n04 05 06 07", {2, 1, "'*' stands for repeated rows, but not for how many; expected offsets"}},
+      {"0000: 00 01 02 03\n*\n", {2, 1, "'*' stands for repeated rows, but not for how many; expected offsets"}},
+      {"0000: 00 01 02 03\n*\n0006: 04 05", {2, 1, "but the offsets do not fit the rows"}},
+      {"0000: 00 01 02 03\n*\nfffffffffffffff0: 04", {2, 1, "more than 1000 bytes"}},
+      {"DWORD ps[3] = { 1, 2, 3 };", {1, 23, "3 words of 32 bits; expected the 60 of a D3DPIXELSHADERDEF"}},
+      {"const BYTE ps[] = {1, 2};", {1, 23, "2 bytes; expected the 240 of a D3DPIXELSHADERDEF"}},
+      {"WORD ps[] = {};", {1, 13, "0 words of 16 bits; expected the 120 of a D3DPIXELSHADERDEF"}},
+      {"DWORD ps[] = {1 2};", {1, 17, "expected ',' or '}' after a number; found '2'"}},
+      {"DWORD ps[] = {1, 2", {1, 19, "expected ',' or '}' after a number; found the end of the text"}},
+      {"DWORD ps[] = {1, {2}};", {1, 18, "expected a value; found '{'"}},
   };
-  for (const Fault& fault : faults) expect_fault(fault, fault.text);
+  for (const auto& [text, fault] : faults) expect_refused(fault, text);
 }
 
 TEST(XboxPixelShader, BytesOfAnotherCountAreRefused) {
   Random random(83);
   const std::string bytes = as_bytes(random_words(random));
-  expect_fault({"", 1, 1, "239 bytes; expected the 240 of one D3DPIXELSHADERDEF"},
-               std::string_view(bytes).substr(0, 239));
-  expect_fault({"", 1, 1, "480 bytes, which are 2 definitions; expected the 240"}, bytes + bytes);
+  expect_refused({1, 1, "239 bytes; expected the 240 of one D3DPIXELSHADERDEF"},
+                 std::string_view(bytes).substr(0, 239));
+  expect_refused({1, 1, "480 bytes, which are 2 definitions; expected the 240"}, bytes + bytes);
   EXPECT_FALSE(is_xbox_pixel_shader(bytes + bytes));
 }
 
@@ -327,9 +315,9 @@ TEST(XboxPixelShader, AFileOfTheDevelopmentKitHasAMagicBefore) {
   const auto program = parse_xbox_pixel_shader({file, ""}, profiles::nv2a);
   ASSERT_TRUE(expected && program) << all_faults(program);
   EXPECT_EQ(*program, *expected);
-  expect_fault({"", 1, 1, "a file 'PSB0' of 243 bytes; expected 244, the magic and one D3DPIXELSHADERDEF"},
-               std::string_view(file).substr(0, 243));
-  expect_fault({"", 1, 1, "a file 'PSB0' of 484 bytes; expected 244"}, file + bytes);
+  expect_refused({1, 1, "a file 'PSB0' of 243 bytes; expected 244, the magic and one D3DPIXELSHADERDEF"},
+                 std::string_view(file).substr(0, 243));
+  expect_refused({1, 1, "a file 'PSB0' of 484 bytes; expected 244"}, file + bytes);
 }
 
 TEST(XboxPixelShader, CountsOfListsAreChecked) {
@@ -348,15 +336,16 @@ TEST(XboxPixelShader, CountsOfListsAreChecked) {
 }
 
 TEST(XboxPixelShader, WhatTheChipOrOpenGlRefusesIsAtItsWord) {
-  const Fault faults[] = {
-      {"psd.PSCombinerCount = 9;", 1, 5, "GL_INVALID_VALUE: PSCombinerCount = 0x00000009: bits 3..0"},
-      {"psd.PSTextureModes = 0;", 1, 1, "GL_INVALID_VALUE: PSCombinerCount = 0x00000000"},
-      {"psd.PSCombinerCount = 1;\npsd.PSRGBInputs[3] = 0x06000000;", 2, 5, "PSRGBInputs[3] = 0x06000000: variable A"},
-      {"psd.PSCombinerCount = 1;\npsd.PSRGBOutputs[0] = 0xccc;", 2, 5, "GL_INVALID_OPERATION"},
-      {"psd.PSCombinerCount = 1;\npsd.PSAlphaOutputs[0] = 0x00100000;", 2, 5, "PSAlphaOutputs[0] = 0x00100000: bit 20"},
-      {"psd.PSCombinerCount = 1;\npsd.PSFinalCombinerInputsABCD = 0x40000000;", 2, 5, "bit 30 must be 0"},
+  const std::pair<const char*, PlacedFault> faults[] = {
+      {"psd.PSCombinerCount = 9;", {1, 5, "GL_INVALID_VALUE: PSCombinerCount = 0x00000009: bits 3..0"}},
+      {"psd.PSTextureModes = 0;", {1, 1, "GL_INVALID_VALUE: PSCombinerCount = 0x00000000"}},
+      {"psd.PSCombinerCount = 1;\npsd.PSRGBInputs[3] = 0x06000000;", {2, 5, "PSRGBInputs[3] = 0x06000000: variable A"}},
+      {"psd.PSCombinerCount = 1;\npsd.PSRGBOutputs[0] = 0xccc;", {2, 5, "GL_INVALID_OPERATION"}},
+      {"psd.PSCombinerCount = 1;\npsd.PSAlphaOutputs[0] = 0x00100000;",
+       {2, 5, "PSAlphaOutputs[0] = 0x00100000: bit 20"}},
+      {"psd.PSCombinerCount = 1;\npsd.PSFinalCombinerInputsABCD = 0x40000000;", {2, 5, "bit 30 must be 0"}},
   };
-  for (const Fault& fault : faults) expect_fault(fault, fault.text);
+  for (const auto& [text, fault] : faults) expect_refused(fault, text);
   // Every fault of a text that is a definition has GL's error, so `validate` can answer with 1.
   const auto refused = parse_xbox_pixel_shader({"PSCombinerCount = 9", ""}, kShaderProfile);
   ASSERT_EQ(refused.faults().size(), 1U);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace ninebit::detail {
@@ -25,6 +26,11 @@ namespace ninebit::detail {
 }
 [[nodiscard]] constexpr char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+[[nodiscard]] inline std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = lower(c);
+  return out;
 }
 // Whether two words differ at most in capitals.
 [[nodiscard]] constexpr bool same_but_case(std::string_view a, std::string_view b) {

@@ -8,12 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "src/system/characters.h"
+
 namespace ninebit {
 
 // How many letters must be inserted, removed, replaced or swapped with the next one to make `a` of `b`; case is
 // ignored. A number above `most` where it is more than that.
 [[nodiscard]] inline std::size_t name_changes(std::string_view a, std::string_view b, std::size_t most) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  using detail::lower;
   // One row of the table per letter of `a`, of which only those places count that are at most `most` off the diagonal;
   // a swap reads the row before the last. No row falls below the smaller of the two before it.
   const std::size_t more = most + 1;

@@ -40,7 +40,7 @@ struct SourceSelection {
 };
 
 // The functions of a source that set combiners, in the order of the text; each is executed by itself with the profile.
-// Reads C, C++ and Java; docs/languages.md says what is followed, and what makes a value unknown.
+// Reads C and C++, and of Java what is alike; docs/languages.md says what is followed, and what makes a value unknown.
 [[nodiscard]] std::vector<SourceFunction> find_source_functions(const SourceText& source,
                                                                 const std::vector<Definition>& definitions,
                                                                 const HardwareProfile& profile,

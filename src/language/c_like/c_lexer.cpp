@@ -21,6 +21,10 @@ constexpr std::array<std::string_view, 24> kLongPunctuation{
 
 }  // namespace
 
+std::string shown(const Token& token) {
+  return token.kind == Token::Kind::end ? "the end of the text" : detail::quoted(token.text);
+}
+
 int precedence(const Token& token) {
   constexpr std::array<std::array<std::string_view, 4>, 10> kOrder{{{"||"},
                                                                     {"&&"},
@@ -54,11 +58,36 @@ bool Lexer::skip_comment() {
     } while (at_ < text_.size() && (text_[at_ - 1] == '\\' || text_.substr(0, at_).ends_with("\\\r")));
     return true;
   }
+  if (hash_comments_ && starts("#") && !begins_directive()) {
+    at_ = std::min(text_.find('\n', at_), text_.size());
+    return true;
+  }
   if (!starts("/*")) return false;
   const std::size_t found = text_.find("*/", at_ + 2);
   if (found == std::string_view::npos) unterminated_ = at_;
   at_ = found == std::string_view::npos ? text_.size() : found + 2;
   return true;
+}
+
+// Whether the # here begins a directive. Only the line is looked at, and no further than needed: a line may have many
+// marks, and a text many lines.
+bool Lexer::begins_directive() const {
+  std::size_t at = at_ + 1;
+  while (at < text_.size() && text_[at] != '\n') {
+    if (text_.substr(at).starts_with("/*")) {
+      at += 2;
+      while (at < text_.size() && text_[at] != '\n' && !text_.substr(at).starts_with("*/")) ++at;
+      if (at == text_.size() || text_[at] == '\n') return false;
+      at += 2;
+    } else if (is_blank(text_[at])) {
+      ++at;
+    } else {
+      break;
+    }
+  }
+  std::size_t end = at;
+  while (end < text_.size() && is_word(text_[end])) ++end;
+  return std::find(kDirectives.begin(), kDirectives.end(), text_.substr(at, end - at)) != kDirectives.end();
 }
 
 // Returns whether there were any.
@@ -178,6 +207,28 @@ std::vector<Token> tokens_of(std::string_view text) {
 Token TokenReader::take() {
   end_of_last_ = next_.end;
   return std::exchange(next_, lexer_.next());
+}
+
+bool TokenReader::takes(std::string_view what) {
+  if (!next_.is(what)) return false;
+  take();
+  return true;
+}
+
+std::optional<Token> TokenReader::skip_behind_array() {
+  while (!at_end()) {
+    const Token first = take();
+    if (first.is(";")) continue;
+    if (first.is("#") && first.begins_line) {
+      while (!at_end() && !peek().begins_line) take();
+      continue;
+    }
+    std::size_t names = first.is_name() ? 1 : 0;
+    for (; names > 0 && peek().is_name(); ++names) take();
+    if (names > 1 && takes("=") && take().kind == Token::Kind::number && peek().is(";")) continue;
+    return first;
+  }
+  return std::nullopt;
 }
 
 void TokenReader::move_to(std::size_t at) {

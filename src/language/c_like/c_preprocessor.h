@@ -1,4 +1,4 @@
-// The preprocessor of C: macros, conditions, included files.
+// The preprocessor of C: macros, conditions, included files; and the constant expressions of #if and #elif.
 #pragma once
 
 #include <deque>
@@ -14,6 +14,16 @@
 #include "src/language/c_like/c_macros.h"
 
 namespace ninebit::code {
+
+struct ConditionValue {
+  bool holds = false;     // with names as 0, as in C
+  std::string unknown{};  // a name on which the value depends; empty: none
+  std::string fault{};    // why the value cannot be computed, which then does not hold; empty: it can
+};
+
+// The value of an expression whose macros are expanded.
+[[nodiscard]] ConditionValue condition_value(const std::vector<Token>& expression,
+                                             const std::function<bool(std::string_view)>& is_defined);
 
 // The answer of a condition. Names that mean nothing are 0, as C has it; then it is not sure.
 struct Answer {

@@ -19,35 +19,27 @@ namespace {
 
 // The words in which the languages differ.
 struct Words {
-  std::string_view head;           // the first lines
-  std::string_view int3, int4;     // types
-  std::string_view open, close;    // around the array of constants
-  std::string_view splat;          // a number as a vector: what stands before it
-  std::string_view make4, close4;  // a vector and a number as four: what stands before them, and after
+  std::string_view head;         // the first lines
+  std::string_view int3, int4;   // types
+  std::string_view splat;        // a number as a vector: what stands before it
+  std::string_view open, close;  // around the array of constants
 };
 
 Words words_of(PixelLanguage language) {
-  constexpr std::string_view kGlslOpen = "uniform ivec4 ";
+  const auto glsl = [](std::string_view head) { return Words{head, "ivec3", "ivec4", "ivec3(", "uniform ivec4 ", ""}; };
   switch (language) {
     case PixelLanguage::glsl_130:
-      return {"#version 130\n", "ivec3", "ivec4", kGlslOpen, "", "ivec3(", "ivec4(", ")"};
+      return glsl("#version 130\n");
     case PixelLanguage::glsl_330:
-      return {"#version 330 core\n", "ivec3", "ivec4", kGlslOpen, "", "ivec3(", "ivec4(", ")"};
+      return glsl("#version 330 core\n");
     case PixelLanguage::glsl_450:
-      return {"#version 450 core\n", "ivec3", "ivec4", kGlslOpen, "", "ivec3(", "ivec4(", ")"};
+      return glsl("#version 450 core\n");
     case PixelLanguage::es_300:
-      return {"#version 300 es\nprecision highp int;\n", "ivec3", "ivec4", kGlslOpen, "", "ivec3(", "ivec4(", ")"};
+      return glsl("#version 300 es\nprecision highp int;\n");
     case PixelLanguage::hlsl:
       break;
   }
-  return {"// Shader model 4 and later.\n",
-          "int3",
-          "int4",
-          "cbuffer NAME_of_program {\n  int4 ",
-          "}\n",
-          "(int3)(",
-          "int4(",
-          ")"};
+  return {"// Shader model 4 and later.\n", "int3", "int4", "(int3)(", "cbuffer NAME_of_program {\n  int4 ", "}\n"};
 }
 
 // What is known of the registers between two stages.
@@ -259,8 +251,8 @@ class Writer {
     for (const std::string& line : comments_of_final(program_)) printer.comment(line);
     printer.prepare(rgb, "rgb");
     printer.prepare(alpha, "a");
-    printer.statement("return " + std::string(words_.make4) + printer.vector(rgb) + ", " + printer.whole(alpha) +
-                      std::string(words_.close4));
+    printer.statement("return " + std::string(words_.int4) + '(' + printer.vector(rgb) + ", " + printer.whole(alpha) +
+                      ')');
     finish(printer, function.graph());
     return "\n" + std::string(words_.int4) + ' ' + name_ + "_final(" + name_ + "_registers r) {\n" + printer.out() +
            "}\n";
@@ -314,8 +306,8 @@ class Writer {
                       " texture3, int spare0_alpha) {\n  " + name_ + "_registers r;\n";
     for (const Register r : kHeld) {
       const std::string field(short_name_of(r));
-      const std::string value = r == Register::spare0   ? std::string(words_.make4) + "0, 0, 0, spare0_alpha)"
-                                : r == Register::spare1 ? std::string(words_.make4) + "0, 0, 0, 0)"
+      const std::string value = r == Register::spare0   ? four + "(0, 0, 0, spare0_alpha)"
+                                : r == Register::spare1 ? four + "(0, 0, 0, 0)"
                                                         : field;
       out += "  r." + field + " = " + value + ";\n";
     }

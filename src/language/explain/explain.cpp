@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "ninebit/numerics/hardware_profile.h"
-#include "src/language/explain/explain_notes.h"
 #include "src/language/explain/explain_terms.h"
 
 namespace ninebit {

@@ -1,5 +1,4 @@
-#include "src/language/explain/explain_notes.h"
-
+// The notes, constants and legend beside the equations of an explanation.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -7,6 +6,7 @@
 
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/numerics/hardware_profile.h"
+#include "src/language/explain/explain_terms.h"
 
 namespace ninebit::explain_detail {
 namespace {

@@ -14,6 +14,84 @@ namespace ninebit::detail {
 namespace {
 
 using code::Token;
+using code::TokenReader;
+
+constexpr int kMostLooked = 16;  // tokens ahead
+
+bool is_separator(const Token& token) {
+  return token.is("::") || token.is("->") || token.is(".");
+}
+
+// Takes a name with the qualifiers before it; empty: there is none.
+std::string_view take_qualified(TokenReader& tokens) {
+  std::string_view name;
+  for (int i = 0; i < kMostLooked; ++i) {
+    name = tokens.peek().is_name() ? tokens.take().text : std::string_view();
+    if (!is_separator(tokens.peek())) break;
+    tokens.take();
+  }
+  return name;
+}
+
+}  // namespace
+
+TokenReader GlLexer::behind_next() const {
+  TokenReader ahead = *this;
+  ahead.take();
+  return ahead;
+}
+
+bool GlLexer::next_is_member() const {
+  TokenReader ahead = behind_next();
+  const Token separator = ahead.take();
+  return is_separator(separator) && !separator.after_blank && ahead.peek().is_name() && !ahead.peek().after_blank;
+}
+
+bool GlLexer::next_is_call() const {
+  TokenReader ahead = behind_next();
+  if (peek().text.ends_with("_cast") && ahead.peek().is("<")) {
+    for (int i = 0; i < kMostLooked && !ahead.peek().is(">"); ++i) ahead.take();
+    ahead.take();
+  }
+  return ahead.peek().is("(");
+}
+
+bool GlLexer::next_is_assignment() const {
+  return behind_next().peek().is("=");
+}
+
+bool GlLexer::begins_array_type() const {
+  TokenReader ahead = behind_next();
+  for (int i = 0; i < kMostLooked && ahead.peek().is_name(); ++i) ahead.take();
+  return ahead.peek().is("[");
+}
+
+bool GlLexer::begins_pointer_call() const {
+  TokenReader ahead = behind_next();
+  return peek().is("(") && ahead.take().is("*") && ahead.peek().is_name();
+}
+
+bool GlLexer::wraps_call() const {
+  TokenReader ahead = behind_next();
+  return ahead.take().is("(") && find_gl_call(take_qualified(ahead)) != nullptr;
+}
+
+bool GlLexer::skip_cast() {
+  if (!peek().is("(")) return false;
+  TokenReader ahead = behind_next();
+  std::string_view type;
+  for (int i = 0; i < kMostLooked && ahead.peek().is_name(); ++i) type = take_qualified(ahead);
+  // (GL_RGB) is not a type.
+  if (type.empty() || value_of_name(type) || value_of_spelling(type, true)) return false;
+  for (int i = 0; i < kMostLooked && ahead.peek().is("*"); ++i) ahead.take();
+  if (!ahead.take().is(")")) return false;
+  const Token& operand = ahead.peek();
+  const bool follows = operand.is_name() || operand.kind == Token::Kind::number || operand.is("(") || operand.is("&");
+  if (follows) TokenReader::operator=(ahead);
+  return follows;
+}
+
+namespace {
 
 constexpr std::size_t kReadValues = 4;     // the most that GL reads of an array
 constexpr int kMostNestedParentheses = 8;  // around one argument
@@ -52,9 +130,7 @@ bool GlArgumentReader::expected(const std::string& what) {
 }
 
 bool GlArgumentReader::expect(std::string_view mark) {
-  if (!lexer_.peek().is(mark)) return expected(quoted(mark));
-  lexer_.take();
-  return true;
+  return lexer_.takes(mark) || expected(quoted(mark));
 }
 
 bool GlArgumentReader::declare(std::string_view name, GlArgument array) {
@@ -68,7 +144,7 @@ void GlArgumentReader::place(GlArgument& out, std::size_t offset) const {
 
 bool GlArgumentReader::qualifier() {
   bool found = false;
-  if (lexer_.peek().text == "::") lexer_.take();
+  lexer_.takes("::");
   while (lexer_.peek().is_name() && lexer_.next_is_member()) {
     lexer_.take();
     lexer_.take();
@@ -94,8 +170,7 @@ bool GlArgumentReader::bounds(std::optional<std::size_t>& size) {
 
 bool GlArgumentReader::braces(GlArgument& array, std::optional<std::size_t> size) {
   array.is_array = true;
-  const std::string_view close = lexer_.peek().is("[") ? "]" : "}";
-  if (close == "]") lexer_.take();
+  const std::string_view close = lexer_.takes("[") ? "]" : "}";
   if (close == "}" && !expect("{")) return false;
   while (!lexer_.peek().is(close)) {
     if (array.count > 0 && !expect(",")) return false;
@@ -139,7 +214,7 @@ GlArgumentReader::Read GlArgumentReader::argument(GlArgument& out) {
     read = compound_literal(out) ? Read::done : Read::broken;
   } else if (lexer_.peek().is("new")) {
     read = new_array(out);
-  } else if (lexer_.peek().is("&") || lexer_.peek().is("@")) {
+  } else if (lexer_.peek().is("&")) {
     read = address(out);
   } else if (const auto array = arrays_.find(lexer_.peek().text); array != arrays_.end()) {
     lexer_.take();
@@ -157,7 +232,7 @@ GlArgumentReader::Read GlArgumentReader::argument(GlArgument& out) {
 GlArgumentReader::Read GlArgumentReader::new_array(GlArgument& out) {
   lexer_.take();
   const auto element = element_type(lexer_.peek().text);
-  if (!element) return expected("GLfloat or GLint") ? Read::done : Read::broken;
+  if (!element) return broken("GLfloat or GLint");
   lexer_.take();
   out.element = *element;
   std::optional<std::size_t> size;
@@ -176,23 +251,22 @@ bool GlArgumentReader::compound_literal(GlArgument& out) {
   return bounds(size) && expect(")") && braces(out, size);
 }
 
-// "&name[0]", "&name" or Pascal's "@name", which are the array itself.
+// "&name[0]" or "&name", which are the array itself.
 GlArgumentReader::Read GlArgumentReader::address(GlArgument& out) {
   lexer_.take();
   const auto array = arrays_.find(lexer_.peek().text);
-  if (array == arrays_.end()) return expected("an array declared above") ? Read::done : Read::broken;
+  if (array == arrays_.end()) return broken("an array declared above");
   lexer_.take();
   out = array->second;
-  if (!lexer_.peek().is("[")) return Read::done;
-  lexer_.take();
-  if (lexer_.peek().text != "0") return expected("0") ? Read::done : Read::broken;
+  if (!lexer_.takes("[")) return Read::done;
+  if (lexer_.peek().text != "0") return broken("0");
   lexer_.take();
   return expect("]") ? Read::done : Read::broken;
 }
 
 // "GLenum(…)", "static_cast<GLenum>(…)", "FloatBuffer.wrap(…)": what stands between the parentheses.
 GlArgumentReader::Read GlArgumentReader::converted(GlArgument& out) {
-  if (depth_ >= kMostNestedParentheses) return expected("an enumerant or a number") ? Read::done : Read::broken;
+  if (depth_ >= kMostNestedParentheses) return broken("an enumerant or a number");
   lexer_.take();
   while (!lexer_.at_end() && !lexer_.peek().is("(")) lexer_.take();
   if (!expect("(")) return Read::broken;
@@ -209,8 +283,8 @@ GlArgumentReader::Read GlArgumentReader::scalar(GlArgument& out) {
   Read read = Read::done;
   bool first = true;
   while (first || lexer_.peek().is("+") || lexer_.peek().is("-")) {
-    const bool negative = lexer_.peek().is("-");
-    if (negative || lexer_.peek().is("+")) lexer_.take();
+    const bool negative = lexer_.takes("-");
+    if (!negative) lexer_.takes("+");
     GlArgument term;
     const Read one = this->term(term);
     if (one == Read::broken) return one;
@@ -230,20 +304,14 @@ GlArgumentReader::Read GlArgumentReader::scalar(GlArgument& out) {
 
 GlArgumentReader::Read GlArgumentReader::term(GlArgument& out) {
   skip_casts();
-  const Token& token = lexer_.peek();
-  if (token.kind == Token::Kind::number || token.is("$")) {  // $8523 in Pascal
-    const std::size_t offset = token.offset;
-    const bool is_pascals = lexer_.take().is("$");
-    const Token& digits = lexer_.peek();
-    const bool follows = digits.is_name() || digits.kind == Token::Kind::number;
-    if (is_pascals && follows && !digits.after_blank) lexer_.take();
-    const std::string_view number = source_.text.substr(offset, lexer_.end_of_last() - offset);
-    if (read_gl_number(number, out)) return Read::done;
-    faults_.add(offset, quoted(number) + " is not a C number, or is out of range");
+  const Token token = lexer_.peek();
+  if (token.kind == Token::Kind::number) {
+    lexer_.take();
+    if (read_gl_number(token.text, out)) return Read::done;
+    faults_.add(token.offset, quoted(token.text) + " is not a C number, or is out of range");
     return Read::unknown;
   }
-  if (token.is("(") && depth_ < kMostNestedParentheses) {
-    lexer_.take();
+  if (depth_ < kMostNestedParentheses && lexer_.takes("(")) {
     ++depth_;
     const Read read = scalar(out);
     --depth_;
@@ -251,10 +319,7 @@ GlArgumentReader::Read GlArgumentReader::term(GlArgument& out) {
     return expect(")") ? read : Read::broken;
   }
   if (token.is_name() && is_conversion(token.text) && lexer_.next_is_call()) return converted(out);
-  if (!token.is_name() && token.text != "::") {
-    return expected("an enumerant or a number") ? Read::done : Read::broken;
-  }
-  return enumerant(out);
+  return token.is_name() || token.is("::") ? enumerant(out) : broken("an enumerant or a number");
 }
 
 GlArgumentReader::Read GlArgumentReader::enumerant(GlArgument& out) {
@@ -280,10 +345,9 @@ GlArgumentReader::Read GlArgumentReader::enumerant(GlArgument& out) {
 }
 
 bool read_gl_number(std::string_view text, GlArgument& out) {
-  const std::string pascals = text.starts_with('$') ? "0x" + std::string(text.substr(1)) : std::string();
   const bool is_long_double = text.find('.') != std::string_view::npos && (text.ends_with('l') || text.ends_with('L'));
   if (is_long_double) text.remove_suffix(1);
-  const auto number = code::read_number(pascals.empty() ? text : pascals);
+  const auto number = code::read_number(text);
   if (!number) return false;
   out.is_integer = !number->may_be_real();
   out.integer = number->integer;

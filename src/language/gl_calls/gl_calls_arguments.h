@@ -8,13 +8,37 @@
 #include <string_view>
 
 #include "ninebit/language/source_text.h"
+#include "src/language/c_like/c_lexer.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
-#include "src/language/gl_calls/gl_calls_lexer.h"
 #include "src/language/source/source_faults.h"
 
 namespace ninebit::detail {
 
 inline constexpr std::size_t kMostGlValues = 1024;
+
+// Look-ahead in texts of GL calls.
+class GlLexer : public code::TokenReader {
+ public:
+  using TokenReader::TokenReader;
+
+  // Whether the next token is followed by . -> or :: and a name, directly.
+  [[nodiscard]] bool next_is_member() const;
+  // Whether the next token, a name, is followed by a parenthesis, with <…> of a named cast between them or without.
+  [[nodiscard]] bool next_is_call() const;
+  // Whether the next token is followed by = alone.
+  [[nodiscard]] bool next_is_assignment() const;
+  // Whether the next tokens are (TYPE[, as of a compound literal.
+  [[nodiscard]] bool begins_array_type() const;
+  // Whether the next tokens are (* and a name.
+  [[nodiscard]] bool begins_pointer_call() const;
+  // Whether the next token, a name, is followed by a parenthesis and the name of a GL call.
+  [[nodiscard]] bool wraps_call() const;
+  // Skips (TYPE) or (const TYPE*) before an operand; whether it was there.
+  bool skip_cast();
+
+ private:
+  [[nodiscard]] code::TokenReader behind_next() const;
+};
 
 class GlArgumentReader {
  public:
@@ -40,8 +64,9 @@ class GlArgumentReader {
   bool expect(std::string_view mark);
   // From now on, enumerants of texture shaders are known, too.
   void read_stage_names(bool reads) { reads_stage_names_ = reads; }
-  // Reports what was found instead; false.
+  // Reports what was found instead; false, or broken.
   bool expected(const std::string& what);
+  Read broken(const std::string& what) { return expected(what) ? Read::done : Read::broken; }
 
  private:
   void skip_casts();

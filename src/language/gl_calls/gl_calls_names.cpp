@@ -366,15 +366,10 @@ const GlSignature* find_gl_method(std::string_view name) {
 }
 
 bool is_conversion(std::string_view name) {
-  constexpr std::array<std::string_view, 16> kTypes{"byte", "bytebool", "boolean", "bool",     "int",   "integer",
-                                                    "uint", "cardinal", "longint", "longword", "dword", "word",
-                                                    "ord",  "float",    "single",  "wrap"};
+  constexpr std::array<std::string_view, 9> kTypes{"byte", "boolean", "bool",  "int", "uint",
+                                                   "word", "dword",   "float", "wrap"};
   if (name.ends_with("_cast")) return true;
-  const auto is_gls = [&](std::string_view start) {
-    return name.starts_with(start) && name.size() > start.size() && name[start.size()] != '_' &&
-           find_gl_call(name) == nullptr;
-  };
-  if (is_gls("GL") || is_gls("TGL") || is_gls("PGL")) return true;
+  if (name.starts_with("GL") && name.size() > 2 && name[2] != '_' && find_gl_call(name) == nullptr) return true;
   return std::any_of(kTypes.begin(), kTypes.end(), [&](std::string_view one) { return same_but_case(name, one); });
 }
 

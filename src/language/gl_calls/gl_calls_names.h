@@ -70,8 +70,7 @@ struct GlSignature {
 // The call that a method of an object or a function of a namespace means, beyond find_gl_call: gl.enable, GL.Disable.
 [[nodiscard]] const GlSignature* find_gl_method(std::string_view name);
 
-// Whether a name before a parenthesis converts a value, and changes nothing in it: GLenum, TGLboolean, Byte, Ord,
-// static_cast, wrap.
+// Whether a name before a parenthesis converts a value, and changes nothing in it: GLenum, int, static_cast, wrap.
 [[nodiscard]] bool is_conversion(std::string_view name);
 
 // The value of an enumerant in another spelling than GL's: without GL_, or with other or no letters at the end

@@ -10,9 +10,9 @@
 #include "ninebit/language/gl_calls.h"
 #include "src/language/gl_calls/gl_calls_arguments.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
-#include "src/language/gl_calls/gl_calls_lexer.h"
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/source/foreign_language.h"
+#include "src/system/lines.h"
 
 namespace ninebit {
 namespace {
@@ -24,6 +24,76 @@ using detail::GlArgumentReader;
 using detail::GlLexer;
 using detail::GlSignature;
 using detail::quoted;
+
+// Lines of dumps of GL calls, as apitrace and GLIntercept write them: "1235 glCombinerParameteriNV(pname = …)".
+
+struct GlDumpLine {
+  std::size_t call = 0;     // where the name of the call begins
+  std::string_view name{};  // of the call
+  bool sets_combiners = false;
+  std::size_t end = 0;  // behind the line; text in quotes may make it longer
+};
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t';
+}
+
+// The first byte from `at` on that is not one of these.
+template <class Is>
+std::size_t behind(std::string_view text, std::size_t at, const Is& is) {
+  while (at < text.size() && is(text[at])) ++at;
+  return at;
+}
+
+bool begins_line(std::string_view text, std::size_t at) {
+  if (text.starts_with(kByteOrderMark)) {
+    text.remove_prefix(kByteOrderMark.size());
+    at -= kByteOrderMark.size();
+  }
+  while (at > 0 && is_space(text[at - 1])) --at;
+  return at == 0 || text[at - 1] == '\n' || text[at - 1] == '\r';
+}
+
+// The end of a line. Text in quotes, such as that of a shader, may go on in the next lines.
+std::size_t end_of_line(std::string_view text, std::size_t at) {
+  for (bool quoted = false; at < text.size() && (quoted || text[at] != '\n'); ++at) {
+    if (quoted && text[at] == '\\') {
+      ++at;
+    } else if (text[at] == '"') {
+      quoted = !quoted;
+    }
+  }
+  return std::min(at, text.size());
+}
+
+// Whether the arguments of glEnable or glDisable name a capability of the combiners.
+bool names_capability(std::string_view arguments) {
+  const auto has = [&](std::string_view part) { return arguments.find(part) != std::string_view::npos; };
+  return has("REGISTER_COMBINERS") || has("PER_STAGE_CONSTANTS") || has("0x8522") || has("0x8535");
+}
+
+// The line of a dump that begins with the call number at this byte; empty: the number does not begin such a line.
+std::optional<GlDumpLine> gl_dump_line(std::string_view text, std::size_t number) {
+  if (!begins_line(text, number)) return std::nullopt;
+  std::size_t at = behind(text, number, detail::is_digit);
+  const bool has_colon = at < text.size() && text[at] == ':';
+  if (has_colon) ++at;
+  const std::size_t blank = at;
+  at = behind(text, at, is_space);
+  if (at < text.size() && text[at] == '@')
+    at = behind(text, behind(text, at + 1, detail::is_digit), is_space);  // a thread
+  if (at == blank && !has_colon) return std::nullopt;
+  GlDumpLine line{.call = at};
+  const std::size_t name_end = behind(text, at, detail::is_word);
+  line.name = text.substr(at, name_end - at);
+  const std::size_t open = behind(text, name_end, is_space);
+  if (line.name.empty() || detail::is_digit(line.name.front()) || text.substr(open, 1) != "(") return std::nullopt;
+  line.end = end_of_line(text, open);
+  const GlSignature* const call = detail::find_gl_call(line.name);
+  const bool switches = call != nullptr && call->parameters == "e";
+  line.sets_combiners = call != nullptr && (!switches || names_capability(text.substr(open, line.end - open)));
+  return line;
+}
 
 // Reads statements and executes each as soon as it is read. A faulty statement is skipped up to its semicolon or the
 // next name of a call.
@@ -66,18 +136,15 @@ class GlParser {
  private:
   // Returns false if the rest of the statement must be skipped.
   bool statement() {
+    if (lexer_.takes(";")) return true;
     const Token& token = lexer_.peek();
-    if (token.is(";")) {
-      lexer_.take();
-      return true;
-    }
     if (token.text.starts_with('#')) {
       faults_.add(token.offset, "preprocessor lines are not supported; expected a GL call");
       lexer_.skip_line();
       return true;
     }
     if (token.kind == Token::Kind::number) {
-      if (const auto line = detail::gl_dump_line(text_, token.offset)) return dump_line(*line);
+      if (const auto line = gl_dump_line(text_, token.offset)) return dump_line(*line);
     }
     const bool pointer = lexer_.begins_pointer_call();  // (*glEnable)(…)
     if (pointer) {
@@ -94,7 +161,7 @@ class GlParser {
   }
 
   // A call of a dump, which has a number before it. Those that set no combiners are skipped.
-  bool dump_line(const detail::GlDumpLine& line) {
+  bool dump_line(const GlDumpLine& line) {
     const GlSignature* stage_call = reads_stages_ ? stage_call_of(line) : nullptr;
     if (stage_call != nullptr && stage_call->command == detail::GlCommand::active_texture) {
       beyond_units_ = selects_unit_beyond(stage_call, line);
@@ -121,7 +188,7 @@ class GlParser {
 
   // The call of a line of a dump that sets texture shaders; nullptr: it does not. Units are followed where there may be
   // stages; elsewhere enabling them is refused, and the other calls have no effect.
-  [[nodiscard]] const GlSignature* stage_call_of(const detail::GlDumpLine& line) const {
+  [[nodiscard]] const GlSignature* stage_call_of(const GlDumpLine& line) const {
     const GlSignature* const call = named_call(line.name);
     const std::string_view text = text_.substr(line.call, line.end - line.call);
     const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
@@ -135,7 +202,7 @@ class GlParser {
   }
 
   // Whether glActiveTexture of a dump selects a unit that the profile does not have, where there can be no stages.
-  [[nodiscard]] bool selects_unit_beyond(const GlSignature* call, const detail::GlDumpLine& line) const {
+  [[nodiscard]] bool selects_unit_beyond(const GlSignature* call, const GlDumpLine& line) const {
     if (call == nullptr || call->command != detail::GlCommand::active_texture) return false;
     const std::string_view text = text_.substr(line.call, line.end - line.call);
     const int units = std::min(context_.profile().texture_units.value, kTextureStages);
@@ -221,7 +288,8 @@ class GlParser {
 
   // [static] [const] TYPE [const] NAME [ [N] ] = { … } {, NAME …};
   bool declaration() {
-    while (lexer_.peek().is("static") || lexer_.peek().is("const")) lexer_.take();
+    while (lexer_.takes("static") || lexer_.takes("const")) {
+    }
     const auto element = element_type(lexer_.peek().text);
     if (!element) return values_.expected("GLfloat or GLint");
     lexer_.take();
@@ -236,16 +304,14 @@ class GlParser {
       if (!values_.declare(name.text, std::move(array))) {
         faults_.add(name.offset, quoted(name.text) + " is already declared");
       }
-      if (!lexer_.peek().is(",")) return end_of_statement();
-      lexer_.take();
+      if (!lexer_.takes(",")) return end_of_statement();
     }
   }
 
   // If only the semicolon is missing, nothing is skipped. A text without any is of a language without them.
   bool end_of_statement() {
-    if (lexer_.peek().is("=")) {  // what a dump says that the call returned
-      lexer_.take();
-      if (lexer_.peek().is("-")) lexer_.take();
+    if (lexer_.takes("=")) {  // what a dump says that the call returned
+      lexer_.takes("-");
       lexer_.take();
     }
     if (dump_end_ != 0) return true;

@@ -22,7 +22,7 @@
 #include "src/language/source/foreign_language.h"
 #include "src/language/source/string_literals.h"
 #include "src/language/xbox/stage_words.h"
-#include "src/language/xbox/xbox_dump.h"
+#include "src/language/xbox/xbox_numbers.h"
 
 namespace ninebit {
 namespace {

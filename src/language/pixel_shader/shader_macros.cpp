@@ -234,12 +234,6 @@ class ShaderReader {
 
 }  // namespace
 
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), lower);
-  return out;
-}
-
 std::size_t shader_version_length(std::string_view text) {
   if (begins_with(text, "!!ps1.")) {
     const std::size_t length = std::string_view("!!PS1.").size();

@@ -33,9 +33,6 @@ struct ShaderToken {
 // The most tokens of a text with names replaced.
 inline constexpr std::size_t kMostShaderTokens = std::size_t{1} << 20;
 
-// A token's text in lower case: the language does not distinguish.
-[[nodiscard]] std::string lower_case(std::string_view text);
-
 // The length of a version such as ps.1.1 or !!PS1.0 at the beginning of a text; 0: there is none.
 [[nodiscard]] std::size_t shader_version_length(std::string_view text);
 

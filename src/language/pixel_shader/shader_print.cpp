@@ -11,7 +11,7 @@
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "src/language/pixel_shader/shader_parser.h"
-#include "src/language/pixel_shader/shader_stages.h"
+#include "src/language/pixel_shader/shader_stage.h"
 #include "src/language/pixel_shader/shader_words.h"
 
 namespace ninebit {

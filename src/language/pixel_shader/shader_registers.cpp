@@ -1,9 +1,9 @@
-#include "src/language/pixel_shader/shader_registers.h"
-
+// Which registers of the combiners hold the registers of a pixel shader, and what they hold.
 #include <algorithm>
 #include <string>
 
 #include "ninebit/numerics/hardware_profile.h"
+#include "src/language/pixel_shader/shader_stage.h"
 
 namespace ninebit::detail {
 

@@ -4,21 +4,179 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ninebit/language/pixel_shader.h"
+#include "src/language/c_like/c_lexer.h"
 #include "src/language/pixel_shader/shader_macros.h"
 #include "src/language/pixel_shader/shader_operands.h"
 #include "src/language/pixel_shader/shader_parser.h"
-#include "src/language/pixel_shader/shader_token_list.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/lines.h"
 
 namespace ninebit::detail {
 namespace {
+
+// The tokens as a text has them: bytes of a file, numbers, or a C array.
+
+constexpr std::uint32_t kPixelShader = 0xffff, kVertexShader = 0xfffe;  // the upper half of a version
+
+struct PlacedToken {
+  std::uint32_t value = 0;
+  std::size_t offset = 0;  // in the text
+};
+
+// hex_list: all of eight hexadecimal digits, without 0x but where it is written.
+enum class TokenForm : std::uint8_t { bytes_of_file, array, list, hex_list };
+
+// The tokens that a text begins with.
+struct TokenList {
+  TokenForm form = TokenForm::list;
+  std::vector<PlacedToken> tokens{};  // empty: the first is not a version
+  std::size_t end = 0;                // in the text, behind them
+};
+
+constexpr std::size_t kHexDigits = 8;  // of a token without 0x
+
+bool is_version(std::uint32_t token) {
+  const std::uint32_t kind = token >> 16, major = token >> 8 & 0xff, minor = token & 0xff;
+  return (kind == kPixelShader || kind == kVertexShader) && major >= 1 && major <= 3 && minor <= 4;
+}
+
+// Moves to the next token of C. False: the text ends.
+bool next_at(std::string_view text, std::size_t& at) {
+  SourceFaults none({text, {}});
+  return skip_blanks(text, at, {.hash_comments = true, .heading = {}}, none) && at < text.size();
+}
+
+// Moves behind the brace of "static const DWORD ps[] = {".
+bool skip_array_head(std::string_view text, std::size_t& at) {
+  constexpr std::string_view kMarks = "[]=:*()";
+  bool has_brackets = false;
+  while (next_at(text, at)) {
+    const char c = text[at];
+    if (c == '{') {
+      ++at;
+      return has_brackets;
+    }
+    if (!is_word(c) && kMarks.find(c) == std::string_view::npos) return false;
+    has_brackets = has_brackets || c == '[';
+    do {
+      ++at;
+    } while (at < text.size() && is_word(c) && is_word(text[at]));
+  }
+  return false;
+}
+
+// Takes a number and the comma behind it.
+std::optional<PlacedToken> take_number(std::string_view text, std::size_t& at, TokenForm form) {
+  if (!next_at(text, at)) return std::nullopt;
+  PlacedToken out{.offset = at};
+  std::size_t end = at;
+  while (end < text.size() && is_word(text[end])) ++end;
+  std::string_view digits = text.substr(at, end - at);
+  const bool prefixed = digits.starts_with("0x") || digits.starts_with("0X");
+  const bool hex = prefixed || form == TokenForm::hex_list;
+  if (hex && !prefixed && digits.size() != kHexDigits) return std::nullopt;
+  if (prefixed) digits.remove_prefix(2);
+  while ((prefixed || !hex) && !digits.empty() &&
+         std::string_view("uUlL").find(digits.back()) != std::string_view::npos) {
+    digits.remove_suffix(1);
+  }
+  const int base = hex ? 16 : digits.size() > 1 && digits[0] == '0' ? 8 : 10;
+  const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), out.value, base);
+  if (digits.empty() || error != std::errc() || last != digits.data() + digits.size()) return std::nullopt;
+  at = end;
+  if (next_at(text, at) && text[at] == ',') ++at;
+  return out;
+}
+
+// The form of numbers without braces by the first of them.
+TokenForm form_of_list(std::string_view text, std::size_t at) {
+  if (!next_at(text, at)) return TokenForm::list;
+  std::size_t end = at;
+  while (end < text.size() && is_word(text[end])) ++end;
+  const std::string_view first = text.substr(at, end - at);
+  const bool prefixed = first.starts_with("0x") || first.starts_with("0X");
+  return !prefixed && first.size() == kHexDigits ? TokenForm::hex_list : TokenForm::list;
+}
+
+// Every four bytes as a word in little endian.
+std::vector<PlacedToken> words_of_bytes(const std::vector<PlacedToken>& bytes, SourceFaults& faults) {
+  std::vector<PlacedToken> words;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (bytes[i].value > 0xff) faults.add(bytes[i].offset, "the value does not fit in 8 bits");
+    if (i % 4 == 0) words.push_back({.offset = bytes[i].offset});
+    words.back().value |= (bytes[i].value & 0xff) << (8 * (i % 4));
+  }
+  if (bytes.size() % 4 == 0) return words;
+  faults.add(words.back().offset, "the last token has " + std::to_string(bytes.size() % 4) + " of 4 bytes");
+  words.pop_back();
+  return words;
+}
+
+std::vector<PlacedToken> bytes_of_file(std::string_view text) {
+  std::vector<PlacedToken> bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) bytes.push_back({static_cast<unsigned char>(text[i]), i});
+  return bytes;
+}
+
+// Behind a byte order mark and the text that the compiler writes before an array, between #if 0 and #endif.
+std::size_t begin_of_tokens(std::string_view text) {
+  std::size_t at = mark_size(text);
+  SourceFaults none({text, {}});
+  const bool skips = skip_blanks(text, at, {}, none) && text.substr(at).starts_with("#if 0");
+  const std::size_t end = skips ? text.find("\n#endif", at) : std::string_view::npos;
+  return end == std::string_view::npos ? at : std::min(text.find('\n', end + 1), text.size());
+}
+
+// Reads at most `most` tokens. Reports what is wrong with bytes.
+TokenList tokens_in(std::string_view text, std::size_t most, SourceFaults& faults) {
+  SourceFaults none({text, {}});
+  const std::vector<PlacedToken> first = words_of_bytes(bytes_of_file(text.substr(0, 4)), none);
+  if (!first.empty() && is_version(first[0].value)) {
+    return {TokenForm::bytes_of_file, words_of_bytes(bytes_of_file(text.substr(0, 4 * most)), faults), text.size()};
+  }
+  TokenList list{.end = begin_of_tokens(text)};
+  std::size_t& at = list.end;
+  const std::size_t begin = at;
+  const bool is_array = skip_array_head(text, at);
+  if (!is_array) at = begin;
+  list.form = is_array ? TokenForm::array : form_of_list(text, at);
+  std::vector<PlacedToken>& numbers = list.tokens;
+  bool are_bytes = false;
+  while (numbers.size() < (are_bytes ? 4 * most : most)) {
+    const auto number = take_number(text, at, list.form);
+    if (!number) break;
+    numbers.push_back(*number);
+    if (numbers.size() > 1) continue;
+    are_bytes = is_array && number->value <= 0xff;
+    if (!are_bytes && !is_version(number->value)) return {};
+  }
+  if (are_bytes) {
+    const bool is_shader =
+        numbers.size() >= 4 && is_version(words_of_bytes({numbers.begin(), numbers.begin() + 4}, none)[0].value);
+    numbers = is_shader ? words_of_bytes(numbers, faults) : std::vector<PlacedToken>{};
+  }
+  return list;
+}
+
+// Whether a list was read up to its end, behind which `rest` goes on then; reports what else stands there.
+bool is_list_closed(code::TokenReader& rest, TokenForm form, SourceFaults& faults) {
+  const bool is_array = form == TokenForm::array;
+  if (form == TokenForm::bytes_of_file || (is_array && rest.takes("}"))) return true;
+  if (!is_array && (rest.at_end() || rest.peek().is(";"))) return true;
+  faults.add(rest.peek().offset, std::string("expected a number of 32 bits or ") +
+                                     (is_array ? "'}'" : "the end of the text") + "; found " + shown(rest.peek()));
+  return false;
+}
 
 constexpr std::uint32_t kComment = 0xfffe, kEnd = 0xffff;
 constexpr std::uint32_t kParameter = 0x8000'0000, kPaired = 0x4000'0000;
@@ -299,10 +457,13 @@ Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const Hardwa
   } else if (list.tokens.size() > kMostTokens) {
     faults.add(list.tokens.back().offset, "expected at most " + std::to_string(kMostTokens) + " tokens");
   }
-  detail::TokensRest rest(source.text, list, faults);
-  if (!faults.empty() || !rest.is_list_closed()) return faults.take();
+  code::TokenReader rest(source.text);
+  rest.move_to(list.end);
+  if (!faults.empty() || !detail::is_list_closed(rest, list.form, faults)) return faults.take();
   const detail::ShaderText text = detail::TokenReader(list.tokens, faults).read();
-  if (faults.empty()) rest.check();
+  if (const auto other = faults.empty() ? rest.skip_behind_array() : std::nullopt) {
+    faults.add(other->offset, "more text stands behind the tokens; expected one shader and nothing else");
+  }
   if (!faults.empty()) return faults.take();
   return detail::program_of_shader(text, profile, faults, notes, texture_shader);
 }

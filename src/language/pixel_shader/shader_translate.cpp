@@ -8,7 +8,6 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/pixel_shader/shader_stage.h"
-#include "src/language/pixel_shader/shader_stages.h"
 
 namespace ninebit::detail {
 namespace {

@@ -22,13 +22,6 @@ constexpr std::string_view kFrameNames[] = {"frame", "frame_number"};
 constexpr std::string_view kOtherNames[] = {"line",       "index", "number", "no",      "nr",    "time", "timestamp",
                                             "subchannel", "subch", "subc",   "channel", "count", "type", "size"};
 
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
-}
-
 // The column with the first of the names that a header has.
 template <class List>
 std::optional<std::size_t> column_named(const std::vector<std::string>& header, const List& names) {
@@ -60,7 +53,7 @@ std::vector<std::string> header_of(std::string_view line, char separator) {
     std::string_view text = token.text;
     while (!text.empty() && text.front() == '#') text.remove_prefix(1);
     while (!text.empty() && detail::is_blank(text.front())) text.remove_prefix(1);
-    header.push_back(in_lower_case(text));
+    header.push_back(detail::lower_case(text));
     if (text.empty() && separator == 0) header.pop_back();
   }
   return header;

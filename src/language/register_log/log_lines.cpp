@@ -1,10 +1,9 @@
 // Formats: xemu hw/xbox/nv2a/trace-events and pgraph.c; abaire/xbdm_gdb_bridge frame_capture.cpp; abaire/nv2apretty;
 // JayFoxRox/nv2a-trace and abaire/nv2a-trace; envytools demmt/pushbuf.c.
-#include "src/language/register_log/log_lines.h"
-
 #include <algorithm>
 #include <charconv>
 
+#include "src/language/register_log/log_layout.h"
 #include "src/language/register_log/log_methods.h"
 #include "src/language/source/source_faults.h"
 #include "src/system/lines.h"

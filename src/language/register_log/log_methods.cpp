@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "src/language/register_log/log_lines.h"
+#include "src/language/register_log/log_layout.h"
 
 namespace ninebit::reglog {
 namespace {

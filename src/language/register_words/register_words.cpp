@@ -13,10 +13,6 @@
 namespace ninebit {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
 // The character at a place, for a message.
 std::string what_is_at(std::string_view line, std::size_t at) {
   if (at >= line.size()) return "the end of the line";
@@ -63,7 +59,7 @@ class Line {
   [[nodiscard]] TextPlace place() const { return {number_, 1 + static_cast<int>(at_)}; }
 
   void skip_blanks() {
-    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+    while (at_ < text_.size() && detail::is_blank(text_[at_])) ++at_;
   }
 
   [[nodiscard]] bool at_end() const {
@@ -160,26 +156,21 @@ class Line {
 // are not words are skipped, those of inner structs are read.
 class PrintedStruct {
  public:
-  PrintedStruct(std::string_view text, TextFaults& faults) : text_(text), faults_(faults), lexer_(text) {
-    do {
-      token_ = lexer_.next();
-    } while (!token_.is("{") && token_.kind != Kind::end);
+  PrintedStruct(std::string_view text, TextFaults& faults) : text_(text), faults_(faults), tokens_(text) {
+    while (!tokens_.peek().is("{") && !tokens_.at_end()) tokens_.take();
   }
 
   std::vector<RegisterWord> read() {
     const bool is_whole = members(0);
-    if (is_whole && token_.kind != Kind::end) expected("the end of the text behind the struct");
+    if (is_whole && !tokens_.at_end()) expected("the end of the text behind the struct");
     if (faults_.empty() && words_.empty()) faults_.add({}, "has no member such as combiner_control or rgb_inputs");
     return std::move(words_);
   }
 
  private:
-  using Kind = code::Token::Kind;
-
-  void take() { token_ = lexer_.next(); }
   bool expected(const char* what) {
-    const std::string found = token_.kind == Kind::end ? "the end" : detail::quoted(token_.text);
-    faults_.add(place_of(text_, token_.offset), std::string("expected ") + what + "; found " + found);
+    faults_.add(place_of(text_, tokens_.peek().offset),
+                std::string("expected ") + what + "; found " + shown(tokens_.peek()));
     return false;
   }
 
@@ -187,65 +178,63 @@ class PrintedStruct {
   bool members(int depth) {
     constexpr int kDeepest = 32;
     if (depth > kDeepest) return expected("fewer braces");
-    take();
-    while (!token_.is("}")) {
-      if (!token_.is_name()) return expected("the name of a member, or '}'");
-      const std::string name(token_.text);
-      take();
-      if (!token_.is("=")) return expected("'='");
-      take();
+    tokens_.take();
+    while (!tokens_.takes("}")) {
+      if (!tokens_.peek().is_name()) return expected("the name of a member, or '}'");
+      const std::string name(tokens_.take().text);
+      if (!tokens_.takes("=")) return expected("'='");
       if (!value(name, depth)) return false;
-      if (token_.is(",")) take();
+      tokens_.takes(",");
     }
-    take();
     return true;
   }
 
   bool value(const std::string& name, int depth) {
-    const bool is_row = token_.is("{");
+    const bool is_row = tokens_.peek().is("{");
     const bool is_word =
         words::find_slot(is_row ? name + "[0]" : name, ChipClass::nv20).slot || !words::find_other_word(name).empty();
-    if (is_row) {
-      const code::Token brace = token_;
-      code::Lexer ahead = lexer_;
-      if (ahead.next().is_name() && ahead.next().is("=")) return members(depth + 1);
-      if (!is_word) return skip(brace);
-      take();
-      for (int i = 0; !token_.is("}"); ++i) {
-        if (!number(name + "[" + std::to_string(i) + "]")) return false;
-        if (token_.is(",")) take();
-      }
-      take();
+    if (!is_row && is_word) return number(name);
+    if (!is_row) {
+      while (!tokens_.peek().is(",") && !tokens_.peek().is("}") && !tokens_.at_end()) tokens_.take();
       return true;
     }
-    if (is_word) return number(name);
-    while (!token_.is(",") && !token_.is("}") && token_.kind != Kind::end) take();
+    code::TokenReader ahead = tokens_;
+    ahead.take();
+    if (ahead.take().is_name() && ahead.peek().is("=")) return members(depth + 1);
+    if (!is_word) return skip();
+    tokens_.take();
+    for (int i = 0; !tokens_.takes("}"); ++i) {
+      if (!number(name + "[" + std::to_string(i) + "]")) return false;
+      tokens_.takes(",");
+    }
     return true;
   }
 
   bool number(const std::string& name) {
-    const auto value = token_.kind == Kind::number ? code::read_number(token_.text) : std::nullopt;
+    const code::Token token = tokens_.peek();
+    const auto value = token.kind == code::Token::Kind::number ? code::read_number(token.text) : std::nullopt;
     if (!value || value->may_be_real() || value->integer < 0 || value->integer > 0xffff'ffff) {
       return expected("a number of 32 bits");
     }
-    words_.push_back({name, static_cast<std::uint32_t>(value->integer), place_of(text_, token_.offset)});
-    take();
+    words_.push_back({name, static_cast<std::uint32_t>(value->integer), place_of(text_, token.offset)});
+    tokens_.take();
     return true;
   }
 
-  bool skip(code::Token token) {
-    for (int depth = 0; token.kind != Kind::end; token = lexer_.next()) {
+  // Skips a row with its braces.
+  bool skip() {
+    int depth = 0;
+    do {
+      const code::Token token = tokens_.take();
       if (token.is("{")) ++depth;
-      if (token.is("}") && --depth == 0) break;
-    }
-    take();
+      if (token.is("}")) --depth;
+    } while (depth > 0 && !tokens_.at_end());
     return true;
   }
 
   std::string_view text_;
   TextFaults& faults_;
-  code::Lexer lexer_;
-  code::Token token_{};
+  code::TokenReader tokens_;
   std::vector<RegisterWord> words_;
 };
 

@@ -1,7 +1,6 @@
 #include "src/language/register_words/register_words_layout.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 namespace ninebit {
@@ -210,9 +209,7 @@ std::string canonical_name(Slot slot, ChipClass chip) {
 }
 
 std::string bare_name(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = detail::lower_case(name);
   if (lower.starts_with("0x")) return name_at_address(lower);
   std::string_view bare = lower;
   for (const std::string_view prefix : kPrefixes) {

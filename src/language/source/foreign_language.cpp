@@ -84,9 +84,8 @@ std::string_view language_of_words(std::string_view text) {
 
 std::string_view language_of_header(std::string_view header) {
   const auto begins = [&](const HeaderOfLanguage& known) {
-    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    return header.size() > known.header.size() && std::equal(known.header.begin(), known.header.end(), header.begin(),
-                                                             [&](char b, char a) { return same(a, b); });
+    return header.size() > known.header.size() &&
+           detail::same_but_case(header.substr(0, known.header.size()), known.header);
   };
   const auto* const found = std::find_if(kHeaders.begin(), kHeaders.end(), begins);
   return found == kHeaders.end() ? std::string_view() : found->language;

@@ -51,12 +51,6 @@ void set_number(detail::GlArgument& out, const Number& number) {
 
 }  // namespace
 
-std::string lower_case(std::string_view name) {
-  std::string out(name);
-  for (char& c : out) c = is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
-  return out;
-}
-
 bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts) {
   return std::any_of(parts.begin(), parts.end(), [&](auto part) { return name.find(part) != std::string_view::npos; });
 }
@@ -148,7 +142,8 @@ Value Machine::call_unknown(const Expression& e, std::string_view name) {
     const ExpressionKind kind = e.parts[i].kind;
     const bool is_place =
         kind == ExpressionKind::name || kind == ExpressionKind::index || kind == ExpressionKind::member;
-    const bool may_refer = prototype == nullptr && is_place && !is_gl && !changes_nothing(name) && !is_c_or_java();
+    const bool may_refer =
+        prototype == nullptr && is_place && !is_gl && !changes_nothing(name) && !program_.source.file.ends_with(".c");
     if (!by_reference && !may_refer) continue;
     const Place at = quietly([&] { return place(e.parts[i]); });
     if (!by_reference && callee.qualifier != "std" && name != "swap") {

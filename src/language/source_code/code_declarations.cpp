@@ -97,10 +97,7 @@ void Parser::parameters(Function& out) {
     const std::size_t begin = at_;
     Specifiers words;
     if (specifiers(words, true)) {
-      const bool is_rest = peek().is("...") && peek(1).is_name();  // float... values, of Java
-      if (is_rest) take();
-      one.type = declarator(is_rest ? pointer_to(words.type) : words.type, one, nullptr);
-      one.type = decayed(one.type);
+      one.type = decayed(declarator(words.type, one, nullptr));
       // A name without a type, as C had it before 1989, is read as a type.
       const bool alone = one.name.empty() && at_ == begin + 1 && words.type->is(TypeKind::unknown);
       if (alone && words.type->structure == nullptr) one.name = token(begin).text;

@@ -46,14 +46,9 @@ Value Machine::evaluate_once(const Expression& e) {
   switch (e.kind) {
     case ExpressionKind::number:
       return number_value(e.number);
-    case ExpressionKind::text: {
-      Value out;
-      out.kind = ValueKind::text;
-      out.begin = e.offset;
-      out.end = e.end;
-      if (e.is_made) out.name = std::string(e.text);
-      return e.is_made && e.text.empty() ? Value{} : out;
-    }
+    case ExpressionKind::text:
+      if (e.is_made && e.text.empty()) return {};
+      return {.kind = ValueKind::text, .begin = e.offset, .end = e.end, .name = std::string(e.is_made ? e.text : "")};
     case ExpressionKind::name:
       return evaluate_name(e);
     case ExpressionKind::unary:
@@ -72,12 +67,6 @@ Value Machine::evaluate_once(const Expression& e) {
     case ExpressionKind::index:
     case ExpressionKind::member: {
       if (auto word = assigned_word(e)) return *std::move(word);
-      if (e.text == "length" && !e.is_arrow && is_java()) {
-        const Value array = evaluate(e.parts[0]);
-        if (array.is(ValueKind::pointer) && array.at == 0) {
-          return integer_value(static_cast<std::int64_t>(object_at(array.object).cells.size()));
-        }
-      }
       const ExpressionKind from = e.parts[0].kind;
       if (e.kind == ExpressionKind::member && !e.is_arrow &&
           (from == ExpressionKind::call || from == ExpressionKind::conditional || from == ExpressionKind::make)) {
@@ -121,10 +110,7 @@ Value Machine::evaluate_name(const Expression& e) {
   if (at.kind == PlaceKind::outside && at.outside[0] != '#' && !cell({-1, 0, at.outside}).is_known()) {
     const auto functions = program_.by_name.find(e.text);
     if (functions != program_.by_name.end() && functions->second.size() == 1) {
-      Value out;
-      out.kind = ValueKind::function;
-      out.function = functions->second[0];
-      return out;
+      return {.kind = ValueKind::function, .function = functions->second[0]};
     }
     if (const auto known = constant(e)) return *known;
   }
@@ -396,10 +382,8 @@ Value Machine::evaluate_make(const Expression& e) {
   }
   Place at{.kind = PlaceKind::cell, .object = new_object(type, text_of(e)), .type = type, .path = text_of(e)};
   const bool is_plain = type->is(TypeKind::array) || (type->is(TypeKind::structure) && !type->structure->is_special);
-  if (e.text == "empty") {
-    if (is_java()) fill(at, list);
-  } else if (is_plain || !e.is_new) {
-    fill(at, list);
+  if (is_plain || !e.is_new) {
+    if (e.text != "empty") fill(at, list);
   } else {
     for (const Expression& one : list.parts) forget_pointed(evaluate(one));
     if (type->is(TypeKind::structure)) forget_shared();

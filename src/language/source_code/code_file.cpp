@@ -1,5 +1,4 @@
-#include "src/language/source_code/code_file.h"
-
+// A source file as tokens, its macros expanded and its conditional parts chosen.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -7,6 +6,7 @@
 
 #include "src/language/c_like/c_preprocessor.h"
 #include "src/language/gl_calls/gl_calls_names.h"
+#include "src/language/source_code/code_parser.h"
 #include "src/language/xbox/xbox_fields.h"
 
 namespace ninebit::code {

@@ -194,13 +194,6 @@ void Machine::initialize(const Place& at, const Declared& d) {
 void Machine::fill(const Place& at, const Expression& list) {
   if (at.type == nullptr || at.kind != PlaceKind::cell) return store(at, Value{});
   if (at.type->is(TypeKind::unknown)) return store(at, evaluate(list));
-  // int[] all = {1, 2}, of Java
-  if (at.type->is(TypeKind::pointer) && at.type->of->is(TypeKind::number) && list.parts.size() > 1) {
-    const Type* const array = program_.parser->array_of(at.type->of, static_cast<std::int64_t>(list.parts.size()));
-    const Place made = place_of(new_object(array, at.path));
-    fill(made, list);
-    return store(at, load(made));
-  }
   if (!is_whole(at.type)) return store(at, list.parts.empty() ? integer_value(0) : evaluate(list.parts[0]));
   std::vector<const Type*> types;
   add_cell_types(at.type, types);

@@ -1,4 +1,4 @@
-// Functions whose results are known: of OpenGL, of mathematics, of memory, of Java's buffers.
+// Functions whose results are known: of OpenGL, of mathematics, of memory.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -156,62 +156,9 @@ std::optional<Value> Machine::call_of_memory(std::string_view name, const Expres
   return to;
 }
 
-// Java's buffers of numbers, which its bindings of OpenGL take in place of arrays: the last cell is the place of the
-// next put. Empty: the call is none of a buffer's.
-std::optional<Value> Machine::call_buffer(std::string_view name, const Expression& e) {
-  const std::size_t count = e.parts.size() - 1;
-  const Expression& callee = e.parts[0];
-  const bool makes = name.ends_with("FloatBuffer") || name.ends_with("IntBuffer") || name == "allocate";
-  if (makes && count == 0 && callee.kind == ExpressionKind::member) return evaluate(callee.parts[0]);
-  if ((makes || name == "allocateDirect") && count == 1) {
-    const auto size = integer_of(evaluate(e.parts[1]));
-    constexpr std::int64_t kMost = 4096;
-    if (!size || *size < 0 || *size > kMost) return std::nullopt;
-    const std::int64_t numbers = *size / (name == "allocateDirect" ? 4 : 1);
-    const Type* const number =
-        program_.parser->number_type(name.find("Int") != std::string_view::npos ? kInt32 : kFloat32);
-    const int made = new_object(program_.parser->array_of(number, numbers + 1), "a buffer");
-    for (Value& one : object_at(made).cells) one = number_value(*convert(int_number(0), number->kinds));
-    return pointer_value(made, 0, number);
-  }
-  if (callee.kind != ExpressionKind::member) return std::nullopt;
-  const bool puts = name == "put" && (count == 1 || count == 2);
-  const bool rewinds = (name == "flip" || name == "rewind" || name == "order") && count <= 1;
-  if (!puts && !rewinds) return std::nullopt;
-  const Value buffer = evaluate(callee.parts[0]);
-  if (!buffer.is(ValueKind::pointer) || object_at(buffer.object).name != "a buffer") {
-    return std::nullopt;
-  }
-  const auto last = static_cast<std::int64_t>(object_at(buffer.object).cells.size()) - 1;
-  const Place next{.kind = PlaceKind::cell, .object = buffer.object, .at = last, .type = buffer.type};
-  if (name == "order") return buffer;
-  if (rewinds) {
-    store(next, integer_value(0));
-    return buffer;
-  }
-  const Value value = evaluate(e.parts[count]);
-  std::vector<Value> values{value};
-  if (value.is(ValueKind::pointer)) values = object_at(value.object).cells;
-  const Value at = count == 2 ? evaluate(e.parts[1]) : load(next);
-  const auto index = at.is_number() ? convert(at.number, kInt64) : std::nullopt;
-  if (!index || index->integer < 0 || index->integer + static_cast<std::int64_t>(values.size()) > last) {
-    forget_object(buffer.object);
-    return buffer;
-  }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    store({.kind = PlaceKind::cell,
-           .object = buffer.object,
-           .at = index->integer + static_cast<std::int64_t>(i),
-           .type = buffer.type},
-          values[i]);
-  }
-  if (count == 1) store(next, integer_value(index->integer + static_cast<std::int64_t>(values.size())));
-  return buffer;
-}
-
 // Empty: nobody knows what the function does.
 std::optional<Value> Machine::call_known(std::string_view name, const Expression& e) {
-  const std::string lower = lower_case(name);
+  const std::string lower = detail::lower_case(name);
   if (lower.ends_with("glgeterror")) return integer_value(0);
   const std::size_t count = e.parts.size() - 1;
   const Expression& callee = e.parts[0];
@@ -239,7 +186,6 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
   }
   if (auto of_xbox = call_of_xbox(name, e)) return of_xbox;
   if (auto memory = call_of_memory(name, e)) return memory;
-  if (auto buffer = call_buffer(name, e)) return buffer;
   if (callee.kind == ExpressionKind::member && count == 0) {
     // A vector's own function gives its numbers.
     const bool gives = contains_any(lower, {"ptr", "data", "array", "value", "c_str"});
@@ -248,10 +194,7 @@ std::optional<Value> Machine::call_known(std::string_view name, const Expression
       return object;
     }
   }
-  if (callee.kind != ExpressionKind::name) {
-    const bool wraps = callee.kind == ExpressionKind::member && name == "wrap" && count == 1;
-    return wraps ? std::optional(evaluate(e.parts[1])) : std::nullopt;
-  }
+  if (callee.kind != ExpressionKind::name) return std::nullopt;
   if (count == 1 && detail::is_conversion(name)) return evaluate(e.parts[1]);
   if (names_vector(name, count) && program_.prototypes.count(name) == 0) {
     Expression list = e;

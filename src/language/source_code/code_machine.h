@@ -19,7 +19,6 @@
 #include "ninebit/language/source_code.h"
 #include "src/language/gl_calls/gl_calls_execute.h"
 #include "src/language/source/source_faults.h"
-#include "src/language/source_code/code_file.h"
 #include "src/language/source_code/code_parser.h"
 #include "src/language/source_code/code_value.h"
 #include "src/language/xbox/xbox_fields.h"
@@ -75,7 +74,6 @@ struct Program {
 [[nodiscard]] inline bool is_capital(char c) {
   return c >= 'A' && c <= 'Z';
 }
-[[nodiscard]] std::string lower_case(std::string_view name);
 [[nodiscard]] bool contains_any(std::string_view name, std::initializer_list<std::string_view> parts);
 // Whether a name or a text says that an extension of the combiners or of texture shaders is there; empty: it does not
 // say.
@@ -98,12 +96,11 @@ struct NamedWord {
 // Whether an expression assigns to a member of a definition.
 [[nodiscard]] bool assigns_word(const Expression& e);
 
-// The words that were assigned to one object, and where.
+// The words that were assigned to one object.
 struct FilledDefinition {
   xbox::Definition definition{};
-  std::map<std::size_t, std::uint32_t> offsets{};  // of the words that have a value
-  std::uint32_t offset = 0;                        // of the first
-  std::string name{};                              // of the object, as the source writes it there
+  std::optional<std::uint32_t> offset{};  // of the first assignment
+  std::string name{};                     // of the object, as the source writes it there
 };
 
 // Both halves of a program.
@@ -215,7 +212,7 @@ class Machine {
   int new_array(const Type* element, std::size_t count, const std::string& name);
   bool spend(std::size_t steps = 1);
 
-  // Ways that are not decided: code_fork.cpp
+  // Ways that are not decided.
   Flow fork(const Value& why, const Expression* condition, const std::vector<std::function<Flow()>>& ways);
   [[nodiscard]] Changes changes_since(std::size_t mark) const;
   void roll_back(std::size_t mark);
@@ -282,8 +279,6 @@ class Machine {
   [[nodiscard]] std::string text_of(const Expression& e) const;
   [[nodiscard]] std::string path_of(const Expression& e) const { return normal_path(text_of(e)); }
   void assume_unchanged(const Place& at, std::string_view function, const Expression& e);
-  [[nodiscard]] bool is_c_or_java() const { return program_.source.file.ends_with(".c") || is_java(); }
-  [[nodiscard]] bool is_java() const { return program_.source.file.ends_with(".java"); }
 
   // Definitions and needs: code_needs.cpp
   void read_definitions();
@@ -320,7 +315,6 @@ class Machine {
   std::optional<Value> call_known(std::string_view name, const Expression& e);
   std::optional<Value> call_of_numbers(std::string_view name, const std::vector<Value>& arguments) const;
   std::optional<Value> call_of_memory(std::string_view name, const Expression& e);
-  std::optional<Value> call_buffer(std::string_view name, const Expression& e);
   void look_for_misspelling(std::string_view name, const Expression& e);
   bool argument(const Expression& e, char kind, detail::GlArgument& out);
   bool array_argument(Value value, const Expression& e, char kind, detail::GlArgument& out);

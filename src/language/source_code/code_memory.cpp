@@ -24,8 +24,14 @@ std::string name_in(int object, std::int64_t at) {
 
 bool same_size(const Type* a, const Type* b) {
   const bool integers = (a->kinds & kReals) == 0 && (b->kinds & kReals) == 0;
-  return a->is(TypeKind::number) && b->is(TypeKind::number) && integers && size_of(a->kinds) != 0 &&
-         size_of(a->kinds) == size_of(b->kinds);
+  return integers && size_of(a->kinds) != 0 && size_of(a->kinds) == size_of(b->kinds);
+}
+
+// Whether a cell of one type keeps its meaning where it is read or written as another.
+bool agree(const Type* own, const Type* as) {
+  if (own == as || own->is(TypeKind::unknown) || as->is(TypeKind::unknown)) return true;
+  if (own->kind != as->kind) return false;
+  return own->is(TypeKind::pointer) || (own->is(TypeKind::number) && (own->kinds == as->kinds || same_size(own, as)));
 }
 
 }  // namespace
@@ -115,12 +121,7 @@ Value Machine::load_cell(const Place& place) {
   const Value& value = object.cells[static_cast<std::size_t>(place.at)];
   const Type* const as = place.type;
   if (as == own || as->is(TypeKind::unknown)) return value;
-  const bool numbers = as->is(TypeKind::number) && own->is(TypeKind::number);
-  if (own->is(TypeKind::unknown) || (numbers && as->kinds == own->kinds) || same_size(as, own) ||
-      (as->is(TypeKind::pointer) && own->is(TypeKind::pointer))) {
-    return converted(value, as, place.path);
-  }
-  return needed_value({}, as->kinds);
+  return agree(own, as) ? converted(value, as, place.path) : needed_value({}, as->kinds);
 }
 
 Value Machine::load(const Place& place) {
@@ -157,10 +158,7 @@ Value Machine::load(const Place& place) {
 void Machine::store_cell(const Place& place, Value value) {
   const Type* const own = object_at(place.object).types[static_cast<std::size_t>(place.at)];
   const Type* const as = place.type;
-  const bool fits = as == own || as->is(TypeKind::unknown) || own->is(TypeKind::unknown) || same_size(as, own) ||
-                    (as->is(TypeKind::number) && own->is(TypeKind::number) && as->kinds == own->kinds) ||
-                    (as->is(TypeKind::pointer) && own->is(TypeKind::pointer));
-  if (!fits) return forget_object(place.object);
+  if (!agree(own, as)) return forget_object(place.object);
   value = converted(converted(std::move(value), as, place.path), own, place.path);
   if (own->is(TypeKind::unknown)) forget_outside(name_in(place.object, place.at));
   set_cell({place.object, place.at, {}}, std::move(value));

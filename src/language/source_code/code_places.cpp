@@ -23,7 +23,7 @@ bool may_qualify(const Expression& e) {
 // Whether a name or a text says that an extension of the combiners or of texture shaders is there; empty: it does not
 // say.
 std::optional<bool> says_extension(std::string_view name, const HardwareProfile& profile) {
-  std::string plain = lower_case(name);
+  std::string plain = detail::lower_case(name);
   plain.erase(std::remove(plain.begin(), plain.end(), '_'), plain.end());
   if (plain.find("nvtextureshader") != std::string::npos) return profile.texture_shaders.value;
   const std::size_t at = plain.find("registercombiners");
@@ -65,16 +65,11 @@ std::optional<Value> Machine::constant(const Expression& e) const {
       if (e.text.find("tage") != std::string_view::npos && !context_.profile().per_stage_constants) {
         return integer_value(0);
       }
-      Value out;
-      out.kind = ValueKind::entry_point;
-      return out;
+      return Value{.kind = ValueKind::entry_point};
     }
   }
-  for (const std::string_view word : {"NULL", "nullptr", "null", "nil", "false", "FALSE", "False", "GL_NO_ERROR"}) {
+  for (const std::string_view word : {"NULL", "nullptr", "null", "GL_NO_ERROR"}) {
     if (e.text == word) return integer_value(0);
-  }
-  for (const std::string_view word : {"true", "TRUE", "True"}) {
-    if (e.text == word) return integer_value(1);
   }
   const bool qualified = may_qualify(e);
   const bool is_spelled = e.kind == ExpressionKind::name || (qualified && is_capital(e.text[0])) ||

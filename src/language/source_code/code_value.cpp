@@ -37,10 +37,7 @@ std::int64_t alignment_of(const Type* type) {
 }  // namespace
 
 Value number_value(const Number& number) {
-  Value out;
-  out.kind = ValueKind::number;
-  out.number = number;
-  return out;
+  return {.kind = ValueKind::number, .number = number};
 }
 
 Value integer_value(std::int64_t value) {
@@ -49,20 +46,13 @@ Value integer_value(std::int64_t value) {
 }
 
 Value pointer_value(int object, std::int64_t at, const Type* type) {
-  Value out;
-  out.kind = ValueKind::pointer;
-  out.object = object;
-  out.at = at;
-  out.type = type;
-  return out;
+  return {.kind = ValueKind::pointer, .object = object, .at = at, .type = type};
 }
 
 Value record_value(const Type* type, std::span<const Value> cells) {
-  Value out;
-  out.kind = ValueKind::record;
-  out.type = type;
-  out.cells = std::make_shared<const std::vector<Value>>(cells.begin(), cells.end());
-  return out;
+  return {.kind = ValueKind::record,
+          .type = type,
+          .cells = std::make_shared<const std::vector<Value>>(cells.begin(), cells.end())};
 }
 
 Value needed_value(const std::string& name, Kinds kinds) {

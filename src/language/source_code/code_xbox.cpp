@@ -107,7 +107,7 @@ Value Machine::assign_word(const NamedWord& word, const Expression& e) {
   use(value);
   if (at && value.is_number()) {
     FilledDefinition& filled = filled_[object_of(*word.object)];
-    if (filled.offsets.empty()) {
+    if (!filled.offset) {
       filled.offset = e.offset;
       filled.name = path_of(*word.object);
       if (!begins_with_zeros(word)) {
@@ -121,7 +121,7 @@ Value Machine::assign_word(const NamedWord& word, const Expression& e) {
     const bool is_whole = value.is_number() && (value.number.kinds & ~kReals) != 0;
     if (is_whole && value.number.integer > -kBeyondWord && value.number.integer < kBeyondWord) {
       stored_word = static_cast<std::uint32_t>(value.number.integer);
-      filled.offsets[*at] = e.offset;
+      filled.definition.offsets[*at] = e.offset;
       site.is_read = true;
       return value;
     }
@@ -191,17 +191,16 @@ Parsed<CombinerState> Machine::program_of_words(std::vector<RegisterWord>* other
     std::string list;
     for (const auto& [object, one] : filled_) {
       list += (list.empty() ? "" : ", ") + quoted(one.name) + " (line " +
-              std::to_string(program_.source.place(one.offset).line) + ")";
+              std::to_string(program_.source.place(*one.offset).line) + ")";
     }
-    faults_.add(filled.offset, "several definitions are filled: " + list + "; a program is one of them");
+    faults_.add(*filled.offset, "several definitions are filled: " + list + "; a program is one of them");
     return faults_.take();
   }
   if (calls_made_on_context_ > 0) {
-    faults_.add(filled.offset, "a D3DPIXELSHADERDEF is filled and GL calls set combiners; a program is one of them");
+    faults_.add(*filled.offset, "a D3DPIXELSHADERDEF is filled and GL calls set combiners; a program is one of them");
     return faults_.take();
   }
-  for (const auto& [word, offset] : filled.offsets) filled.definition.places[word] = program_.source.place(offset);
-  return xbox::program_of_definition(filled.definition, program_.source.file, context_.profile(), other_words);
+  return xbox::program_of_definition(filled.definition, program_.source, context_.profile(), other_words);
 }
 
 }  // namespace ninebit::code

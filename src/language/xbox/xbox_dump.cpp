@@ -1,5 +1,4 @@
-#include "src/language/xbox/xbox_dump.h"
-
+// Hex dumps: rows of numbers with an offset before them and characters behind them.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -7,8 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "ninebit/language/xbox_pixel_shader.h"
-#include "src/language/source/source_faults.h"
+#include "src/language/xbox/xbox_numbers.h"
 #include "src/system/lines.h"
 
 namespace ninebit::xbox {
@@ -33,14 +31,8 @@ void take_prefix(DumpNumber& number) {
   }
 }
 
-}  // namespace
-
-bool is_hex_number(const DumpNumber& number) {
-  return !number.digits.empty() && number.digits.size() <= 2 * kXboxDefinitionBytes &&
-         std::all_of(number.digits.begin(), number.digits.end(), detail::is_hex_digit);
-}
-
-bool is_row_offset(const DumpNumber& number) {
+// Whether a token may be the offset of a row: hexadecimal, or WinDbg's "00000000`00123450".
+bool may_be_row_offset(const DumpNumber& number) {
   DumpNumber low = number;
   if (number.digits.size() == 17 && number.digits[8] == '`') {
     if (!std::all_of(number.digits.begin(), number.digits.begin() + 8, detail::is_hex_digit)) return false;
@@ -49,17 +41,41 @@ bool is_row_offset(const DumpNumber& number) {
   return is_hex_number(low);
 }
 
+// How many bytes the number of a row stands for.
 std::size_t bytes_of(const DumpNumber& number) {
   if (number.prefixed) return number.digits.size() == 2 ? 1 : 4;
   return number.digits.size() / 2;
 }
 
-DumpLine::DumpLine(std::string_view line, int number) : line_(line), number_(number) {
-  // od -z writes the characters between > and <.
-  const std::size_t end =
-      std::min({line.find('|'), line.find("  >"), line.find("//"), line.find('#'), line.find("/*"), line.size()});
-  rest_ = line.substr(0, end);
-}
+// Splits a line at blanks and commas, up to a comment or to the characters behind a |. "00-00" are two numbers, as
+// WinDbg's db writes the middle of a row.
+class DumpLine {
+ public:
+  // `begin`: the offset of the line.
+  DumpLine(std::string_view line, std::size_t begin) : line_(line), begin_(begin) {
+    // od -z writes the characters between > and <.
+    const std::size_t end =
+        std::min({line.find('|'), line.find("  >"), line.find("//"), line.find('#'), line.find("/*"), line.size()});
+    rest_ = line.substr(0, end);
+  }
+
+  // The next token; empty at the end of the line.
+  [[nodiscard]] std::optional<DumpNumber> take();
+
+  // Whether the token that was taken last is the first of its line.
+  [[nodiscard]] bool leads() const { return taken_ == 1; }
+  // Whether the token that was taken last begins the bytes shown as characters, not more numbers.
+  [[nodiscard]] bool in_characters() const { return in_characters_; }
+
+ private:
+  [[nodiscard]] bool begins_characters(const DumpNumber& number, std::size_t gap, std::size_t end_of_last) const;
+
+  std::string_view line_, rest_;
+  std::size_t begin_;
+  std::size_t at_ = 0, taken_ = 0;
+  std::size_t data_ = 0, bytes_ = 0, width_ = 0;  // of the numbers behind the offset
+  bool has_colon_ = false, has_offset_ = false, has_single_gap_ = false, in_characters_ = false;
+};
 
 std::optional<DumpNumber> DumpLine::take() {
   const std::size_t start = at_;
@@ -69,17 +85,17 @@ std::optional<DumpNumber> DumpLine::take() {
   const std::size_t begin = at_;
   while (at_ < rest_.size() && !is_separator(rest_[at_])) ++at_;
   if (taken_ > 0 && is_pair(rest_.substr(begin, at_ - begin))) at_ = begin + 2;
-  DumpNumber number{rest_.substr(begin, at_ - begin), {number_, 1 + static_cast<int>(begin)}};
+  DumpNumber number{rest_.substr(begin, at_ - begin), begin_ + begin};
   ++taken_;
   if (taken_ == 1 && number.digits.ends_with(':')) {
-    number.is_offset = has_colon_ = has_offset_ = true;
+    number.is_row_offset = has_colon_ = has_offset_ = true;
     number.digits.remove_suffix(1);
   }
   take_prefix(number);
   if (taken_ == 1) {
-    if (number.digits.find('`') != std::string_view::npos && is_row_offset(number)) number.is_offset = true;
-    has_offset_ = has_offset_ || number.is_offset;
-    if (number.is_offset || number.digits.size() >= 4) return number;
+    if (number.digits.find('`') != std::string_view::npos && may_be_row_offset(number)) number.is_row_offset = true;
+    has_offset_ = has_offset_ || number.is_row_offset;
+    if (number.is_row_offset || number.digits.size() >= 4) return number;
   }
   const std::size_t gap = begin - start;
   if (taken_ == 2 && gap > 1 && data_ == 0) has_offset_ = true;
@@ -101,12 +117,10 @@ bool DumpLine::begins_characters(const DumpNumber& number, std::size_t gap, std:
   return other && (has_colon_ || characters < bytes_ || characters == bytes_);
 }
 
-namespace {
-
 struct Row {
   std::optional<DumpNumber> offset{};
   std::vector<DumpNumber> numbers{};
-  TextPlace place{};
+  std::size_t at = 0;    // in the text
   bool repeats = false;  // '*': the row above, up to the next row's offset
 
   [[nodiscard]] std::size_t bytes() const {
@@ -127,20 +141,18 @@ bool is_dump_number(const DumpNumber& number) {
 // The rows of a text that have any tokens, offsets among their numbers.
 Rows split_rows(std::string_view text) {
   Rows rows;
-  const auto mark = static_cast<int>(text.size() - without_mark(text).size());
-  text = without_mark(text);
   std::size_t found = 0;
-  for (int line = 1; !text.empty() && found <= kMostNumbers; ++line) {
-    DumpLine split(take_line(text), line);
+  for (std::string_view rest = without_mark(text); !rest.empty() && found <= kMostNumbers;) {
+    const std::size_t begin = text.size() - rest.size();
+    DumpLine split(take_line(rest), begin);
     Row row;
-    while (std::optional<DumpNumber> number = split.take()) {
+    while (const std::optional<DumpNumber> number = split.take()) {
       if (split.in_characters()) break;
-      if (line == 1) number->place.column += mark;
       row.numbers.push_back(*number);
       if (++found > kMostNumbers) break;
     }
     if (row.numbers.empty()) continue;
-    row.place = row.numbers.front().place;
+    row.at = row.numbers.front().offset;
     row.repeats = row.numbers.size() == 1 && row.numbers.front().digits == "*";
     rows.push_back(std::move(row));
   }
@@ -150,7 +162,7 @@ Rows split_rows(std::string_view text) {
 // Makes the first number of each row its offset, or those alone that are marked as offsets.
 Rows with_offsets(Rows rows, bool marked_alone) {
   for (Row& row : rows) {
-    if (row.repeats || (marked_alone && !row.numbers.front().is_offset)) continue;
+    if (row.repeats || (marked_alone && !row.numbers.front().is_row_offset)) continue;
     row.offset = row.numbers.front();
     row.numbers.erase(row.numbers.begin());
   }
@@ -232,7 +244,7 @@ Rows find_offsets(Rows rows) {
     if (row.repeats) continue;
     ++lines;
     numbers += row.numbers.size();
-    marked = marked || row.numbers.front().is_offset;
+    marked = marked || row.numbers.front().is_row_offset;
     prefixed = prefixed || (row.numbers.size() > 1 && row.numbers[1].prefixed);
   }
   if (marked) return with_offsets(std::move(rows), true);
@@ -259,7 +271,12 @@ std::string star_fault(const Rows& rows, std::size_t star) {
 
 }  // namespace
 
-DumpNumbers read_dump(std::string_view text, TextFaults& faults) {
+bool is_hex_number(const DumpNumber& number) {
+  return !number.digits.empty() && number.digits.size() <= 2 * kXboxDefinitionBytes &&
+         std::all_of(number.digits.begin(), number.digits.end(), detail::is_hex_digit);
+}
+
+DumpNumbers read_dump(std::string_view text, detail::SourceFaults& faults) {
   const Rows rows = find_offsets(split_rows(text));
   DumpNumbers dump;
   const auto star = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.repeats; });
@@ -268,17 +285,17 @@ DumpNumbers read_dump(std::string_view text, TextFaults& faults) {
     if (auto found = counts_of_rows(rows)) {
       counts = std::move(*found);
     } else {
-      faults.add(star->place, star_fault(rows, static_cast<std::size_t>(star - rows.begin())));
+      faults.add(star->at, star_fault(rows, static_cast<std::size_t>(star - rows.begin())));
     }
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].offset && !rows[i].offset->is_offset) dump.little_endian_halves = true;
+    if (rows[i].offset && !rows[i].offset->is_row_offset) dump.little_endian_halves = true;
     if (rows[i].offset && rows[i].offset->digits.find('`') != std::string_view::npos) dump.little_endian_halves = true;
     if (rows[i].repeats && i == 0) continue;
     const Row& shown = rows[i].repeats ? rows[i - 1] : rows[i];
     for (std::uint64_t k = 0; k < counts[i] && dump.numbers.size() <= kMostNumbers && !shown.repeats; ++k) {
       for (DumpNumber number : shown.numbers) {
-        if (rows[i].repeats) number.place = rows[i].place;
+        if (rows[i].repeats) number.offset = rows[i].at;
         dump.numbers.push_back(number);
       }
       if (shown.numbers.empty()) break;
@@ -294,12 +311,12 @@ bool is_number_list(std::string_view text) {
   std::size_t found = 0;
   text = without_mark(text);
   for (int lines = 0; !text.empty() && found < kFew && lines < kLines; ++lines) {
-    DumpLine line(take_line(text).substr(0, kLooked), 1);
+    DumpLine line(take_line(text).substr(0, kLooked), 0);
     while (const std::optional<DumpNumber> number = line.take()) {
       if (line.in_characters()) break;
       // An offset may have any number of digits.
       const bool fits =
-          line.leads() ? is_row_offset(*number) || (found > 0 && number->digits == "*") : is_dump_number(*number);
+          line.leads() ? may_be_row_offset(*number) || (found > 0 && number->digits == "*") : is_dump_number(*number);
       if (!fits) return false;
       found += std::max<std::size_t>(1, number->digits.size() / 8);
     }
@@ -314,7 +331,7 @@ bool is_hex_dump(std::string_view text) {
   if (text.size() > kLooked) text = text.substr(0, std::min(text.rfind('\n', kLooked), kLooked));
   Rows rows = split_rows(text);
   if (rows.size() < kFewRows || rows[0].bytes() <= kLeastBytes) return false;
-  const bool marked = rows[0].numbers.front().is_offset;
+  const bool marked = rows[0].numbers.front().is_row_offset;
   const auto numbers_fit = [](const Row& row) {
     return row.repeats || std::all_of(row.numbers.begin() + 1, row.numbers.end(), is_dump_number);
   };

@@ -12,22 +12,24 @@
 namespace ninebit::xbox {
 namespace {
 
-constexpr Constant kConstants[] = {
-    {"PS_REGISTER_ZERO", 0x00},
+// Names whose values count up from 0, shifted.
+struct NameList {
+  std::string_view beginning;
+  std::span<const std::string_view> names;
+  int shift = 0;
+};
+constexpr NameList kNameLists[] = {{"PS_REGISTER_", kRegisterNames},
+                                   {"PS_INPUTMAPPING_", kInputMappingNames, 5},
+                                   {"PS_COMBINEROUTPUT_", kOutputMappingNames, 3},
+                                   {"PS_TEXTUREMODES_", kTextureModes},
+                                   {"PS_DOTMAPPING_", kDotMappings}};
+
+struct NamedValue {
+  std::string_view name;
+  std::uint32_t value;
+};
+constexpr NamedValue kNamedValues[] = {
     {"PS_REGISTER_DISCARD", 0x00},
-    {"PS_REGISTER_C0", 0x01},
-    {"PS_REGISTER_C1", 0x02},
-    {"PS_REGISTER_FOG", 0x03},
-    {"PS_REGISTER_V0", 0x04},
-    {"PS_REGISTER_V1", 0x05},
-    {"PS_REGISTER_T0", 0x08},
-    {"PS_REGISTER_T1", 0x09},
-    {"PS_REGISTER_T2", 0x0a},
-    {"PS_REGISTER_T3", 0x0b},
-    {"PS_REGISTER_R0", 0x0c},
-    {"PS_REGISTER_R1", 0x0d},
-    {"PS_REGISTER_V1R0_SUM", 0x0e},
-    {"PS_REGISTER_EF_PROD", 0x0f},
     {"PS_REGISTER_ONE", 0x20},
     {"PS_REGISTER_NEGATIVE_ONE", 0x40},
     {"PS_REGISTER_ONE_HALF", 0xa0},
@@ -35,23 +37,9 @@ constexpr Constant kConstants[] = {
     {"PS_CHANNEL_RGB", 0x00},
     {"PS_CHANNEL_BLUE", 0x00},
     {"PS_CHANNEL_ALPHA", 0x10},
-    {"PS_INPUTMAPPING_UNSIGNED_IDENTITY", 0x00},
-    {"PS_INPUTMAPPING_UNSIGNED_INVERT", 0x20},
-    {"PS_INPUTMAPPING_EXPAND_NORMAL", 0x40},
-    {"PS_INPUTMAPPING_EXPAND_NEGATE", 0x60},
-    {"PS_INPUTMAPPING_HALFBIAS_NORMAL", 0x80},
-    {"PS_INPUTMAPPING_HALFBIAS_NEGATE", 0xa0},
-    {"PS_INPUTMAPPING_SIGNED_IDENTITY", 0xc0},
-    {"PS_INPUTMAPPING_SIGNED_NEGATE", 0xe0},
     {"PS_FINALCOMBINERSETTING_CLAMP_SUM", 0x80},
     {"PS_FINALCOMBINERSETTING_COMPLEMENT_V1", 0x40},
     {"PS_FINALCOMBINERSETTING_COMPLEMENT_R0", 0x20},
-    {"PS_COMBINEROUTPUT_IDENTITY", 0x00},
-    {"PS_COMBINEROUTPUT_BIAS", 0x08},
-    {"PS_COMBINEROUTPUT_SHIFTLEFT_1", 0x10},
-    {"PS_COMBINEROUTPUT_SHIFTLEFT_1_BIAS", 0x18},
-    {"PS_COMBINEROUTPUT_SHIFTLEFT_2", 0x20},
-    {"PS_COMBINEROUTPUT_SHIFTRIGHT_1", 0x30},
     {"PS_COMBINEROUTPUT_AB_BLUE_TO_ALPHA", 0x80},
     {"PS_COMBINEROUTPUT_CD_BLUE_TO_ALPHA", 0x40},
     {"PS_COMBINEROUTPUT_AB_MULTIPLY", 0x00},
@@ -76,34 +64,22 @@ constexpr Constant kConstants[] = {
     {"PS_COMPAREMODE_Q_GE", 0x08},
     {"PS_GLOBALFLAGS_NO_TEXMODE_ADJUST", 0x0000},
     {"PS_GLOBALFLAGS_TEXMODE_ADJUST", 0x0001},
-    {"PS_TEXTUREMODES_NONE", 0x00},
-    {"PS_TEXTUREMODES_PROJECT2D", 0x01},
-    {"PS_TEXTUREMODES_PROJECT3D", 0x02},
-    {"PS_TEXTUREMODES_CUBEMAP", 0x03},
-    {"PS_TEXTUREMODES_PASSTHRU", 0x04},
-    {"PS_TEXTUREMODES_CLIPPLANE", 0x05},
-    {"PS_TEXTUREMODES_BUMPENVMAP", 0x06},
-    {"PS_TEXTUREMODES_BUMPENVMAP_LUM", 0x07},
-    {"PS_TEXTUREMODES_BRDF", 0x08},
-    {"PS_TEXTUREMODES_DOT_ST", 0x09},
-    {"PS_TEXTUREMODES_DOT_ZW", 0x0a},
-    {"PS_TEXTUREMODES_DOT_RFLCT_DIFF", 0x0b},
-    {"PS_TEXTUREMODES_DOT_RFLCT_SPEC", 0x0c},
-    {"PS_TEXTUREMODES_DOT_STR_3D", 0x0d},
-    {"PS_TEXTUREMODES_DOT_STR_CUBE", 0x0e},
-    {"PS_TEXTUREMODES_DPNDNT_AR", 0x0f},
-    {"PS_TEXTUREMODES_DPNDNT_GB", 0x10},
-    {"PS_TEXTUREMODES_DOTPRODUCT", 0x11},
-    {"PS_TEXTUREMODES_DOT_RFLCT_SPEC_CONST", 0x12},
-    {"PS_DOTMAPPING_ZERO_TO_ONE", 0x00},
-    {"PS_DOTMAPPING_MINUS1_TO_1_D3D", 0x01},
-    {"PS_DOTMAPPING_MINUS1_TO_1_GL", 0x02},
-    {"PS_DOTMAPPING_MINUS1_TO_1", 0x03},
-    {"PS_DOTMAPPING_HILO_1", 0x04},
-    {"PS_DOTMAPPING_HILO_HEMISPHERE_D3D", 0x05},
-    {"PS_DOTMAPPING_HILO_HEMISPHERE_GL", 0x06},
-    {"PS_DOTMAPPING_HILO_HEMISPHERE", 0x07},
 };
+
+const std::vector<Constant>& constants() {
+  static const std::vector<Constant> all = [] {
+    std::vector<Constant> made;
+    for (const auto& [beginning, names, shift] : kNameLists) {
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto value = static_cast<std::uint32_t>(i) << shift;
+        if (!names[i].empty()) made.push_back({std::string(beginning) + std::string(names[i]), value});
+      }
+    }
+    for (const NamedValue& one : kNamedValues) made.push_back({std::string(one.name), one.value});
+    return made;
+  }();
+  return all;
+}
 
 using Argument = Macro::Argument;
 constexpr Argument kInputs[] = {{24, 0xff}, {16, 0xff}, {8, 0xff}, {0, 0xff}};
@@ -136,21 +112,18 @@ constexpr Macro kMacros[] = {
     {"D3DCOLOR_XRGB", kRgb, 0xff000000},
 };
 
-template <class Table>
-auto find_in(const Table& table, std::string_view name) -> decltype(std::begin(table)) {
-  const auto found =
-      std::find_if(std::begin(table), std::end(table), [&](const auto& one) { return one.name == name; });
-  return found == std::end(table) ? nullptr : found;
-}
-
 }  // namespace
 
 const Constant* find_constant(std::string_view name) {
-  return find_in(kConstants, name);
+  const std::vector<Constant>& all = constants();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Constant& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 const Macro* find_macro(std::string_view name) {
-  return find_in(kMacros, name);
+  const auto* const found =
+      std::find_if(std::begin(kMacros), std::end(kMacros), [&](const Macro& one) { return one.name == name; });
+  return found == std::end(kMacros) ? nullptr : found;
 }
 
 bool accepts(const Macro::Argument& argument, std::int64_t value) {
@@ -162,14 +135,17 @@ std::uint32_t bits_of(const Macro::Argument& argument, std::int64_t value) {
   return (static_cast<std::uint32_t>(value) & (argument.masked ? argument.most : 0xffffffffU)) << argument.shift;
 }
 
-std::vector<std::string_view> macro_names() {
-  std::vector<std::string_view> names;
-  for (const Macro& macro : kMacros) names.push_back(macro.name);
-  for (const Constant& constant : kConstants) names.push_back(constant.name);
+std::vector<std::string> macro_names() {
+  std::vector<std::string> names;
+  for (const Macro& macro : kMacros) names.emplace_back(macro.name);
+  for (const Constant& constant : constants()) names.push_back(constant.name);
   return names;
 }
 
 namespace {
+
+using code::shown;
+using code::Token;
 
 constexpr int kDeepest = 32;  // brackets in brackets
 constexpr std::int64_t kBeyondWords = std::int64_t{1} << 32;
@@ -188,11 +164,11 @@ std::string hex(std::int64_t value) {
 }  // namespace
 
 std::optional<std::uint32_t> Expressions::read() {
-  const TextPlace place = lexer_.peek().place;
+  const std::size_t offset = tokens_.peek().offset;
   const Value value = binary(1, 0);
   if (!value) return std::nullopt;
   if (*value >= kBeyondWords || *value < -kBeyondWords / 2) {
-    faults_.add(place, "the value does not fit in 32 bits");
+    faults_.add(offset, "the value does not fit in 32 bits");
     return 0;
   }
   return static_cast<std::uint32_t>(*value);
@@ -201,9 +177,9 @@ std::optional<std::uint32_t> Expressions::read() {
 std::uint32_t Expressions::number(const Token& token) {
   const auto value = code::read_number(token.text);
   if (!value || value->may_be_real()) {
-    faults_.add(token.place, shown(token) + " is not a number; expected one such as 0x08040000, 15 or 017");
+    faults_.add(token.offset, shown(token) + " is not a number; expected one such as 0x08040000, 15 or 017");
   } else if (value->integer < 0 || value->integer >= kBeyondWords) {
-    faults_.add(token.place, "the value does not fit in 32 bits");
+    faults_.add(token.offset, "the value does not fit in 32 bits");
   } else {
     return static_cast<std::uint32_t>(value->integer);
   }
@@ -211,17 +187,17 @@ std::uint32_t Expressions::number(const Token& token) {
 }
 
 Expressions::Value Expressions::fail(const std::string& expected) {
-  faults_.add(lexer_.peek().place, "expected " + expected + "; found " + shown(lexer_.peek()));
+  faults_.add(tokens_.peek().offset, "expected " + expected + "; found " + shown(tokens_.peek()));
   return std::nullopt;
 }
 
 Expressions::Value Expressions::binary(int lowest, int depth) {
   Value left = unary(depth);
   while (left) {
-    const Token mark = lexer_.peek();
+    const Token mark = tokens_.peek();
     const int rank = code::precedence(mark);
     if (rank < lowest) return left;
-    (void)lexer_.take();
+    tokens_.take();
     const Value right = binary(rank + 1, depth);
     if (!right) return std::nullopt;
     left = apply(mark, *left, *right);
@@ -232,7 +208,7 @@ Expressions::Value Expressions::binary(int lowest, int depth) {
 Expressions::Value Expressions::apply(const Token& mark, std::int64_t left, std::int64_t right) {
   const bool shifts = mark.is("<<") || mark.is(">>");
   if (shifts && (right < 0 || right > 31)) {
-    faults_.add(mark.place, "a shift by " + std::to_string(right) + " bits is out of range; expected 0 to 31");
+    faults_.add(mark.offset, "a shift by " + std::to_string(right) + " bits is out of range; expected 0 to 31");
     return 0;
   }
   // Bits that a shift to the left moves out of the word are gone, as in C.
@@ -241,20 +217,19 @@ Expressions::Value Expressions::apply(const Token& mark, std::int64_t left, std:
       mark.text, code::int_number(cuts ? static_cast<std::uint32_t>(left) : left, cuts ? code::kUint32 : code::kInt64),
       code::int_number(right, code::kInt64));
   if (value && value->integer < kBeyondWords && value->integer > -kBeyondWords) return value->integer;
-  faults_.add(mark.place, value ? "the value does not fit in 32 bits" : shown(mark) + " gives no value here");
+  faults_.add(mark.offset, value ? "the value does not fit in 32 bits" : shown(mark) + " gives no value here");
   return 0;
 }
 
 Expressions::Value Expressions::unary(int depth) {
   // Signs in a row are counted rather than nested; those of arithmetic and ~ do not mix.
   bool negative = false, inverted = false, arithmetic = false, bitwise = false;
-  while (lexer_.peek().is("-") || lexer_.peek().is("+") || lexer_.peek().is("~")) {
-    const bool bits = lexer_.peek().is("~");
+  while (tokens_.peek().is("-") || tokens_.peek().is("+") || tokens_.peek().is("~")) {
+    const bool bits = tokens_.peek().is("~");
     if (bits ? arithmetic : bitwise) return fail("a value after the sign");
     (bits ? bitwise : arithmetic) = true;
-    if (lexer_.peek().is("-")) negative = !negative;
     if (bits) inverted = !inverted;
-    (void)lexer_.take();
+    if (tokens_.take().is("-")) negative = !negative;
   }
   while (skip_cast()) {
   }
@@ -265,80 +240,69 @@ Expressions::Value Expressions::unary(int depth) {
 }
 
 bool Expressions::skip_cast() {
-  if (!lexer_.peek().is("(")) return false;
-  Lexer ahead = lexer_;
-  (void)ahead.take();
-  if (!is_type(ahead.peek())) return false;
-  for (int names = 0; names < 4 && is_type(ahead.peek()); ++names) (void)ahead.take();
-  if (!ahead.peek().is(")")) return false;
-  (void)ahead.take();
-  lexer_ = ahead;
+  code::TokenReader ahead = tokens_;
+  if (!ahead.takes("(") || !is_type(ahead.peek())) return false;
+  for (int names = 0; names < 4 && is_type(ahead.peek()); ++names) ahead.take();
+  if (!ahead.takes(")")) return false;
+  tokens_ = ahead;
   return true;
 }
 
 Expressions::Value Expressions::primary(int depth) {
   if (depth > kDeepest) return fail("at most " + std::to_string(kDeepest) + " brackets in each other");
-  const Token token = lexer_.peek();
-  if (token.kind == Token::Kind::number) return number(lexer_.take());
-  if (token.is_name()) return named(lexer_.take(), depth);
-  if (!token.is("(")) return fail("a value");
-  (void)lexer_.take();
+  if (tokens_.peek().kind == Token::Kind::number) return number(tokens_.take());
+  if (tokens_.peek().is_name()) return named(tokens_.take(), depth);
+  if (!tokens_.takes("(")) return fail("a value");
   const Value value = binary(1, depth + 1);
-  if (!value) return std::nullopt;
-  if (!lexer_.peek().is(")")) return fail("')'");
-  (void)lexer_.take();
-  return value;
+  return !value || tokens_.takes(")") ? value : fail("')'");
+}
+
+template <class Take>
+bool Expressions::arguments(int depth, const std::string& of, const Take& take) {
+  for (std::size_t count = 0; !tokens_.takes(")"); ++count) {
+    const std::size_t offset = tokens_.peek().offset;
+    const Value argument = binary(1, depth + 1);
+    if (!argument) return false;
+    take(count, *argument, offset);
+    if (tokens_.peek().is(")")) continue;
+    if (!tokens_.takes(",")) return fail("',' or ')' after an argument of " + of).has_value();
+    if (tokens_.peek().is(")")) return fail("an argument of " + of).has_value();
+  }
+  return true;
 }
 
 Expressions::Value Expressions::named(const Token& name, int depth) {
   if (const Constant* const constant = find_constant(name.text)) return constant->value;
   if (const Macro* const macro = find_macro(name.text)) return call(*macro, name, depth);
   if (faults_.full()) return std::nullopt;
-  faults_.add(name.place, "unknown name " + shown(name) + did_you_mean(name.text, macro_names()));
-  if (!lexer_.peek().is("(")) return 0;
+  faults_.add(name.offset, "unknown name " + shown(name) + did_you_mean(name.text, macro_names()));
+  if (!tokens_.takes("(")) return 0;
   // The arguments of an unknown macro have faults of their own.
-  (void)lexer_.take();
-  while (!lexer_.peek().is(")")) {
-    if (!binary(1, depth + 1)) return std::nullopt;
-    if (lexer_.peek().is(",")) {
-      (void)lexer_.take();
-    } else if (!lexer_.peek().is(")")) {
-      return fail("',' or ')'");
-    }
-  }
-  (void)lexer_.take();
-  return 0;
+  const bool is_whole = arguments(depth, std::string(name.text), [](std::size_t, std::int64_t, std::size_t) {});
+  return is_whole ? Value(0) : std::nullopt;
 }
 
 Expressions::Value Expressions::call(const Macro& macro, const Token& name, int depth) {
-  const std::string expected =
-      "the " + std::to_string(macro.arguments.size()) + " arguments of " + std::string(macro.name);
-  if (!lexer_.peek().is("(")) return fail("'(' and " + expected);
+  const std::string own(macro.name), expected = std::to_string(macro.arguments.size());
+  if (!tokens_.peek().is("(")) return fail("'(' and the " + expected + " arguments of " + own);
   if (depth >= kDeepest) return fail("at most " + std::to_string(kDeepest) + " brackets in each other");
-  (void)lexer_.take();
+  tokens_.take();
   std::uint32_t value = macro.always;
   std::size_t count = 0;
-  for (; !lexer_.peek().is(")"); ++count) {
-    const TextPlace place = lexer_.peek().place;
-    const Value argument = binary(1, depth + 1);
-    if (!argument) return std::nullopt;
-    if (count < macro.arguments.size()) {
-      if (accepts(macro.arguments[count], *argument)) {
-        value |= bits_of(macro.arguments[count], *argument);
-      } else {
-        faults_.add(place, "argument " + std::to_string(count + 1) + " of " + std::string(macro.name) + " is " +
-                               hex(*argument) + "; expected 0 to " + hex(macro.arguments[count].most));
-      }
+  const bool is_whole = arguments(depth, own, [&](std::size_t which, std::int64_t argument, std::size_t offset) {
+    count = which + 1;
+    if (which >= macro.arguments.size()) return;
+    const Macro::Argument& place = macro.arguments[which];
+    if (accepts(place, argument)) {
+      value |= bits_of(place, argument);
+    } else {
+      faults_.add(offset, "argument " + std::to_string(count) + " of " + own + " is " + hex(argument) +
+                              "; expected 0 to " + hex(place.most));
     }
-    if (lexer_.peek().is(")")) continue;
-    if (!lexer_.peek().is(",")) return fail("',' or ')' after an argument of " + std::string(macro.name));
-    (void)lexer_.take();
-    if (lexer_.peek().is(")")) return fail("an argument of " + std::string(macro.name));
-  }
-  (void)lexer_.take();
+  });
+  if (!is_whole) return std::nullopt;
   if (count != macro.arguments.size()) {
-    faults_.add(name.place, std::string(macro.name) + " has " + std::to_string(count) + " arguments; expected " +
-                                std::to_string(macro.arguments.size()));
+    faults_.add(name.offset, own + " has " + std::to_string(count) + " arguments; expected " + expected);
   }
   return value;
 }

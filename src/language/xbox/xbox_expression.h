@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "src/language/c_like/c_lexer.h"
 #include "src/language/source/source_faults.h"
-#include "src/language/xbox/xbox_lexer.h"
 
 // The constants and the macros of the Xbox's headers that definitions are written in.
 
@@ -17,7 +18,7 @@ namespace ninebit::xbox {
 
 // A name for a value.
 struct Constant {
-  std::string_view name;
+  std::string name;
   std::uint32_t value;
 };
 [[nodiscard]] const Constant* find_constant(std::string_view name);
@@ -41,7 +42,7 @@ struct Macro {
 [[nodiscard]] std::uint32_t bits_of(const Macro::Argument& argument, std::int64_t value);
 
 // The names of constants and macros, for suggestions.
-[[nodiscard]] std::vector<std::string_view> macro_names();
+[[nodiscard]] std::vector<std::string> macro_names();
 
 // The names without their common beginning, by their values: of texture modes (PS_TEXTUREMODES_…) and of dot mappings
 // (PS_DOTMAPPING_…).
@@ -81,14 +82,14 @@ inline constexpr std::array<std::string_view, 8> kOutputMappingNames{
 
 class Expressions {
  public:
-  Expressions(Lexer& lexer, TextFaults& faults) : lexer_(lexer), faults_(faults) {}
+  Expressions(code::TokenReader& tokens, detail::SourceFaults& faults) : tokens_(tokens), faults_(faults) {}
 
   // Reads one expression. Its value, modulo 2^32 if it is negative; empty after a fault that makes it unreadable. Other
   // faults (unknown names, values out of range) are reported and count as 0, so that reading goes on.
   [[nodiscard]] std::optional<std::uint32_t> read();
 
   // The value of a C number; a fault at the token if it is none.
-  [[nodiscard]] std::uint32_t number(const Token& token);
+  [[nodiscard]] std::uint32_t number(const code::Token& token);
 
  private:
   using Value = std::optional<std::int64_t>;
@@ -96,15 +97,19 @@ class Expressions {
   Value binary(int lowest, int depth);
   Value unary(int depth);
   Value primary(int depth);
-  Value named(const Token& name, int depth);
-  Value call(const Macro& macro, const Token& name, int depth);
+  Value named(const code::Token& name, int depth);
+  Value call(const Macro& macro, const code::Token& name, int depth);
+  // The values between the parenthesis that was taken and the closing one, each with its number and the token that it
+  // begins with. False: there is a fault.
+  template <class Take>
+  bool arguments(int depth, const std::string& of, const Take& take);
   // Skips "(DWORD)" and the like.
   bool skip_cast();
-  [[nodiscard]] Value apply(const Token& mark, std::int64_t left, std::int64_t right);
+  [[nodiscard]] Value apply(const code::Token& mark, std::int64_t left, std::int64_t right);
   Value fail(const std::string& expected);
 
-  Lexer& lexer_;
-  TextFaults& faults_;
+  code::TokenReader& tokens_;
+  detail::SourceFaults& faults_;
 };
 
 }  // namespace ninebit::xbox

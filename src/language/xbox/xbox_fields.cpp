@@ -77,15 +77,16 @@ bool clears_memory(std::string_view function) {
   return std::find(std::begin(kNames), std::end(kNames), function) != std::end(kNames);
 }
 
-Parsed<CombinerState> program_of_definition(const Definition& definition, std::string_view file,
+Parsed<CombinerState> program_of_definition(const Definition& definition, const SourceText& source,
                                             const HardwareProfile& profile, std::vector<RegisterWord>* other_words) {
   std::vector<RegisterWord> given;
   for (std::size_t i = 0; i < kXboxDefinitionWords; ++i) {
-    given.push_back({word_name(i), definition.words[i], definition.places[i].value_or(TextPlace{})});
+    const auto& offset = definition.offsets[i];
+    given.push_back({word_name(i), definition.words[i], offset ? source.place(*offset) : TextPlace{}});
   }
-  Parsed<CombinerState> decoded = decode_register_words(given, file, ChipClass::nv20, profile, other_words);
+  Parsed<CombinerState> decoded = decode_register_words(given, source.file, ChipClass::nv20, profile, other_words);
   if (!profile.per_stage_constants) {
-    decoded.notes.push_back({std::string(file), 1, 1, std::string(detail::kReadForOlderChip)});
+    decoded.notes.push_back({std::string(source.file), 1, 1, std::string(detail::kReadForOlderChip)});
   }
   return decoded;
 }

@@ -39,14 +39,14 @@ struct Field {
 // Whether a function sets memory to a value, which for a definition is 0: memset, ZeroMemory, …
 [[nodiscard]] bool clears_memory(std::string_view function);
 
-// A definition, with the place of every word that the text has.
+// A definition, with the offset of every word that the text has.
 struct Definition {
   std::array<std::uint32_t, kXboxDefinitionWords> words{};
-  std::array<std::optional<TextPlace>, kXboxDefinitionWords> places{};
+  std::array<std::optional<std::size_t>, kXboxDefinitionWords> offsets{};
 };
 
 // The program of a definition; `other_words` receives what parse_xbox_pixel_shader says.
-[[nodiscard]] Parsed<CombinerState> program_of_definition(const Definition& definition, std::string_view file,
+[[nodiscard]] Parsed<CombinerState> program_of_definition(const Definition& definition, const SourceText& source,
                                                           const HardwareProfile& profile,
                                                           std::vector<RegisterWord>* other_words);
 

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "src/language/source/source_faults.h"
-#include "src/language/xbox/xbox_dump.h"
+#include "src/language/c_like/c_lexer.h"
 #include "src/language/xbox/xbox_expression.h"
 
 namespace ninebit::xbox {
@@ -57,14 +56,16 @@ struct Style {
   std::size_t unit = 1;  // the bytes of a number in little endian: 1, 2 or 4; longer ones are bytes in their order
 };
 
-}  // namespace
-
-void check_count(std::size_t found, std::string_view what, std::size_t expected, TextPlace place, TextFaults& faults) {
+// Adds a fault if the count of `what` ("bytes") is not that of a definition.
+void check_count(std::size_t found, std::string_view what, std::size_t expected, std::size_t offset,
+                 detail::SourceFaults& faults) {
   if (found == expected) return;
   const std::string count = found > kMostNumbers ? "more than " + std::to_string(kMostNumbers) : std::to_string(found);
-  faults.add(place, count + " " + std::string(what) + "; expected the " + std::to_string(expected) +
-                        " of a D3DPIXELSHADERDEF");
+  faults.add(offset, count + " " + std::string(what) + "; expected the " + std::to_string(expected) +
+                         " of a D3DPIXELSHADERDEF");
 }
+
+}  // namespace
 
 bool is_binary(std::string_view bytes) {
   return bytes.find('\0') != std::string_view::npos;
@@ -74,27 +75,29 @@ bool is_definition_file(std::string_view bytes) {
   return bytes.starts_with(kFileMagic);
 }
 
-Definition read_bytes(std::string_view bytes, TextFaults& faults) {
+Definition read_bytes(std::string_view bytes, detail::SourceFaults& faults) {
   Definition definition;
+  std::size_t begin = 0;
   if (is_definition_file(bytes)) {
     const std::size_t expected = kFileMagic.size() + kXboxDefinitionBytes;
     if (bytes.size() != expected) {
-      faults.add({}, "a file 'PSB0' of " + std::to_string(bytes.size()) + " bytes; expected " +
-                         std::to_string(expected) + ", the magic and one D3DPIXELSHADERDEF");
+      faults.add(0, "a file 'PSB0' of " + std::to_string(bytes.size()) + " bytes; expected " +
+                        std::to_string(expected) + ", the magic and one D3DPIXELSHADERDEF");
       return definition;
     }
-    bytes.remove_prefix(kFileMagic.size());
+    begin = kFileMagic.size();
+    bytes.remove_prefix(begin);
   }
   if (bytes.size() != kXboxDefinitionBytes) {
     const bool several = !bytes.empty() && bytes.size() % kXboxDefinitionBytes == 0;
-    faults.add({}, std::to_string(bytes.size()) + " bytes" +
-                       (several ? ", which are " + std::to_string(bytes.size() / kXboxDefinitionBytes) + " definitions"
-                                : std::string()) +
-                       "; expected the 240 of one D3DPIXELSHADERDEF");
+    faults.add(0, std::to_string(bytes.size()) + " bytes" +
+                      (several ? ", which are " + std::to_string(bytes.size() / kXboxDefinitionBytes) + " definitions"
+                               : std::string()) +
+                      "; expected the 240 of one D3DPIXELSHADERDEF");
     return definition;
   }
   for (std::size_t i = 0; i < kXboxDefinitionWords; ++i) {
-    definition.places[i] = place_of(bytes, 4 * i);
+    definition.offsets[i] = begin + 4 * i;
     for (std::size_t k = 0; k < 4; ++k) {
       definition.words[i] |= std::uint32_t{static_cast<unsigned char>(bytes[4 * i + k])} << (8 * k);
     }
@@ -102,17 +105,16 @@ Definition read_bytes(std::string_view bytes, TextFaults& faults) {
   return definition;
 }
 
-Definition read_number_list(std::string_view text, TextFaults& faults) {
+Definition read_number_list(std::string_view text, detail::SourceFaults& faults) {
   Definition definition;
   const DumpNumbers dump = read_dump(text, faults);
   const bool complete = faults.empty();
   const Style style(dump);
-  std::size_t bytes = 0;
-  TextPlace last;
+  std::size_t bytes = 0, last = 0;
   for (const DumpNumber& number : dump.numbers) {
-    last = number.place;
+    last = number.offset;
     if (!style.fits(number)) {
-      faults.add(number.place,
+      faults.add(number.offset,
                  detail::quoted(number.digits) + " is not a number of this list; expected " + style.expected());
       bytes += style.prefixed ? style.unit : style.digits / 2;
       continue;
@@ -120,8 +122,8 @@ Definition read_number_list(std::string_view text, TextFaults& faults) {
     const std::size_t step = style.prefixed ? number.digits.size() : 2 * style.unit;
     for (std::size_t at = 0; at < number.digits.size(); at += step, bytes += style.unit) {
       if (bytes >= kXboxDefinitionBytes) continue;
-      std::optional<TextPlace>& place = definition.places[bytes / 4];
-      if (!place) place = number.place;
+      std::optional<std::size_t>& offset = definition.offsets[bytes / 4];
+      if (!offset) offset = number.offset;
       definition.words[bytes / 4] |= value_of(number.digits.substr(at, step)) << (8 * (bytes % 4));
     }
   }
@@ -134,6 +136,10 @@ Definition read_number_list(std::string_view text, TextFaults& faults) {
 }
 
 namespace {
+
+using code::shown;
+using code::Token;
+using code::TokenReader;
 
 struct TypeWord {
   std::string_view name;  // in lower case, without _t
@@ -149,9 +155,7 @@ constexpr std::array kTypeWords{
     TypeWord{"glfloat", 0}, TypeWord{"bool", 0},   TypeWord{"uint64", 0},   TypeWord{"int64", 0}};
 
 std::string lower_type(std::string_view name) {
-  std::string lower(name.substr(0, 32));
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::string lower = detail::lower_case(name.substr(0, 32));
   if (lower.ends_with("_t")) lower.resize(lower.size() - 2);
   return lower;
 }
@@ -162,7 +166,7 @@ struct ArrayHead {
   std::size_t names = 0;
   bool integers = true;
   bool of_opengl = false;
-  TextPlace place{};  // of the brace
+  std::size_t brace = 0;  // its offset
 
   void add_type(std::string_view name) {
     const std::string lower = lower_type(name);
@@ -177,7 +181,7 @@ struct ArrayHead {
 };
 
 // Skips "(…)" or "[…]", of which the first bracket was taken. False: it is long or does not end.
-bool skip_brackets(Lexer& lexer) {
+bool skip_brackets(TokenReader& lexer) {
   constexpr int kFewTokens = 16;
   int depth = 1;
   for (int i = 0; i < kFewTokens && depth > 0; ++i) {
@@ -190,7 +194,7 @@ bool skip_brackets(Lexer& lexer) {
 }
 
 // Takes the tokens up to the brace; empty: this is not an array of integers.
-std::optional<ArrayHead> take_head(Lexer& lexer) {
+std::optional<ArrayHead> take_head(TokenReader& lexer) {
   constexpr int kTokens = 64;
   ArrayHead head;
   std::string_view last;
@@ -209,10 +213,10 @@ std::optional<ArrayHead> take_head(Lexer& lexer) {
     } else if (token.is("(") && head.names > 0) {  // __declspec(align(16))
       if (!skip_brackets(lexer)) return std::nullopt;
     } else if (token.is("{") && head.names == 0) {
-      head.place = token.place;
+      head.brace = token.offset;
       return head;
     } else if (token.is("=") && has_index && head.integers && lexer.peek().is("{")) {
-      head.place = lexer.take().place;
+      head.brace = lexer.take().offset;
       return head;
     } else if (!token.is("::")) {
       return std::nullopt;
@@ -222,78 +226,59 @@ std::optional<ArrayHead> take_head(Lexer& lexer) {
 }
 
 // The number of elements that are plain numbers, up to the closing brace; empty: there is something else.
-std::optional<std::size_t> count_elements(Lexer lexer) {
+std::optional<std::size_t> count_elements(TokenReader lexer) {
   for (std::size_t count = 0; count <= kMostNumbers;) {
     if (lexer.peek().is("}")) return count;
     if (lexer.take().kind != Token::Kind::number) return std::nullopt;
     ++count;
-    if (lexer.peek().is(",")) {
-      (void)lexer.take();
-    } else if (!lexer.peek().is("}")) {
-      return std::nullopt;
-    }
+    if (!lexer.takes(",") && !lexer.peek().is("}")) return std::nullopt;
   }
   return kMostNumbers + 1;
 }
 
 struct Element {
   std::uint32_t value = 0;
-  TextPlace place{};
+  std::size_t offset = 0;
 };
 
 // Up to the closing brace, which is taken.
-std::vector<Element> take_elements(Lexer& lexer, TextFaults& faults) {
+std::vector<Element> take_elements(TokenReader& lexer, detail::SourceFaults& faults) {
   Expressions values(lexer, faults);
   std::vector<Element> elements;
   while (!lexer.peek().is("}") && !faults.full() && elements.size() <= kMostNumbers) {
-    const TextPlace place = lexer.peek().place;
+    const std::size_t offset = lexer.peek().offset;
     const std::optional<std::uint32_t> value = values.read();
     if (!value) return elements;  // with its fault
-    elements.push_back({*value, place});
-    if (lexer.peek().is(",")) {
-      (void)lexer.take();
-    } else if (!lexer.peek().is("}")) {
-      faults.add(lexer.peek().place, "expected ',' or '}' after a number; found " + shown(lexer.peek()));
-      return elements;
-    }
+    elements.push_back({*value, offset});
+    if (lexer.takes(",") || lexer.peek().is("}")) continue;
+    faults.add(lexer.peek().offset, "expected ',' or '}' after a number; found " + shown(lexer.peek()));
+    return elements;
   }
-  (void)lexer.take();
+  lexer.take();
   return elements;
 }
 
 // Text that may follow the array: declarations of single numbers.
-void check_rest(Lexer& lexer, const ArrayHead& head, TextFaults& faults) {
-  while (lexer.peek().kind != Token::Kind::end) {
-    const Token first = lexer.take();
-    if (first.is(";")) continue;
-    if (first.is("#")) {
-      lexer.skip_line();
-      continue;
-    }
-    std::size_t names = first.is_name() ? 1 : 0;
-    for (; names > 0 && lexer.peek().is_name(); ++names) (void)lexer.take();
-    if (names > 1 && lexer.peek().is("=")) {
-      (void)lexer.take();
-      if (lexer.take().kind == Token::Kind::number && lexer.peek().is(";")) continue;
-    }
-    if (names > 1 && lexer.peek().is("[")) {
-      return faults.add(first.place, "a second array; the first is in line " + std::to_string(head.place.line) +
-                                         ", and a text has one definition");
-    }
-    return faults.add(first.place, "expected the end of the text behind the array; found " + shown(first));
+void check_rest(TokenReader& lexer, const ArrayHead& head, const SourceText& source, detail::SourceFaults& faults) {
+  const std::optional<Token> first = lexer.skip_behind_array();
+  if (!first) return;
+  if (!first->is_name() || !lexer.peek().is("[")) {
+    return faults.add(first->offset, "expected the end of the text behind the array; found " + shown(*first));
   }
+  const std::string line = std::to_string(source.place(head.brace).line);
+  faults.add(first->offset, "a second array; the first is in line " + line + ", and a text has one definition");
 }
 
 }  // namespace
 
 bool is_number_array(std::string_view text) {
-  Lexer lexer(text);
+  TokenReader lexer(text, true);
   const std::optional<ArrayHead> head = take_head(lexer);
   return head && (head->names > 0 || count_elements(lexer) == kXboxDefinitionBytes);
 }
 
 bool is_definition_array(std::string_view text) {
-  Lexer lexer(text);
+  TokenReader lexer(text, true);
   const std::optional<ArrayHead> head = take_head(lexer);
   if (!head || head->of_opengl) return false;
   const std::optional<std::size_t> count = count_elements(lexer);
@@ -302,27 +287,27 @@ bool is_definition_array(std::string_view text) {
   return *count == kXboxDefinitionBytes || (*count == kXboxDefinitionWords && head->names > 0);
 }
 
-Definition read_array(std::string_view text, TextFaults& faults) {
+Definition read_array(const SourceText& source, detail::SourceFaults& faults) {
   Definition definition;
-  Lexer lexer(text);
+  TokenReader lexer(source.text, true);
   const ArrayHead head = take_head(lexer).value_or(ArrayHead{});
   const std::vector<Element> elements = take_elements(lexer, faults);
   if (!faults.empty()) return definition;
   const std::size_t size = head.bytes > 0 ? head.bytes : elements.size() == kXboxDefinitionBytes ? 1 : 4;
   const char* const what = size == 1 ? "bytes" : size == 2 ? "words of 16 bits" : "words of 32 bits";
-  const TextPlace last = elements.empty() ? head.place : elements.back().place;
+  const std::size_t last = elements.empty() ? head.brace : elements.back().offset;
   check_count(elements.size(), what, kXboxDefinitionBytes / size, last, faults);
   if (!faults.empty()) return definition;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const std::size_t byte = i * size;
     if (size < 4 && elements[i].value >> (8 * size) != 0) {
-      faults.add(elements[i].place, "the value does not fit in " + std::to_string(8 * size) + " bits");
+      faults.add(elements[i].offset, "the value does not fit in " + std::to_string(8 * size) + " bits");
     }
-    std::optional<TextPlace>& place = definition.places[byte / 4];
-    if (!place) place = elements[i].place;
+    std::optional<std::size_t>& offset = definition.offsets[byte / 4];
+    if (!offset) offset = elements[i].offset;
     definition.words[byte / 4] |= elements[i].value << (8 * (byte % 4));
   }
-  check_rest(lexer, head, faults);
+  check_rest(lexer, head, source, faults);
   return definition;
 }
 

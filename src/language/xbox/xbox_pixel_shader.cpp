@@ -1,11 +1,7 @@
 #include "ninebit/language/xbox_pixel_shader.h"
 
-#include <algorithm>
-
 #include "src/language/source/source_faults.h"
-#include "src/language/xbox/xbox_dump.h"
 #include "src/language/xbox/xbox_fields.h"
-#include "src/language/xbox/xbox_lexer.h"
 #include "src/language/xbox/xbox_numbers.h"
 #include "src/language/xbox/xbox_parser.h"
 
@@ -13,18 +9,17 @@ namespace ninebit {
 namespace xbox {
 namespace {
 
+using code::Token;
+
 bool names_the_struct(std::string_view name) {
-  std::string upper(name.substr(0, 64));
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return upper.find("PIXELSHADERDEF") != std::string::npos;
+  return detail::lower_case(name.substr(0, 64)).find("pixelshaderdef") != std::string::npos;
 }
 
 // Whether a text in C begins with a definition: with a struct of this name, a member of it, or a brace that is not
 // JSON's.
 bool begins_with_definition(std::string_view text) {
   constexpr int kTokens = 64;
-  Lexer lexer(text);
+  code::TokenReader lexer(text, true);
   bool begins = true;  // a statement, or a member of an object
   for (int i = 0; i < kTokens; ++i) {
     const Token token = lexer.take();
@@ -46,20 +41,19 @@ bool begins_with_definition(std::string_view text) {
   return false;
 }
 
-Definition read(const SourceText& source, TextFaults& faults, std::vector<TextFault>& notes) {
+Definition read(const SourceText& source, detail::SourceFaults& faults, detail::SourceFaults& notes) {
   if (is_binary(source.text)) return read_bytes(source.text, faults);
   if (is_number_list(source.text)) return read_number_list(source.text, faults);
-  if (is_number_array(source.text)) return read_array(source.text, faults);
-  Parser parser(source.text, faults);
+  if (is_number_array(source.text)) return read_array(source, faults);
+  Parser parser(source, faults);
   Definition definition = parser.parse();
-  for (const auto& [function, place] : parser.calls()) {
-    notes.push_back({std::string(source.file), place.line, place.column, "the call of " + function + " is skipped"});
+  for (const auto& [function, offset] : parser.calls()) {
+    notes.add(offset, "the call of " + function + " is skipped");
   }
   const auto& positional = parser.positional();
   if (positional && positional->words > 1 && positional->words < kXboxDefinitionWords) {
-    notes.push_back({std::string(source.file), positional->place.line, positional->place.column,
-                     "the first " + std::to_string(positional->words) + " of " + std::to_string(kXboxDefinitionWords) +
-                         " words are given; the others are 0"});
+    notes.add(positional->offset, "the first " + std::to_string(positional->words) + " of " +
+                                      std::to_string(kXboxDefinitionWords) + " words are given; the others are 0");
   }
   return definition;
 }
@@ -74,13 +68,13 @@ bool is_xbox_pixel_shader(std::string_view text) {
 
 Parsed<CombinerState> parse_xbox_pixel_shader(const SourceText& source, const HardwareProfile& profile,
                                               std::vector<RegisterWord>* other_words) {
-  TextFaults faults(source.file);
-  if (too_long(source.text, faults)) return faults.take();
-  std::vector<TextFault> notes;
+  detail::SourceFaults faults(source), notes(source);
+  if (detail::too_long(source, faults)) return faults.take();
   const xbox::Definition definition = xbox::read(source, faults, notes);
-  if (!faults.empty()) return {faults.take(), std::move(notes)};
-  Parsed<CombinerState> program = xbox::program_of_definition(definition, source.file, profile, other_words);
-  program.notes.insert(program.notes.begin(), notes.begin(), notes.end());
+  if (!faults.empty()) return {faults.take(), notes.take()};
+  Parsed<CombinerState> program = xbox::program_of_definition(definition, source, profile, other_words);
+  const std::vector<TextFault> said = notes.take();
+  program.notes.insert(program.notes.begin(), said.begin(), said.end());
   return program;
 }
 
