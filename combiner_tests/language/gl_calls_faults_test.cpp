@@ -27,6 +27,8 @@ struct GlFault {
 const std::vector<GlFault> kWords{
     {"glClear(0);", "f:1:1: 'glClear' is not a call of the register combiners\n"},
     {"int x;", "f:1:6: expected '[', found ';'\n"},
+    // Lines that end by \r alone.
+    {"// a\rglClear(0);", "f:1:6: 'glClear' is not a call of the register combiners\n"},
     {"\n  hello", "f:2:3: expected a GL call, found 'hello'\n"},
     {"#include <GL/gl.h>\n#define X\n",
      "f:1:1: preprocessor lines are not supported; expected a GL call\n"

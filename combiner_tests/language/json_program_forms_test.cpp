@@ -136,6 +136,9 @@ TEST(ProgramForms, WordsAreReadByRegistersAddressesAndMembers) {
                            "$1 = {combiner_control = 1}\n$2 = {combiner_control = 1}\n"}) {
     EXPECT_FALSE(read_as(ProgramForm::words, text)) << text;
   }
+  std::string many = "$1 = {rgb_inputs = {";
+  for (int i = 0; i < 100'000; ++i) many += "0,";
+  EXPECT_FALSE(read_as(ProgramForm::words, many + "0}}"));
 }
 
 TEST(ProgramForms, AssembledShadersAreRead) {
@@ -178,6 +181,10 @@ TEST(ProgramForms, AssembledShadersAreRead) {
       {"ffff0101 00000001 800f0000 90e40000 0000ffff 00000000",
        "the token 0x00000000 stands behind the end of the shader"},
       {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff}; DWORD b[] = {1};", "expected one shader"},
+      {"DWORD a[] = {0xffff0101, 1, 0x800f0000,\n#if 0\n0x90e40000,\n#else\n0x90e40001,\n#endif\n0xffff};",
+       "2:1: expected a number of 32 bits or '}'; found '#'"},
+      {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff}; /* DWORD b[] = {1};",
+       "1:62: unterminated comment; expected */"},
       {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff}; mov r0, t0", "1:62: more text stands behind"},
       {"DWORD a[] = {0xffff0101, 1, 0x800f0000, 0x90e40000, 0xffff, garbage -5 };\nfoo bar;",
        "1:61: expected a number of 32 bits or '}'; found 'garbage'"},

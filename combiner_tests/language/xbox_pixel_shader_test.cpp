@@ -263,6 +263,8 @@ TEST(XboxPixelShader, EveryFaultHasItsPlace) {
       {"PSCombinerCount = 1\nPSCombinerCount = 1", {2, 1, "PSCombinerCount was given before, in line 1"}},
       {"#include <xtl.h>\nPSCombinerCount = 1", {1, 1, "lines of the preprocessor are not read"}},
       {"PSCombinerCount = 1; /* open", {1, 22, "unterminated comment; expected */"}},
+      {"PSCombinerCount = 1; // one\rPSNoSuchThing = 1", {1, 29, "'PSNoSuchThing'"}},
+      {"D3DPIXELSHADERDEF psd = {1, 2\nPS_REGISTER_C0, 3};", {2, 1, "expected ',' or '}' after a word"}},
       {"D3DPIXELSHADERDEF psd = {1, 2", {1, 30, "expected ',' or '}' after a word; found the end of the text"}},
       {"D3DPIXELSHADERDEF psd = {{1, 2, 3, 4, 5, 6, 7, 8, 9}};", {1, 51, "PSAlphaInputs has 8 words; found more: '9'"}},
       {"D3DPIXELSHADERDEF psd = {{0}, {1, 2}};", {1, 35, "PSFinalCombinerInputsABCD has 1 word; found more: '2'"}},

@@ -50,16 +50,36 @@ bool is_assignment(const Token& token) {
          std::find(kAssignments.begin(), kAssignments.end(), token.text) != kAssignments.end();
 }
 
-// A comment at the current place; false: there is none.
+// Only the line is looked at, and no further than needed: a line may have many marks, and a text many lines.
+bool begins_directive(std::string_view text, std::size_t at) {
+  ++at;
+  while (at < text.size() && text[at] != '\n') {
+    if (text.substr(at).starts_with("/*")) {
+      at += 2;
+      while (at < text.size() && text[at] != '\n' && !text.substr(at).starts_with("*/")) ++at;
+      if (at == text.size() || text[at] == '\n') return false;
+      at += 2;
+    } else if (is_blank(text[at])) {
+      ++at;
+    } else {
+      break;
+    }
+  }
+  std::size_t end = at;
+  while (end < text.size() && is_word(text[end])) ++end;
+  return std::find(kDirectives.begin(), kDirectives.end(), text.substr(at, end - at)) != kDirectives.end();
+}
+
+// A comment at the current place; false: there is none. A line ends at \r, too, as text editors of old had it.
 bool Lexer::skip_comment() {
   if (starts("//")) {
     do {
-      at_ = std::min(text_.find('\n', at_ + 1), text_.size());
+      at_ = std::min(text_.find_first_of("\r\n", at_ + 1), text_.size());
     } while (at_ < text_.size() && (text_[at_ - 1] == '\\' || text_.substr(0, at_).ends_with("\\\r")));
     return true;
   }
-  if (hash_comments_ && starts("#") && !begins_directive()) {
-    at_ = std::min(text_.find('\n', at_), text_.size());
+  if (hash_comments_ && starts("#") && !begins_directive(text_, at_)) {
+    at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
     return true;
   }
   if (!starts("/*")) return false;
@@ -69,33 +89,12 @@ bool Lexer::skip_comment() {
   return true;
 }
 
-// Whether the # here begins a directive. Only the line is looked at, and no further than needed: a line may have many
-// marks, and a text many lines.
-bool Lexer::begins_directive() const {
-  std::size_t at = at_ + 1;
-  while (at < text_.size() && text_[at] != '\n') {
-    if (text_.substr(at).starts_with("/*")) {
-      at += 2;
-      while (at < text_.size() && text_[at] != '\n' && !text_.substr(at).starts_with("*/")) ++at;
-      if (at == text_.size() || text_[at] == '\n') return false;
-      at += 2;
-    } else if (is_blank(text_[at])) {
-      ++at;
-    } else {
-      break;
-    }
-  }
-  std::size_t end = at;
-  while (end < text_.size() && is_word(text_[end])) ++end;
-  return std::find(kDirectives.begin(), kDirectives.end(), text_.substr(at, end - at)) != kDirectives.end();
-}
-
 // Returns whether there were any.
 bool Lexer::skip_blanks() {
   const std::size_t begin = at_;
   if (at_ == 0) at_ = mark_size(text_);
   while (at_ < text_.size()) {
-    if (text_[at_] == '\n') {
+    if (text_[at_] == '\n' || text_[at_] == '\r') {
       line_begins_ = true;
       ++at_;
     } else if (is_blank(text_[at_])) {
@@ -159,7 +158,7 @@ std::size_t Lexer::punctuation_size() const {
 
 void Lexer::move_to(std::size_t at) {
   at_ = std::min(at, text_.size());
-  line_begins_ = at_ == 0 || text_[at_ - 1] == '\n';
+  line_begins_ = at_ == 0 || text_[at_ - 1] == '\n' || text_[at_ - 1] == '\r';
 }
 
 Token Lexer::next() {

@@ -40,6 +40,9 @@ inline constexpr std::array<std::string_view, 12> kDirectives{"define", "undef",
 // Whether a token is = or += and the like.
 [[nodiscard]] bool is_assignment(const Token& token);
 
+// Whether the # at a place of a text begins a directive.
+[[nodiscard]] bool begins_directive(std::string_view text, std::size_t at);
+
 class Lexer {
  public:
   // `hash_comments`: text from # to the end of the line is a comment, too, unless a directive follows.
@@ -54,7 +57,6 @@ class Lexer {
  private:
   bool skip_comment();
   bool skip_blanks();
-  [[nodiscard]] bool begins_directive() const;
   [[nodiscard]] std::size_t number_end() const;
   [[nodiscard]] std::size_t quoted_end(char quote) const;
   [[nodiscard]] std::size_t raw_text_end(std::size_t quote) const;
@@ -85,7 +87,7 @@ class TokenReader {
   // Goes on at a byte.
   void move_to(std::size_t at);
   // Skips the rest of the line in which the next token begins.
-  void skip_line() { move_to(text_.find('\n', next_.offset)); }
+  void skip_line() { move_to(text_.find_first_of("\r\n", next_.offset)); }
   // Skips what may stand behind an array: lines of the preprocessor and declarations of single numbers, such as the
   // length that xxd -i prints. Returns the first token of what else stands there, whose names it took.
   [[nodiscard]] std::optional<Token> skip_behind_array();

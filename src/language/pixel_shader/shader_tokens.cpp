@@ -50,10 +50,14 @@ bool is_version(std::uint32_t token) {
   return (kind == kPixelShader || kind == kVertexShader) && major >= 1 && major <= 3 && minor <= 4;
 }
 
-// Moves to the next token of C. False: the text ends.
+// Moves to the next token of C, behind comments from # on, too, but not behind a directive. False: the text ends.
 bool next_at(std::string_view text, std::size_t& at) {
   SourceFaults none({text, {}});
-  return skip_blanks(text, at, {.hash_comments = true, .heading = {}}, none) && at < text.size();
+  while (skip_blanks(text, at, {.hash_comments = false, .heading = {}}, none) && at < text.size()) {
+    if (text[at] != '#' || code::begins_directive(text, at)) return true;
+    at = std::min(text.find('\n', at), text.size());
+  }
+  return false;
 }
 
 // Moves behind the brace of "static const DWORD ps[] = {".
@@ -464,6 +468,7 @@ Parsed<CombinerState> parse_shader_tokens(const SourceText& source, const Hardwa
   if (const auto other = faults.empty() ? rest.skip_behind_array() : std::nullopt) {
     faults.add(other->offset, "more text stands behind the tokens; expected one shader and nothing else");
   }
+  if (const auto comment = rest.unterminated()) faults.add(*comment, "unterminated comment; expected */");
   if (!faults.empty()) return faults.take();
   return detail::program_of_shader(text, profile, faults, notes, texture_shader);
 }

@@ -13,6 +13,9 @@
 namespace ninebit {
 namespace {
 
+// With more words than the chip has, some are repeated; reading on would only repeat that fault.
+constexpr std::size_t kMaxWords = 1000;
+
 // The character at a place, for a message.
 std::string what_is_at(std::string_view line, std::size_t at) {
   if (at >= line.size()) return "the end of the line";
@@ -212,6 +215,7 @@ class PrintedStruct {
 
   bool number(const std::string& name) {
     const code::Token token = tokens_.peek();
+    if (words_.size() == kMaxWords) return expected("at most 1,000 words");
     const auto value = token.kind == code::Token::Kind::number ? code::read_number(token.text) : std::nullopt;
     if (!value || value->may_be_real() || value->integer < 0 || value->integer > 0xffff'ffff) {
       return expected("a number of 32 bits");
@@ -250,8 +254,6 @@ std::string without_first_comments(std::string_view text) {
 }
 
 std::vector<RegisterWord> read_lines(std::string_view text, TextFaults& faults) {
-  // With more words than the chip has, some are repeated; reading on would only repeat that fault.
-  constexpr std::size_t kMaxWords = 1000;
   std::vector<RegisterWord> found;
   int number = 1;
   for (std::size_t start = 0; start <= text.size() && !faults.full() && found.size() < kMaxWords; ++number) {

@@ -261,6 +261,7 @@ std::vector<Element> take_elements(TokenReader& lexer, detail::SourceFaults& fau
 // Text that may follow the array: declarations of single numbers.
 void check_rest(TokenReader& lexer, const ArrayHead& head, const SourceText& source, detail::SourceFaults& faults) {
   const std::optional<Token> first = lexer.skip_behind_array();
+  if (const auto comment = lexer.unterminated()) return faults.add(*comment, "unterminated comment; expected */");
   if (!first) return;
   if (!first->is_name() || !lexer.peek().is("[")) {
     return faults.add(first->offset, "expected the end of the text behind the array; found " + shown(*first));

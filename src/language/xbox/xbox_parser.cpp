@@ -251,6 +251,7 @@ void Parser::members(Positional& found, bool& designated) {
     if (at >= kXboxDefinitionWords && !token.is("}")) {
       faults_.add(token.offset, "a D3DPIXELSHADERDEF has " + std::to_string(kXboxDefinitionWords) +
                                     " words; found more: " + shown(token));
+      if (!token.is(";")) tokens_.take();
       return skip_statement();
     }
     if (token.is("{")) {
@@ -269,6 +270,7 @@ void Parser::members(Positional& found, bool& designated) {
     }
     if (!tokens_.takes(",") && !tokens_.peek().is("}")) {
       fault_here("',' or '}' after a word");
+      if (!tokens_.peek().is(";")) tokens_.take();
       return skip_statement();
     }
   }

@@ -47,13 +47,13 @@ Definition read(const SourceText& source, detail::SourceFaults& faults, detail::
   if (is_number_array(source.text)) return read_array(source, faults);
   Parser parser(source, faults);
   Definition definition = parser.parse();
-  for (const auto& [function, offset] : parser.calls()) {
-    notes.add(offset, "the call of " + function + " is skipped");
-  }
   const auto& positional = parser.positional();
   if (positional && positional->words > 1 && positional->words < kXboxDefinitionWords) {
     notes.add(positional->offset, "the first " + std::to_string(positional->words) + " of " +
                                       std::to_string(kXboxDefinitionWords) + " words are given; the others are 0");
+  }
+  for (const auto& [function, offset] : parser.calls()) {
+    notes.add(offset, "the call of " + function + " is skipped");
   }
   return definition;
 }
