@@ -55,8 +55,9 @@ TEST(SourceFaults, OfCalls) {
   EXPECT_EQ(faults_of("void a() {\n  glCombinerInptuNV(GL_COMBINER0_NV);\n  " + kSetCount + "2);\n}"),
             "s:2:3: 'glCombinerInptuNV' is not a call of the register combiners; did you mean 'glCombinerInputNV'?\n");
   // Java's array: the variable is asked for, and no test of it is decided.
-  const std::string java = "void a() {\n  float[] c = {0, 0, 0, 1};\n  if (c != null) glCombinerParameterfvNV("
-                           "GL_CONSTANT_COLOR0_NV, c, 0);\n}";
+  const std::string java =
+      "void a() {\n  float[] c = {0, 0, 0, 1};\n  if (c != null) glCombinerParameterfvNV("
+      "GL_CONSTANT_COLOR0_NV, c, 0);\n}";
   EXPECT_EQ(faults_of(java),
             "s:3:65: a value is not known: 'c' (line 3, 4 numbers); give it as in --define 'c=0,0,0,1'\n");
   EXPECT_EQ(faults_of("void a() {\n  glCombinerInputNV(GL_COMBINER0_NV GL_RGB);\n}"),
