@@ -80,7 +80,7 @@ TEST_F(SceneFiles, PlyHasSecondaryColoursAndFogFactors) {
   const std::string faces = "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
   // The last vertex lies at the place of the first.
   const Result<Scene> read_one = read("s.ply", vertices + "property float fog_factor\n" + faces +
-                                                   "0 0 0 255 51 0 0.25\n3 0 0 0 0 255 7\n0 5 0 0 0 0 nan\n"
+                                                   "0 0 0 255 51 0 0.25\n3 0 0 0 0 255 1\n0 5 0 0 0 0 1\n"
                                                    "0 0 0 255 51 0 0.75\n3 0 1 2\n3 3 1 2\n");
   ASSERT_TRUE(read_one) << read_one.error().text();
   expect_contract(*read_one);
@@ -103,6 +103,33 @@ TEST_F(SceneFiles, PlyHasSecondaryColoursAndFogFactors) {
   EXPECT_TRUE(without->fog_factors.empty());
   ASSERT_EQ(without->secondary_colors.size(), 3U);
   EXPECT_EQ(without->secondary_colors[0], glm::vec4(1, 0.2F, 0, 0.2F));
+}
+
+// Bytes are scaled as those of colours are; what is no colour or factor is a fault, not another value.
+TEST_F(SceneFiles, PlySecondaryColoursAndFogFactorsAreExact) {
+  const std::string start =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const auto triangle = [&](const std::string& properties, const std::string& values) {
+    return start + properties + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " + values +
+           "\n3 0 0 " + values + "\n0 5 0 " + values + "\n3 0 1 2\n";
+  };
+  const Result<Scene> bytes = read("b.ply", triangle("property uchar fog_factor\n", "51"));
+  ASSERT_TRUE(bytes) << bytes.error().text();
+  EXPECT_EQ(bytes->fog_factors, std::vector<float>(3, 0.2F));
+  const auto refused = [&](const std::string& properties, const std::string& values, const std::string& why) {
+    const Result<Scene> scene = read("r.ply", triangle(properties, values));
+    ASSERT_FALSE(scene) << why;
+    EXPECT_NE(scene.error().text().find(why), std::string::npos) << scene.error().text();
+  };
+  const std::string fog = "property float fog_factor\n", red = "property float secondary_red\n",
+                    green = "property float secondary_green\n", blue = "property float secondary_blue\n";
+  refused(fog, "7", "r.ply:11: vertex 0 has fog_factor 7; expected a number from 0 to 1");
+  refused(fog, "-0.5", "vertex 0 has fog_factor -0.5");
+  refused(fog, "nan", "vertex 0 has fog_factor nan");
+  refused(red + green + blue, "0 nan 0", "vertex 0 has secondary_green nan");
+  refused(red + green + blue, "0 0 2", "vertex 0 has secondary_blue 2");
+  refused(red + green, "0 0", "declares a part of a secondary colour; expected secondary_blue, too");
+  refused("property float secondary_alpha\n", "0", "expected secondary_red and secondary_green and secondary_blue");
 }
 
 TEST_F(SceneFiles, AFloorHasThemToo) {

@@ -67,6 +67,12 @@ std::string unpredictable_digits() {
   return digits;
 }
 
+std::filesystem::path create_private_folder(const std::filesystem::path& prefix, std::error_code& error) {
+  std::string name = prefix.string() + "XXXXXX";
+  error = ::mkdtemp(name.data()) == nullptr ? last_error() : std::error_code();
+  return name;
+}
+
 std::error_code finish_file(const std::filesystem::path& file, const std::filesystem::path& target) {
   // O_NONBLOCK: if somebody replaced the file by a pipe, opening it must not wait for a writer.
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

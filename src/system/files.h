@@ -18,6 +18,9 @@ namespace ninebit::posix {
 // advance.
 [[nodiscard]] std::string unpredictable_digits();
 
+// Creates a folder of a name that nobody can guess, which starts with `prefix`, for this user alone; its path.
+[[nodiscard]] std::filesystem::path create_private_folder(const std::filesystem::path& prefix, std::error_code& error);
+
 // Prepares `file` to replace `target`: copies the permission bits of `target` if it is a regular file, and waits until
 // the content of `file` is on the disk. A link at `file` is an error.
 [[nodiscard]] std::error_code finish_file(const std::filesystem::path& file, const std::filesystem::path& target);

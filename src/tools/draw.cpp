@@ -233,6 +233,7 @@ int draw(const DrawFlags& flags) {
     if (Status written = write_files(flags, done); !written) return report(written.error());
   }
   done.total_ms = milliseconds_since(start);
+  for (std::string& warning : done.warnings) warning = with_shown_names(std::move(warning));
   const int printed = print_answer(flags, *file.effect, chosen, is_effect, done);
   give_surface(done.renderer->picture());
   if (done.difference) give_picture("difference", std::move(done.difference->image));

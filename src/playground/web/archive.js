@@ -2,6 +2,7 @@
  * Files that the page writes: pictures as PNG to the bit, animations as APNG, several files as a ZIP archive. Archives are
  * read, too.
  */
+import { plainPath } from './files.js';
 
 const table = Uint32Array.from({ length: 256 }, (_, byte) => {
   let value = byte;
@@ -116,55 +117,78 @@ export function zip(files) {
 /** The most files of an archive, and the most bytes that it unpacks to. */
 const mostFiles = 4096, mostUnpacked = 512 * 1024 * 1024;
 
-/** @param {Uint8Array} packed @param {number} size @returns {Promise<Uint8Array<ArrayBuffer>>} at most one byte more than `size` */
+/**
+ * @param {Uint8Array} packed
+ * @param {number} size of the content
+ * @returns {Promise<Uint8Array<ArrayBuffer>|undefined>} `undefined`: it is damaged
+ */
 async function inflated(packed, size) {
-  const bytes = new Uint8Array(size);
-  const reader = new Blob([/** @type {BlobPart} */ (packed)]).stream().pipeThrough(new DecompressionStream('deflate-raw')).getReader();
+  let stream, bytes;
+  try {
+    stream = new DecompressionStream('deflate-raw');
+  } catch {
+    throw new Error('this browser does not unpack it; unpack the archive and drop its files');
+  }
+  try {
+    bytes = new Uint8Array(size);
+  } catch {
+    throw new Error(`there is no memory for its ${size} bytes`);
+  }
+  const reader = new Blob([/** @type {BlobPart} */ (packed)]).stream().pipeThrough(stream).getReader();
   for (let at = 0; ;) {
-    const { done, value } = await reader.read();
-    if (done) return bytes.subarray(0, at);
-    if (at + value.length > size) throw new Error('it has more bytes than it says');
-    bytes.set(value, at);
-    at += value.length;
+    const part = await reader.read().catch(() => undefined);
+    if (!part || at + (part.value?.length ?? 0) > size) return undefined;
+    if (part.done) return bytes.subarray(0, at);
+    bytes.set(part.value, at);
+    at += part.value.length;
   }
 }
 
 /**
- * The files of a ZIP archive, with their names without folders; any other file as it is.
+ * The files of a ZIP archive, whose names are their paths in it; any other file as it is.
  * @param {File} file
  * @returns {Promise<File[]>}
  */
 export async function unpacked(file) {
-  if (file.size > mostUnpacked || await file.slice(0, 4).text() !== 'PK\x03\x04') return [file];
-  const wrong = (/** @type {string} */ what) => new Error(`${file.name}: a damaged archive: ${what}`);
+  if (await file.slice(0, 4).text() !== 'PK\x03\x04') return [file];
+  const refused = (/** @type {string} */ why) => new Error(`${file.name}: ${why}`);
+  const wrong = (/** @type {string} */ what) => refused(`a damaged archive: ${what}`);
+  if (file.size > mostUnpacked) throw refused(`it has more than ${Math.floor(mostUnpacked / 1e6)} MB`);
   const bytes = new Uint8Array(await file.arrayBuffer()), view = new DataView(bytes.buffer);
   let end = bytes.length - 22;
   while (end >= 0 && view.getUint32(end, true) !== 0x06054B50) end--;
   if (end < 0) throw wrong('it ends early');
-  const count = view.getUint16(end + 10, true);
-  if (count > mostFiles) throw new Error(`${file.name}: the page takes at most ${mostFiles} files of an archive`);
-  /** @type {File[]} */
-  const files = [];
-  try {
-    for (let number = 0, at = view.getUint32(end + 16, true), total = 0; number < count; number++) {
-      if (view.getUint32(at, true) !== 0x02014B50) throw wrong('its directory is not whole');
-      const method = view.getUint16(at + 10, true), crc = view.getUint32(at + 16, true), size = view.getUint32(at + 24, true);
-      const name = new TextDecoder().decode(bytes.subarray(at + 46, at + 46 + view.getUint16(at + 28, true)));
-      const local = view.getUint32(at + 42, true), first = local + 30 + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
-      const packed = bytes.subarray(first, first + view.getUint32(at + 20, true));
-      at += 46 + view.getUint16(at + 28, true) + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
-      if (name.endsWith('/')) continue;
-      total += size;
-      if (total > mostUnpacked) throw new Error(`${file.name}: it has more than ${mostUnpacked / 1e6} MB unpacked`);
-      if (method !== 0 && method !== 8) throw new Error(`${file.name}: ${name} is packed in another way than by deflate`);
-      const content = method === 0 ? packed : await inflated(packed, size);
-      if (content.length !== size || crc32(content) !== crc) throw wrong(`${name} has other bytes than it should`);
-      const plain = name.slice(name.lastIndexOf('/') + 1);
-      files.push(new File([/** @type {BlobPart} */ (content)], plain, { type: /\.png$/i.test(plain) ? 'image/png' : '' }));
-    }
-  } catch (error) {
-    if (error instanceof RangeError || error instanceof TypeError) throw wrong('it ends early');
-    throw error;
+  const count = view.getUint16(end + 10, true), directory = view.getUint32(end + 16, true);
+  if (count === 0xFFFF || directory === 0xFFFFFFFF) throw refused('it is a ZIP64 archive, which the page does not read');
+  if (count > mostFiles) throw refused(`the page takes at most ${mostFiles} files of an archive`);
+  /** @type {Map<string, File>} */
+  const files = new Map();
+  for (let number = 0, at = directory, total = 0; number < count; number++) {
+    if (at + 46 > end || view.getUint32(at, true) !== 0x02014B50) throw wrong('its directory is not whole');
+    const flags = view.getUint16(at + 8, true), method = view.getUint16(at + 10, true), crc = view.getUint32(at + 16, true);
+    const packedSize = view.getUint32(at + 20, true), size = view.getUint32(at + 24, true), local = view.getUint32(at + 42, true);
+    const named = bytes.subarray(at + 46, at + 46 + view.getUint16(at + 28, true));
+    at += 46 + named.length + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+    if (at > end) throw wrong('its directory is not whole');
+    const name = new TextDecoder().decode(named);
+    if (name.endsWith('/')) continue;
+    const path = plainPath(name);
+    if (!path || name.startsWith('/') || /[\\\0]/.test(name) || name.split('/').includes('..')) throw refused(`it names ${JSON.stringify(name)}, which does not lie in it`);
+    if (files.has(path)) throw refused(`it has ${path} twice`);
+    if (flags & 1) throw refused(`${name} is encrypted`);
+    if ([packedSize, size, local].includes(0xFFFFFFFF)) throw refused(`${name} is a ZIP64 entry, which the page does not read`);
+    if (method !== 0 && method !== 8) throw refused(`${name} is packed in another way than by deflate`);
+    total += size;
+    if (total > mostUnpacked) throw refused(`it has more than ${Math.floor(mostUnpacked / 1e6)} MB unpacked`);
+    if (local + 30 > bytes.length || view.getUint32(local, true) !== 0x04034B50) throw wrong(`${name} is not there`);
+    const itsName = bytes.subarray(local + 30, local + 30 + view.getUint16(local + 26, true));
+    if (itsName.length !== named.length || itsName.some((byte, i) => byte !== named[i])) throw wrong(`${name} has another name in its heading`);
+    const first = local + 30 + itsName.length + view.getUint16(local + 28, true);
+    if (first + packedSize > bytes.length) throw wrong(`${name} ends early`);
+    const packed = bytes.subarray(first, first + packedSize);
+    const content = method === 0 ? packed : await inflated(packed, size).catch((error) => { throw refused(`${name}: ${error.message}`); });
+    if (content?.length !== size || crc32(content) !== crc) throw wrong(`${name} has other bytes than it should`);
+    files.set(path, new File([/** @type {BlobPart} */ (content)], path, { type: /\.png$/i.test(path) ? 'image/png' : '' }));
   }
-  return files;
+  return [...files.values()];
 }

@@ -6,7 +6,7 @@ import { unpacked } from './archive.js';
 import { mostBytes } from './decode_picture.js';
 import { findEffect, stateOfDropped } from './effect_drop.js';
 import { messageOf } from './dom.js';
-import { besideProgram, freeName, programFile } from './files.js';
+import { besideProgram, fileName, freeName, programFile } from './files.js';
 import { meshEnding } from './shelf.js';
 import { copied, mostCharacters, passOf } from './state.js';
 
@@ -30,7 +30,7 @@ async function take(file, unit, { store, shelf, inputs, editor }) {
     const text = await file.text();
     if (text.includes('\0')) throw new Error(`${file.name}: not a picture, a mesh or a program; expected a picture such as PNG, a glTF, OBJ, PLY or OFF file, or a text`);
     store.change('text', (/** @type {import('./state.js').State} */ state) => {
-      const beside = besideProgram(state, file.name);
+      const beside = besideProgram(state, fileName(file.name));
       const name = beside ?? programFile(state) ?? freeName(state, 'program.rc1');
       if (!beside) passOf(state).program ??= name;
       state.files[name] = text;

@@ -2,13 +2,16 @@
  * An effect file dropped together with the files that it names: what `ninebit gl-run --dump-frame` writes, for one.
  */
 import { messageOf } from './dom.js';
-import { includedIn, isBelow, programIn, sourcesFile } from './files.js';
+import { fileName, includedIn, isBelow, plainPath, programIn, sourcesFile } from './files.js';
 import { complaint } from './schema.js';
 import { fileIn } from './shelf.js';
 import { bare, checkedEffect, checkedState, kindOfChoice, mostCharacters, profileFile, stateOf } from './state.js';
 
-/** @param {string} path */
-const fileName = (path) => path.split('/').pop();
+/** The folder of a file with its last slash; empty: none. @param {string} path */
+const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);
+
+/** @param {Uint8Array} a @param {Uint8Array} b */
+const sameBytes = (a, b) => a.length === b.length && a.every((byte, at) => byte === b[at]);
 
 /** A texture's source is a generated texture or a target where this matches, else one file or six. */
 const generated = /^(normalize-cube:|checker:|gradient$|falloff$|target:|depth:)/;
@@ -50,12 +53,23 @@ const kindOfSources = {
 };
 
 /**
- * The sources of which an archive's programs were made, by the programs' names.
+ * The file that a path leads to; without one, the only file of that name in any folder, as files that are dropped lose theirs.
  * @param {File[]} files
+ * @param {string} path
+ */
+function fileAt(files, path) {
+  const plain = plainPath(path), whole = files.find(({ name }) => name === plain);
+  const named = whole ? [whole] : files.filter(({ name }) => fileName(name) === fileName(plain));
+  if (named.length > 1) throw new Error(`${plain} is not there, but there are ${named.map(({ name }) => name).join(' and ')}; expected one of that name`);
+  return named[0];
+}
+
+/**
+ * The sources of which an archive's programs were made, by the programs' names.
+ * @param {File} [file]
  * @returns {Promise<Map<string, {source: string, number?: number} & import('./state.js').Choice>>}
  */
-async function sourcesIn(files) {
-  const file = files.find(({ name }) => name === sourcesFile);
+async function sourcesIn(file) {
   if (!file) return new Map();
   try {
     const found = JSON.parse(await textOf(file));
@@ -71,7 +85,7 @@ async function sourcesIn(files) {
 
 /** A pass's program as a file and a number, unless a file has the whole name. @param {string} program @param {File[]} files */
 function numberedFile(program, files) {
-  if (files.some(({ name }) => name === fileName(program))) return { source: program };
+  if (files.some(({ name }) => fileName(name) === fileName(program))) return { source: program };
   const { file, number } = programIn({}, program);
   return { source: file, number };
 }
@@ -86,24 +100,27 @@ async function textOf(file) {
  * The texts of files that programs include, and that those include, by the names by which they are found.
  * @param {Record<string, string>} programs
  * @param {File[]} files
+ * @param {string} folder where the programs' names begin
  */
-export async function included(programs, files) {
+async function included(programs, files, folder) {
   const all = /** @type {Record<string, string>} */ (bare({}));
-  const waiting = Object.values(programs);
-  for (const text of waiting) {
-    for (const name of includedIn(text)) {
-      const file = files.find((candidate) => candidate.name === fileName(name));
-      if (!file || name in programs || name in all || !isBelow(name)) continue;
+  const waiting = Object.entries(programs);
+  for (const [from, text] of waiting) {
+    for (const path of includedIn(text)) {
+      const name = plainPath(folderOf(from) + path);
+      if (name in programs || name in all || !isBelow(name)) continue;
+      const file = fileAt(files, folder + name);
+      if (!file) continue;
       all[name] = await textOf(file);
-      waiting.push(all[name]);
+      waiting.push([name, all[name]]);
     }
   }
   return all;
 }
 
 /**
- * The state of an effect whose files are the others that were dropped: they are found by their names without folders. A
- * profile.json among them is its profile.
+ * The state of an effect whose files are the others that were dropped: they are found by their paths from the effect's folder,
+ * else by their names. A profile.json in the folder is its profile.
  * @param {any} effect
  * @param {string} name of the effect's file
  * @param {File[]} files
@@ -116,23 +133,41 @@ export async function stateOfDropped(effect, name, files, shelf) {
   } catch (error) {
     throw new Error(`${name}: ${messageOf(error)}`);
   }
+  const folder = folderOf(name);
+  const own = (/** @type {string} */ file) => files.find((candidate) => candidate.name === folder + file);
   const find = (/** @type {string} */ path) => {
-    const file = files.find((candidate) => candidate.name === fileName(path));
+    let file;
+    try {
+      file = fileAt(files, folder + path);
+    } catch (error) {
+      throw new Error(`${name}: ${messageOf(error)}`);
+    }
     if (!file) throw new Error(`${name}: drop the file ${fileName(path)}, which it names, together with it`);
     return file;
   };
-  const shelved = async (/** @type {string} */ path) => (shelf.embedded.has(path) ? path : shelf.take(find(path)));
+  const shelved = async (/** @type {string} */ path) => {
+    const there = shelf.embedded.get(path), file = own(plainPath(path));
+    // A file may have the name of one of the page's and other bytes.
+    if (!there || (file && !sameBytes(there, new Uint8Array(await file.arrayBuffer())))) return shelf.take(file ?? find(path));
+    return path;
+  };
   const programs = /** @type {Record<string, string>} */ (bare({})), choices = /** @type {Record<string, import('./state.js').Choice>} */ (bare({}));
-  const sources = await sourcesIn(files);
+  /** The file of each program. @type {Map<string, File>} */
+  const taken = new Map();
+  const sources = await sourcesIn(own(sourcesFile));
   for (const pass of effect.passes) {
     if (typeof pass?.program !== 'string') continue;
     const { source: path, number = 0, ...choice } = sources.get(pass.program) ?? numberedFile(pass.program, files);
     const file = find(path);
-    pass.program = number ? `${file.name}#${number}` : file.name;
-    programs[file.name] = await textOf(file);
-    if (Object.keys(choice).length) choices[file.name] = bare(choice);
+    const below = file.name.startsWith(folder) ? file.name.slice(folder.length) : '';
+    const key = isBelow(below) ? below : fileName(file.name);
+    if ((taken.get(key) ?? file) !== file) throw new Error(`${name}: ${taken.get(key)?.name} and ${file.name} would both be ${key}; expected other names`);
+    taken.set(key, file);
+    pass.program = number ? `${key}#${number}` : key;
+    programs[key] = await textOf(file);
+    if (Object.keys(choice).length) choices[key] = bare(choice);
   }
-  Object.assign(programs, await included(programs, files));
+  Object.assign(programs, await included(programs, files, folder));
   for (const texture of Object.values(effect.textures ?? {})) {
     const source = String(texture?.source ?? '');
     if (generated.test(source)) continue;
@@ -143,11 +178,11 @@ export async function stateOfDropped(effect, name, files, shelf) {
   const mesh = effect.scene?.mesh;
   if (typeof mesh === 'string' && !generatedMesh.test(mesh)) effect.scene.mesh = await shelved(mesh);
   const state = { ...stateOf(effect, programs), files: programs, choices };
-  const own = files.find((file) => file.name === profileFile);
-  if (!own) return state;
-  if (own.size > mostCharacters) throw new Error(`${profileFile}: a profile has at most ${mostCharacters / 1e6} MB`);
+  const profile = own(profileFile);
+  if (!profile) return state;
+  if (profile.size > mostCharacters) throw new Error(`${profileFile}: a profile has at most ${mostCharacters / 1e6} MB`);
   try {
-    return checkedState({ ...state, profile: JSON.parse(await own.text()) });
+    return checkedState({ ...state, profile: JSON.parse(await profile.text()) });
   } catch (error) {
     throw new Error(`${profileFile}: ${messageOf(error)}`);
   }

@@ -5,6 +5,20 @@ import { effectFile, passOf, profileFile } from './state.js';
 
 /** @typedef {import('./state.js').State} State */
 
+/** The name of a file without its folders. @param {string} path */
+export const fileName = (path) => path.slice(path.lastIndexOf('/') + 1);
+
+/** A path without parts that lead nowhere: a/./b//c/../d is a/b/d. @param {string} path */
+export function plainPath(path) {
+  /** @type {string[]} */
+  const parts = [];
+  for (const part of path.split('/')) {
+    if (part === '..' && parts.length && parts[parts.length - 1] !== '..') parts.pop();
+    else if (part && part !== '.') parts.push(part);
+  }
+  return parts.join('/');
+}
+
 /** The number behind the name of a program in a source or a log. */
 const numbered = /^(.+)#(\d{1,9})$/;
 

@@ -3,6 +3,7 @@
  */
 import { decodePicture, mostBytes } from './decode_picture.js';
 import { messageOf } from './dom.js';
+import { fileName } from './files.js';
 import { keepFile } from './kept.js';
 
 /** Names of mesh files. */
@@ -113,7 +114,7 @@ export class Shelf {
       throw new Error(`${file.name}: ${Math.round(file.size / 1e6)} MB; the page takes ${Math.round(mostBytes / 1e6)} MB at most`);
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
-    const name = this.nameFor(file.name, bytes);
+    const name = this.nameFor(fileName(file.name), bytes);
     try {
       await this.put(name, file);
     } catch (error) {

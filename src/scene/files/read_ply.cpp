@@ -176,14 +176,15 @@ class PlyReader {
       has_normals_ = element.has(PlyRole::nx) || element.has(PlyRole::ny) || element.has(PlyRole::nz);
       has_colors_ = element.has(PlyRole::red) && element.has(PlyRole::green) && element.has(PlyRole::blue);
       has_coordinates_ = element.has(PlyRole::s) && element.has(PlyRole::t);
-      has_secondary_ = element.has(PlyRole::secondary_red) && element.has(PlyRole::secondary_green) &&
-                       element.has(PlyRole::secondary_blue);
+      has_secondary_ = element.has(PlyRole::secondary_red) || element.has(PlyRole::secondary_green) ||
+                       element.has(PlyRole::secondary_blue) || element.has(PlyRole::secondary_alpha);
       has_fog_ = element.has(PlyRole::fog_factor);
+      if (auto fault = missing_secondary(element)) return at_line(0, *fault);
     }
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (auto fault = rows_.next(element, i, row_)) return fault;
       std::optional<std::string> fault;
-      if (element.kind == PlyKind::vertex) add_vertex(element);
+      if (element.kind == PlyKind::vertex) fault = add_vertex(element, i);
       if (element.kind == PlyKind::face) fault = add_face();
       if (element.kind == PlyKind::strip) fault = add_strips();
       if (element.kind == PlyKind::material) add_material(element);
@@ -192,7 +193,36 @@ class PlyReader {
     return std::nullopt;
   }
 
-  void add_vertex(const PlyElement& element) {
+  [[nodiscard]] std::optional<std::string> missing_secondary(const PlyElement& element) const {
+    constexpr std::array<std::pair<PlyRole, const char*>, 3> kNeeded{{{PlyRole::secondary_red, "secondary_red"},
+                                                                      {PlyRole::secondary_green, "secondary_green"},
+                                                                      {PlyRole::secondary_blue, "secondary_blue"}}};
+    std::string missing;
+    for (const auto& [role, name] : kNeeded) {
+      if (!element.has(role)) missing += (missing.empty() ? "" : " and ") + std::string(name);
+    }
+    if (!has_secondary_ || missing.empty()) return std::nullopt;
+    return fmt::format("declares a part of a secondary colour; expected {}, too", missing);
+  }
+
+  // Secondary colours and fog factors come from programs that know what they mean: unlike colours, which programs of
+  // all kinds write, they are not clamped, as that would hide a mistake. `number` counts from 0.
+  [[nodiscard]] std::optional<std::string> value_fault(const PlyElement& element, std::uint64_t number) const {
+    for (const PlyProperty& property : element.properties) {
+      if (property.role < PlyRole::secondary_red || property.role > PlyRole::fog_factor) continue;
+      const float value = row_.values[static_cast<std::size_t>(property.role)];
+      const float scaled = color_of(property.type, value);
+      if (scaled >= 0.0F && scaled <= 1.0F) continue;
+      return fmt::format("vertex {} has {} {}; expected {}", number, property.name, value,
+                         property.type.real ? "a number from 0 to 1" : "one that its type scales to 0 to 1");
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::string> add_vertex(const PlyElement& element, std::uint64_t number) {
+    if (has_secondary_ || has_fog_) {
+      if (auto fault = value_fault(element, number)) return fault;
+    }
     const std::array<float, kPlyValues>& v = row_.values;
     positions_.emplace_back(v[0], v[1], v[2]);
     if (has_normals_) normals_.emplace_back(v[3], v[4], v[5]);
@@ -200,12 +230,14 @@ class PlyReader {
     const glm::vec2 at(v[10], 1.0F - v[11]);
     if (has_coordinates_) coordinates_.push_back(is_finite(glm::vec3(at, 0.0F)) ? at : glm::vec2(0.0F));
     if (has_colors_) colors_.push_back(glm::clamp(color_of_row(element, PlyRole::red), 0.0F, 1.0F));
-    if (has_secondary_) {
-      secondary_colors_.push_back(glm::clamp(color_of_row(element, PlyRole::secondary_red), 0.0F, 1.0F));
+    if (has_secondary_) secondary_colors_.push_back(color_of_row(element, PlyRole::secondary_red));
+    if (has_fog_) {
+      const auto is_fog = [](const PlyProperty& property) { return property.role == PlyRole::fog_factor; };
+      const PlyType& type = std::find_if(element.properties.begin(), element.properties.end(), is_fog)->type;
+      fog_factors_.push_back(color_of(type, v[static_cast<std::size_t>(PlyRole::fog_factor)]));
     }
-    const float fog = v[static_cast<std::size_t>(PlyRole::fog_factor)];
-    if (has_fog_) fog_factors_.push_back(std::isfinite(fog) ? std::clamp(fog, 0.0F, 1.0F) : 1.0F);
     vertices_.push_back(VertexTable::kFree);
+    return std::nullopt;
   }
 
   // The row's colour, whose red has the given role, scaled by the types of its components; alpha is 1 without the

@@ -11,7 +11,6 @@
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/scene/scene_io.h"
 #include "src/image/texture/picture_loader.h"
-#include "src/system/stream.h"
 #include "src/tools/common/program_file.h"
 #include "src/tools/input/file_kind.h"
 #include "src/tools/input/printable.h"
@@ -21,16 +20,6 @@ namespace {
 
 bool go_on() {
   return !ProgressLine::stopped();
-}
-
-// Whether a file begins like an effect.
-bool is_effect(const std::string& file) {
-  constexpr std::size_t kStart = 4096;
-  std::error_code error;
-  if (file == "-") return false;
-  const std::string start = posix::read_file(file, kStart, error);
-  const std::string_view content = without_heading(start);
-  return content.starts_with('{') && json_kind(content) == "effect";
 }
 
 Result<TextProgram> read_program(const std::filesystem::path& path, const HardwareProfile& profile,
@@ -103,7 +92,7 @@ Result<const HardwareProfile*> effect_profile(const Effect& effect, const std::s
 DrawnFile read_effect_file(const std::string& file, const EffectReadOptions& options) {
   auto opened = EffectFile::open(file);
   if (!opened) return {.exit_code = report(opened.error())};
-  if (!is_effect(opened->path())) return {};
+  if (!opened->is_effect()) return {};
   auto parsed = read_effect(opened->path(), options);
   if (!parsed) return {.exit_code = report(parsed.faults())};
   return {.file = std::move(*opened), .effect = std::move(*parsed)};

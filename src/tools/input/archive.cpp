@@ -12,10 +12,12 @@
 #include <system_error>
 #include <vector>
 
+#include "ninebit/language/source_text.h"
 #include "src/language/json/text_kind.h"
 #include "src/system/files.h"
 #include "src/system/stream.h"
 #include "src/tools/input/printable.h"
+#include "src/tools/input/program.h"
 
 namespace ninebit::tools {
 namespace {
@@ -24,7 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;  // of an archive, and of what is in it
 constexpr std::size_t kMostFiles = 4096;
-constexpr std::uint64_t kMostDeflated = 1032;  // bytes from one
+constexpr std::uint32_t kInZip64 = 0xFFFFFFFF;  // the number is elsewhere
+constexpr std::uint64_t kMostDeflated = 1032;   // bytes from one
 constexpr std::string_view kFileHeading = "PK\3\4", kDirectoryHeading = "PK\1\2", kEndHeading = "PK\5\6";
 constexpr std::size_t kFileHeadingSize = 30, kDirectoryHeadingSize = 46, kEndHeadingSize = 22;
 
@@ -42,11 +45,17 @@ std::uint32_t number_at(std::string_view text, std::size_t at, std::size_t bytes
   return value;
 }
 
+// Whether a text is an effect, or would be one without its mistakes.
+bool is_effect_text(std::string_view text) {
+  const std::string_view content = without_heading(text);
+  return content.starts_with('{') && json_kind(content) == "effect";
+}
+
 // Whether a name leads to a file below the folder in which the archive is unpacked.
 bool leads_below(const std::string& name) {
   const fs::path path(name);
-  return !name.empty() && name.find('\\') == std::string::npos && name.find('\0') == std::string::npos &&
-         path.is_relative() &&
+  return path.has_filename() && path.filename() != "." && name.find('\\') == std::string::npos &&
+         name.find('\0') == std::string::npos && path.is_relative() &&
          std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
 }
 
@@ -66,7 +75,10 @@ class Directory {
     }
     std::size_t at = number_at(archive_, end + 16, 4);
     const std::size_t count = number_at(archive_, end + 10, 2);
-    if (count > kMostFiles) fault_ = fmt::format("has {} files; at most {} are read", count, kMostFiles);
+    if (count == 0xFFFF || at == kInZip64) {
+      fault_ = "is a ZIP64 archive, which is not read";
+    } else if (count > kMostFiles)
+      fault_ = fmt::format("has {} files; at most {} are read", count, kMostFiles);
     for (std::size_t i = 0; i < count && fault_.empty(); ++i) at = read_entry(at, end);
   }
 
@@ -96,14 +108,19 @@ class Directory {
   }
 
   void check(Entry& entry, unsigned flags, std::size_t at, std::size_t packed) {
-    const std::string name = printable(entry.name);
+    const std::string given = std::move(entry.name), name = printable(given);
+    entry.name = fs::path(given).lexically_normal().generic_string();  // one name for t/x.png and t//x.png
     bytes_ += entry.size;
-    if (!leads_below(entry.name)) {
+    if (!leads_below(given)) {
       fault_ = fmt::format("names '{}', which does not lie in it", name);
     } else if (!names_.insert(entry.name).second) {
-      fault_ = fmt::format("has '{}' twice", name);
-    } else if ((flags & 1U) != 0 || (entry.method != 0 && entry.method != 8)) {
-      fault_ = fmt::format("has '{}' encrypted or packed in another way than by deflate", name);
+      fault_ = fmt::format("has '{}' twice", printable(entry.name));
+    } else if ((flags & 1U) != 0) {
+      fault_ = fmt::format("has '{}' encrypted", name);
+    } else if (entry.size == kInZip64 || packed == kInZip64 || at == kInZip64) {
+      fault_ = fmt::format("has '{}' as a ZIP64 entry, which is not read", name);
+    } else if (entry.method != 0 && entry.method != 8) {
+      fault_ = fmt::format("has '{}' packed in another way than by deflate", name);
     } else if (entry.method == 0 ? entry.size != packed : entry.size > kMostDeflated * packed) {
       fault_ = fmt::format("is a damaged archive: '{}' cannot have {} bytes", name, entry.size);
     } else if (bytes_ > kMostBytes) {
@@ -112,9 +129,11 @@ class Directory {
                !archive_.substr(at).starts_with(kFileHeading)) {
       fault_ = fmt::format("is a damaged archive: '{}' is not there", name);
     } else {
-      const std::size_t begin =
-          at + kFileHeadingSize + number_at(archive_, at + 26, 2) + number_at(archive_, at + 28, 2);
-      if (begin > archive_.size() || archive_.size() - begin < packed) {
+      const std::size_t name_size = number_at(archive_, at + 26, 2);
+      const std::size_t begin = at + kFileHeadingSize + name_size + number_at(archive_, at + 28, 2);
+      if (archive_.substr(at + kFileHeadingSize, name_size) != given) {
+        fault_ = fmt::format("is a damaged archive: '{}' has another name in its own heading", name);
+      } else if (begin > archive_.size() || archive_.size() - begin < packed) {
         fault_ = fmt::format("is a damaged archive: '{}' ends early", name);
       } else {
         entry.packed = archive_.substr(begin, packed);
@@ -180,6 +199,12 @@ EffectFile::Folder::~Folder() {
   fs::remove_all(path_, ignored);
 }
 
+bool EffectFile::is_effect() const {
+  std::error_code error;
+  if (folder_ != nullptr) return true;
+  return path_ != "-" && is_effect_text(posix::read_file(path_, kMaxSourceBytes, error));
+}
+
 Result<EffectFile> EffectFile::open(const std::string& name) {
   EffectFile file;
   file.path_ = name;
@@ -196,13 +221,15 @@ Result<EffectFile> EffectFile::open(const std::string& name) {
   const Directory directory(content);
   if (!directory.fault().empty()) return fault(directory.fault());
 
-  const fs::path folder = fs::temp_directory_path(error) / ("ninebit-" + posix::unpredictable_digits());
-  if (!error) fs::create_directory(folder, error);
+  const ProgressLine interrupts(true);  // otherwise they would leave the folder behind
+  const fs::path temporary = fs::temp_directory_path(error);
+  const fs::path folder = error ? fs::path() : posix::create_private_folder(temporary / "ninebit-", error);
   if (error) return fault("cannot be unpacked: " + error.message());
   file.folder_ = std::make_shared<const Folder>(folder);
-  fs::permissions(folder, fs::perms::owner_all, error);
+  show_folder_as(folder.string(), archive.string());
   std::vector<std::string> effects;
   for (const Entry& entry : directory.entries()) {
+    if (ProgressLine::stopped()) return Diagnostic{.message = "interrupted", .fault = Fault::cancelled};
     const std::optional<std::string> text = unpacked(entry);
     if (!text)
       return fault(fmt::format("is a damaged archive: '{}' has other bytes than it should", printable(entry.name)));
@@ -210,13 +237,15 @@ Result<EffectFile> EffectFile::open(const std::string& name) {
     std::ofstream stream(folder / entry.name, std::ios::binary);
     stream << *text;
     stream.close();
-    if (!stream) return fault(fmt::format("'{}' cannot be unpacked into {}", printable(entry.name), folder.string()));
-    if (text->starts_with('{') && json_kind(*text) == "effect") effects.push_back(entry.name);
+    if (!stream)
+      return fault(fmt::format("'{}' cannot be unpacked into {}", printable(entry.name), temporary.string()));
+    if (is_effect_text(*text)) effects.push_back(entry.name);
   }
   if (effects.empty()) return fault("has no effect");
   const std::string first = fmt::format("{}/{}", printable(archive.string()), printable(effects[0]));
-  const auto found =
-      inside.empty() ? effects.begin() : std::find(effects.begin(), effects.end(), inside.generic_string());
+  const auto found = inside.empty()
+                         ? effects.begin()
+                         : std::find(effects.begin(), effects.end(), inside.lexically_normal().generic_string());
   if (found == effects.end()) {
     return fault(fmt::format("has no effect '{}'; expected one of its {}, such as {}", printable(inside.string()),
                              effects.size(), first));

@@ -18,6 +18,8 @@ class EffectFile {
 
   // Where the effect can be read.
   [[nodiscard]] const std::string& path() const { return path_; }
+  // Whether it is an effect: what lies in an archive was chosen as one, and of another file the text says so.
+  [[nodiscard]] bool is_effect() const;
   // Which effect was taken, if the archive has several, and a profile.json beside it; empty: nothing is to be said.
   [[nodiscard]] const std::string& note() const { return note_; }
 

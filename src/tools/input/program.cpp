@@ -89,7 +89,7 @@ bool takes_escapes(int stream) {
 
 // Prints one line, without logging it.
 void print_error(std::string_view message) {
-  say(fmt::format("ninebit: error: {}\n", printable_briefly(message)));
+  say(fmt::format("ninebit: error: {}\n", printable_briefly(with_shown_names(std::string(message)))));
 }
 
 void write_to_stderr(std::string_view text) noexcept {
@@ -240,7 +240,7 @@ int wrong_usage(std::string_view verb, std::string_view message) {
 }
 
 void say_warning(std::string_view message) {
-  say(fmt::format("ninebit: warning: {}\n", printable_briefly(message)));
+  say(fmt::format("ninebit: warning: {}\n", printable_briefly(with_shown_names(std::string(message)))));
 }
 
 void say_written(const std::filesystem::path& file) {
@@ -329,11 +329,36 @@ std::vector<LoggedFault>& fault_list() {
 
 bool answer_has_begun = false;
 
+struct ShownFolder {
+  std::string folder{}, shown{};  // each with a slash at its end
+};
+
+ShownFolder& shown_folder() {
+  static ShownFolder names;
+  return names;
+}
+
 }  // namespace
+
+void show_folder_as(const std::string& folder, const std::string& shown) {
+  shown_folder() = {folder + "/", shown + "/"};
+}
+
+std::string with_shown_names(std::string message) {
+  const auto& [folder, shown] = shown_folder();
+  if (folder.empty()) return message;
+  for (std::size_t at = 0; (at = message.find(folder, at)) != std::string::npos; at += shown.size()) {
+    message.replace(at, folder.size(), shown);
+  }
+  return message;
+}
 
 void log_fault(LoggedFault fault) {
   constexpr std::size_t kMostFaults = 1'000;
-  if (fault_list().size() < kMostFaults) fault_list().push_back(std::move(fault));
+  if (fault_list().size() >= kMostFaults) return;
+  fault.message = with_shown_names(std::move(fault.message));
+  fault.file = with_shown_names(std::move(fault.file));
+  fault_list().push_back(std::move(fault));
 }
 
 const std::vector<LoggedFault>& logged_faults() {

@@ -172,6 +172,12 @@ struct LoggedFault {
   int column = 0;         // from 1; 0: none
 };
 
+// From now on, errors and warnings name the files of a folder as those of `shown`: that of an unpacked archive is gone
+// when somebody reads them.
+void show_folder_as(const std::string& folder, const std::string& shown);
+// A message with such names.
+[[nodiscard]] std::string with_shown_names(std::string message);
+
 // Adds an error; say_error() and report() do. Only the first thousand are kept.
 void log_fault(LoggedFault fault);
 [[nodiscard]] const std::vector<LoggedFault>& logged_faults();
