@@ -62,8 +62,8 @@ const link_map* library_of(const void* address) {
   return dladdr1(address, &ignored, &library, RTLD_DL_LINKMAP) != 0 ? static_cast<link_map*>(library) : nullptr;
 }
 
-// The library that was loaded last when this one was: those after it came by dlopen, and are in nobody's RTLD_NEXT unless
-// they are global.
+// The library that was loaded last when this one was: those after it came by dlopen, and are in nobody's RTLD_NEXT
+// unless they are global.
 const link_map* last_at_start() {
   static const link_map* const last = [] {
     const link_map* library = library_of(reinterpret_cast<const void*>(&library_of));
