@@ -66,6 +66,7 @@ const std::vector<Library> kLibraries{
     {std::regex("pybind11/.*"), {"python"}},
     {std::regex("nlohmann/.*"), {"language", "scene", "effect", "study", "playground", "tools", "gl_layer"}},
     {std::regex("dlfcn\\.h"), {"system", "gl_layer"}},
+    {std::regex("link\\.h"), {"gl_layer"}},
     {std::regex("(fcntl|poll|sched|spawn|stdlib|unistd)\\.h|(sys|linux)/.*"), {"system"}},
     {std::regex("GL/(gl|glext)\\.h"), {"gl_layer"}},
     {std::regex("std(bool|def|int)\\.h"), {"capi", "combiner"}},  // of headers for C

@@ -1,5 +1,6 @@
-/* Draws by combiners that read what varies from pixel to pixel: the secondary colour and the fog factor. captures MODE,
- * linear, exp2 or none, the mode of fog. The file captures.rgb gets the picture, 96 x 64, from below. */
+/* Draws by combiners that read what varies from pixel to pixel: the secondary colour and the fog factor. captures MODE:
+ * linear, exp2 or none, the mode of fog; tie, linear fog with the factor 0.7 alone; many, 1,400 draw calls of four pixels;
+ * plain, without combiners; windows, two windows. The file captures.rgb gets the picture, 96 x 64, from below. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/freeglut.h>
 #include <GL/glext.h>
@@ -7,6 +8,10 @@
 #include <string.h>
 
 enum { WIDTH = 96, HEIGHT = 64 };
+
+static const char *mode;
+
+static int is(const char *name) { return !strcmp(mode, name); }
 
 static void quad(void) {
   static const float corners[4][2] = {{-1, -1}, {0.9F, -0.8F}, {1, 1}, {-0.7F, 0.9F}};
@@ -17,17 +22,13 @@ static void quad(void) {
   for (int i = 0; i < 4; ++i) {
     glColor4fv(colors[i]);
     glSecondaryColor3fv(secondary[i]);
-    glFogCoordf(depth[i]);
+    glFogCoordf(is("tie") ? 0.3F : depth[i]);
     glVertex2fv(corners[i]);
   }
   glEnd();
 }
 
-int main(int argc, char **argv) {
-  const char *mode = argc > 1 ? argv[1] : "";
-  glutInit(&argc, argv);
-  glutInitDisplayMode(GLUT_RGBA | GLUT_ALPHA | GLUT_DOUBLE);
-  glutInitWindowSize(WIDTH, HEIGHT);
+static int window(void) {
   glutCreateWindow("captures");
   void (*input)(GLenum, GLenum, GLenum, GLenum) = (void (*)(GLenum, GLenum, GLenum, GLenum))glutGetProcAddress("glFinalCombinerInputNV");
   if (!input || !strstr((const char *)glGetString(GL_EXTENSIONS), "GL_NV_register_combiners")) return 2;
@@ -37,18 +38,20 @@ int main(int argc, char **argv) {
   input(GL_VARIABLE_C_NV, GL_FOG, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
   input(GL_VARIABLE_D_NV, GL_SECONDARY_COLOR_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
   input(GL_VARIABLE_G_NV, GL_FOG, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
-  glEnable(GL_REGISTER_COMBINERS_NV);
+  if (!is("plain")) glEnable(GL_REGISTER_COMBINERS_NV);
   glEnable(GL_COLOR_SUM);
   glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
-  glFogi(GL_FOG_MODE, !strcmp(mode, "exp2") ? GL_EXP2 : GL_LINEAR);
+  glFogi(GL_FOG_MODE, is("exp2") ? GL_EXP2 : GL_LINEAR);
   glFogf(GL_FOG_START, 0);
-  glFogf(GL_FOG_END, 2.3F);
+  glFogf(GL_FOG_END, is("tie") ? 1 : 2.3F);
   glFogf(GL_FOG_DENSITY, 0.6F);
   glFogfv(GL_FOG_COLOR, (const float[]){0.3F, 0.5F, 0.7F, 1});
-  (strcmp(mode, "none") ? glEnable : glDisable)(GL_FOG);
+  (is("none") ? glDisable : glEnable)(GL_FOG);
+  (is("many") ? glEnable : glDisable)(GL_SCISSOR_TEST);
+  glScissor(0, 0, 2, 2);
   for (int frame = 0; frame < 2; ++frame) {
     glClear(GL_COLOR_BUFFER_BIT);
-    quad();
+    for (int calls = is("many") ? 1400 : 1; calls > 0; --calls) quad();
     static unsigned char pixels[WIDTH * HEIGHT * 3];
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGB, GL_UNSIGNED_BYTE, pixels);
@@ -57,4 +60,13 @@ int main(int argc, char **argv) {
     glutSwapBuffers();
   }
   return glGetError() ? 1 : 0;
+}
+
+int main(int argc, char **argv) {
+  mode = argc > 1 ? argv[1] : "";
+  glutInit(&argc, argv);
+  glutInitDisplayMode(GLUT_RGBA | GLUT_ALPHA | GLUT_DOUBLE);
+  glutInitWindowSize(WIDTH, HEIGHT);
+  const int fault = window();
+  return fault || !is("windows") ? fault : window();
 }

@@ -60,6 +60,20 @@ def copied_contexts(kit, environment):
               f"glXCopyContext with combiners: {', '.join(done.stdout.splitlines())}")
 
 
+def several_interposers(kit, draws, interposers, layer, environment):
+    """Two interposers on either side of the layer. One that takes the library's functions skips those behind it, but for
+    the layer, which has no glFlush."""
+    passes, looks = interposers
+    both, begin = "glBegin 1, glFlush 1", "glBegin 1, glFlush 0"
+    for preloaded, called in (((layer, passes, looks), [both, both]), ((layer, looks, passes), [both]),
+                              ((passes, layer, looks), [both, both]), ((looks, layer, passes), [both, begin]),
+                              ((passes, looks, layer), [both, both]), ((looks, passes, layer), [both])):
+        done = kit.run(["env", f"LD_PRELOAD={':'.join(map(str, preloaded))}", draws, "default"], environment)
+        expected = ["pixel 0 255 0, error 0x0000", *(f"interposer: {calls}" for calls in called)]
+        kit.check(done.returncode == 0 and done.stdout.splitlines() == expected,
+                  f"{' before '.join(library.stem for library in preloaded)}: exit {done.returncode}, {done.stdout.strip()}")
+
+
 def renderdoc(kit, draws, environment):
     """The program under RenderDoc, which is loaded behind the layer, and before it: there it hides extensions of others."""
     environment = {**environment, "HOME": str(kit.output / "neighbours")}  # for its settings
@@ -105,6 +119,7 @@ def run(kit):
                 done = kit.run(["env", f"LD_PRELOAD={preloaded}", draws, "default"], environment)
                 kit.check(done.returncode == 0 and done.stdout == counted,
                           f"an {kind} {name} the layer: exit {done.returncode}, {done.stdout.strip()}")
+        several_interposers(kit, draws, list(interposers.values()), layer, environment)
         renderdoc(kit, draws, environment)
         trace = folder / "draws.trace"
         done = kit.run(["apitrace", "trace", "--output", trace, draws, "library"], environment, layer=True)

@@ -35,8 +35,8 @@ bool is_drawn(const CapturedDraw& draw, std::size_t i) {
 
 // A fog factor in the middle of those that become the same byte under the profile.
 float steady_factor(const HardwareProfile& profile, float factor) {
-  const auto byte = static_cast<float>(byte_of_fog_factor(profile, factor));
-  return profile.fog_byte.value == StageByte::nearest ? byte / 255.0F : std::min((byte + 0.5F) / 255.0F, 1.0F);
+  if (profile.fog_byte.value == StageByte::nearest) return static_cast<float>(byte_of(factor)) / 255.0F;
+  return std::min((static_cast<float>(byte_of_fog_factor(profile, factor)) + 0.5F) / 255.0F, 1.0F);
 }
 
 // What the mesh has beside positions and primary colours.

@@ -1,17 +1,15 @@
 #include "src/gl_layer/capture/dump.h"
 
-#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "ninebit/language/explain.h"
 #include "ninebit/language/gl_calls.h"
@@ -27,9 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-// What an archive can count, and about the bytes of the headings of one file.
-constexpr std::size_t kMostArchived = 65535, kArchiveHeadings = 512;
 
 std::string numbered(const char* name, std::size_t number) {
   char text[64];
@@ -75,15 +70,20 @@ class Dump {
     const std::lock_guard lock(mutex_);
     const std::string name = numbered("draw", draws_.size() + 1);
     const fs::path folder = folder_ / numbered("frame", frame_);
-    std::error_code fault;
-    fs::create_directories(folder, fault);
     if (draw != nullptr) {
+      std::error_code fault;
+      fs::create_directories(folder, fault);
       const HardwareProfile& profile = context.combiners.profile();
       const std::string program = numbered("program", draw->program) + ".json";
       const CapturedFiles files = write_effect(folder, name, *draw, context.combiners.state(), profile, program);
       // Beside the effect that names it: an effect may name files of its own folder alone.
       fs::copy_file(folder_ / program, folder / program, fs::copy_options::overwrite_existing, fault);
-      if (fault) log_line((folder / program).string() + ": cannot be written");
+      if (fault) {
+        log_line((folder / program).string() + ": cannot be written");
+      } else {
+        frame_files_.insert(folder / program);
+      }
+      for (const std::string& file : files.files) frame_files_.insert(folder_ / file);
       state["pixels"] = files.pixels;
       state["files"] = files.files;
       state["left_out"] = files.left_out;
@@ -91,6 +91,7 @@ class Dump {
     draws_.push_back(std::move(state));
   }
 
+  // Another context's frame N may follow: then all is written again, with its draw calls behind these.
   void end_frame(const Context& context) {
     if (!is_on()) return;
     const std::lock_guard lock(mutex_);
@@ -98,11 +99,14 @@ class Dump {
     if (frame_ == 0 || context.frame != frame_) return;
     const Json frame{{"ninebit", "captured frame"}, {"version", 1}, {"frame", frame_}, {"draws", draws_}};
     const std::string name = numbered("frame", frame_), description = frame.dump(2) + '\n';
-    write_file(folder_ / (name + ".json"), description);
-    write_archive(folder_ / name, name, description);
-    log_line("frame " + std::to_string(frame_) + ": " + std::to_string(draws_.size()) + " draw calls in " +
-             (folder_ / name).string() + " and " + name + ".zip");
-    draws_ = Json::array();
+    const fs::path list = folder_ / (name + ".json"), archive = folder_ / (name + ".zip");
+    const bool listed = write_file(list, description), archived = listed && write_archive(archive, list);
+    std::error_code fault;
+    if (!archived) fs::remove(archive, fault);  // an earlier run's
+    if (listed) {
+      log_line("frame " + std::to_string(frame_) + ": " + std::to_string(draws_.size()) + " draw calls in " +
+               list.string() + (archived ? " and " + archive.filename().string() : ""));
+    }
   }
 
  private:
@@ -119,23 +123,12 @@ class Dump {
     });
   }
 
-  // The frame's files in one. A frame without combiners has no folder and no archive.
-  static void write_archive(const fs::path& folder, const std::string& name, const std::string& description) {
-    std::vector<std::pair<std::string, std::string>> files;
-    std::uint64_t bytes = 0;
-    std::error_code fault;
-    for (const auto& entry : fs::directory_iterator(folder, fault)) {
-      std::ifstream stream(entry.path(), std::ios::binary);
-      files.emplace_back(entry.path().filename().string(), std::string(std::istreambuf_iterator<char>(stream), {}));
-      bytes += files.back().second.size() + kArchiveHeadings;
-    }
-    if (files.empty()) return;
-    if (files.size() >= kMostArchived || bytes >> 32U != 0) {
-      return log_line(name + ".zip: the frame is too large for an archive: " + std::to_string(bytes) + " bytes");
-    }
-    std::sort(files.begin(), files.end());
-    files.emplace_back(name + ".json", description);
-    write_file(folder.parent_path() / (name + ".zip"), zip_file(files));
+  // The frame's files in one, the list of its draw calls last. A frame without combiners has no archive.
+  [[nodiscard]] bool write_archive(const fs::path& archive, const fs::path& list) const {
+    if (frame_files_.empty()) return false;
+    std::vector<fs::path> files(frame_files_.begin(), frame_files_.end());
+    files.push_back(list);
+    return write_zip(archive, files);
   }
 
   void write_list() const {
@@ -153,6 +146,7 @@ class Dump {
   std::uint32_t frame_ = 0;
   std::map<std::size_t, DumpedProgram> programs_{};
   Json draws_ = Json::array();
+  std::set<fs::path> frame_files_{};  // of these draws; the folder may have those of earlier runs as well
 };
 
 // The draw call of this thread that is being captured.

@@ -1,13 +1,13 @@
 // ZIP archives without a library: the layer needs the C library alone.
 #pragma once
 
-#include <string>
-#include <utility>
+#include <filesystem>
 #include <vector>
 
 namespace ninebit::gl_layer {
 
-// An archive of uncompressed files, given as names and contents: less than 65,536 files, less than 4 GiB together.
-[[nodiscard]] std::string zip_file(const std::vector<std::pair<std::string, std::string>>& files);
+// Writes an archive of files, uncompressed and under their names without folders. Where it returns false, a line in the
+// log says why, and what was at that path is still there.
+[[nodiscard]] bool write_zip(const std::filesystem::path& archive, const std::vector<std::filesystem::path>& files);
 
 }  // namespace ninebit::gl_layer

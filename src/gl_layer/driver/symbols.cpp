@@ -1,6 +1,7 @@
 #include "src/gl_layer/driver/symbols.h"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <array>
 #include <cstring>
@@ -54,13 +55,46 @@ void remember(std::string_view name, void* symbol) {
   }
 }
 
-// Whether the code at an address belongs to the interposer that this library's own calls go to. The layer's function
-// would call it again.
+// The library of an address, in the list of those that are loaded; nullptr: none.
+const link_map* library_of(const void* address) {
+  Dl_info ignored{};
+  void* library = nullptr;
+  return dladdr1(address, &ignored, &library, RTLD_DL_LINKMAP) != 0 ? static_cast<link_map*>(library) : nullptr;
+}
+
+// The library that was loaded last when this one was: those after it came by dlopen, and are in nobody's RTLD_NEXT
+// unless they are global.
+const link_map* last_at_start() {
+  static const link_map* const last = [] {
+    const link_map* library = library_of(reinterpret_cast<const void*>(&library_of));
+    while (library != nullptr && library->l_next != nullptr) library = library->l_next;
+    return library;
+  }();
+  return last;
+}
+
+[[maybe_unused]] const link_map* const looked_up_at_start = last_at_start();
+
+// Whether a library has a function of that name itself.
+bool defines(const link_map* library, const char* name) {
+  void* const handle = next_dlopen()(library->l_name, RTLD_LAZY | RTLD_NOLOAD);
+  if (handle == nullptr) return false;
+  void* const symbol = next_dlsym()(handle, name);
+  dlclose(handle);
+  return symbol != nullptr && library_of(symbol) == library;
+}
+
+// Whether the code at an address belongs to an interposer behind this library, which its calls reach, perhaps through
+// other interposers. The layer's function would call it again.
 bool stands_behind(const char* name, const void* caller) {
-  Dl_info library{}, behind{};
+  const link_map* const callers = library_of(caller);
+  if (callers == nullptr) return false;
   void* const next = next_dlsym()(RTLD_NEXT, name);
-  return next != nullptr && dladdr(next, &behind) != 0 && dladdr(caller, &library) != 0 &&
-         library.dli_fbase == behind.dli_fbase;
+  if (next == nullptr) return false;
+  if (library_of(next) == callers) return true;
+  const link_map* library = library_of(reinterpret_cast<const void*>(&library_of));
+  while (library != callers && library != nullptr && library != last_at_start()) library = library->l_next;
+  return library == callers && defines(callers, name);
 }
 
 // Whether the library of a symbol makes contexts of a window system itself: a driver under a name of its own.

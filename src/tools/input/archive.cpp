@@ -14,6 +14,7 @@
 
 #include "ninebit/language/source_text.h"
 #include "src/language/json/text_kind.h"
+#include "src/system/archive_limits.h"
 #include "src/system/files.h"
 #include "src/system/stream.h"
 #include "src/tools/input/printable.h"
@@ -24,8 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;  // of an archive, and of what is in it
-constexpr std::size_t kMostFiles = 4096;
 constexpr std::uint32_t kInZip64 = 0xFFFFFFFF;  // the number is elsewhere
 constexpr std::uint64_t kMostDeflated = 1032;   // bytes from one
 constexpr std::string_view kFileHeading = "PK\3\4", kDirectoryHeading = "PK\1\2", kEndHeading = "PK\5\6";
@@ -77,8 +76,9 @@ class Directory {
     const std::size_t count = number_at(archive_, end + 10, 2);
     if (count == 0xFFFF || at == kInZip64) {
       fault_ = "is a ZIP64 archive, which is not read";
-    } else if (count > kMostFiles)
-      fault_ = fmt::format("has {} files; at most {} are read", count, kMostFiles);
+    } else if (count > kMostArchiveFiles) {
+      fault_ = fmt::format("has {} files; at most {} are read", count, kMostArchiveFiles);
+    }
     for (std::size_t i = 0; i < count && fault_.empty(); ++i) at = read_entry(at, end);
   }
 
@@ -123,8 +123,8 @@ class Directory {
       fault_ = fmt::format("has '{}' packed in another way than by deflate", name);
     } else if (entry.method == 0 ? entry.size != packed : entry.size > kMostDeflated * packed) {
       fault_ = fmt::format("is a damaged archive: '{}' cannot have {} bytes", name, entry.size);
-    } else if (bytes_ > kMostBytes) {
-      fault_ = fmt::format("has more than {} bytes unpacked", kMostBytes);
+    } else if (bytes_ > kMostArchiveBytes) {
+      fault_ = fmt::format("has more than {} bytes unpacked", kMostArchiveBytes);
     } else if (at > archive_.size() || archive_.size() - at < kFileHeadingSize ||
                !archive_.substr(at).starts_with(kFileHeading)) {
       fault_ = fmt::format("is a damaged archive: '{}' is not there", name);
@@ -215,9 +215,9 @@ Result<EffectFile> EffectFile::open(const std::string& name) {
     return Diagnostic{.message = std::move(message), .file = archive.string()};
   };
   std::error_code error;
-  const std::string content = posix::read_file(archive, kMostBytes + 1, error);
+  const std::string content = posix::read_file(archive, kMostArchiveBytes + 1, error);
   if (error) return fault("cannot be read: " + error.message());
-  if (content.size() > kMostBytes) return fault(fmt::format("has more than {} bytes", kMostBytes));
+  if (content.size() > kMostArchiveBytes) return fault(fmt::format("has more than {} bytes", kMostArchiveBytes));
   const Directory directory(content);
   if (!directory.fault().empty()) return fault(directory.fault());
 
