@@ -263,6 +263,8 @@ TEST(XboxPixelShader, EveryFaultHasItsPlace) {
       {"PSCombinerCount = 1\nPSCombinerCount = 1", {2, 1, "PSCombinerCount was given before, in line 1"}},
       {"#include <xtl.h>\nPSCombinerCount = 1", {1, 1, "lines of the preprocessor are not read"}},
       {"PSCombinerCount = 1; /* open", {1, 22, "unterminated comment; expected */"}},
+      {"psd.PSConstant0[0] = (BYTE)0x1ff;", {1, 28, "the value does not fit in 8 bits"}},
+      {"psd.PSConstant0[0] = 1 | (WORD)(1 << 16);", {1, 32, "the value does not fit in 16 bits"}},
       {"PSCombinerCount = 1; // one\rPSNoSuchThing = 1", {1, 29, "'PSNoSuchThing'"}},
       {"D3DPIXELSHADERDEF psd = {1, 2\nPS_REGISTER_C0, 3};", {2, 1, "expected ',' or '}' after a word"}},
       {"D3DPIXELSHADERDEF psd = {1, 2", {1, 30, "expected ',' or '}' after a word; found the end of the text"}},

@@ -231,21 +231,31 @@ Expressions::Value Expressions::unary(int depth) {
     if (bits) inverted = !inverted;
     if (tokens_.take().is("-")) negative = !negative;
   }
-  while (skip_cast()) {
-  }
+  int bits = 32;
+  while (const int cast = skip_cast()) bits = std::min(bits, cast);
+  const std::size_t offset = tokens_.peek().offset;
   Value value = primary(depth);
+  if (value && bits < 32 && (*value < 0 || *value >> bits != 0)) {
+    faults_.add(offset, "the value does not fit in " + std::to_string(bits) + " bits");
+    value = 0;
+  }
   if (value && negative) value = -*value;
   if (value && inverted) value = ~*value & (kBeyondWords - 1);
   return value;
 }
 
-bool Expressions::skip_cast() {
+int Expressions::skip_cast() {
   code::TokenReader ahead = tokens_;
-  if (!ahead.takes("(") || !is_type(ahead.peek())) return false;
-  for (int names = 0; names < 4 && is_type(ahead.peek()); ++names) ahead.take();
-  if (!ahead.takes(")")) return false;
+  if (!ahead.takes("(") || !is_type(ahead.peek())) return 0;
+  int bits = 32;
+  for (int names = 0; names < 4 && is_type(ahead.peek()); ++names) {
+    const Token type = ahead.take();
+    if (type.is("BYTE")) bits = 8;
+    if (type.is("WORD")) bits = 16;
+  }
+  if (!ahead.takes(")")) return 0;
   tokens_ = ahead;
-  return true;
+  return bits;
 }
 
 Expressions::Value Expressions::primary(int depth) {

@@ -103,8 +103,8 @@ class Expressions {
   // begins with. False: there is a fault.
   template <class Take>
   bool arguments(int depth, const std::string& of, const Take& take);
-  // Skips "(DWORD)" and the like.
-  bool skip_cast();
+  // Skips "(DWORD)" and the like. Returns the bits of the type; 0: there is none.
+  int skip_cast();
   [[nodiscard]] Value apply(const code::Token& mark, std::int64_t left, std::int64_t right);
   Value fail(const std::string& expected);
 
