@@ -194,7 +194,7 @@ void Machine::initialize(const Place& at, const Declared& d) {
 void Machine::fill(const Place& at, const Expression& list) {
   if (at.type == nullptr || at.kind != PlaceKind::cell) return store(at, Value{});
   if (at.type->is(TypeKind::unknown)) return store(at, evaluate(list));
-  // More values than one are an array of another language, whose variable is no array here: it is asked for.
+  // Several values are an array of another language. The variable is no array here, so that it is asked for.
   if (!is_whole(at.type) && list.parts.size() > 1) return store(at, Value{});
   if (!is_whole(at.type)) return store(at, list.parts.empty() ? integer_value(0) : evaluate(list.parts[0]));
   std::vector<const Type*> types;
