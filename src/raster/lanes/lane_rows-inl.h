@@ -39,7 +39,7 @@ struct OneRow {
   // Stores only the lanes of the mask.
   template <class D>
   static HWY_INLINE void blend(hn::Vec<D> v, hn::Mask<D> mask, D d, std::int32_t* at) {
-    hn::BlendedStore(v, mask, d, at);
+    store_where(mask, v, d, at);
   }
   // Stores only the lanes of the mask, of a vector whose lanes are all equal.
   template <class D>

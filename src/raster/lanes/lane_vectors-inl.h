@@ -68,6 +68,17 @@ HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
 #endif
 }
 
+// Stores only the lanes of the mask. The other words of the vector are read and may be written with what they hold.
+template <class D>
+HWY_INLINE void store_where(hn::Mask<D> mask, hn::Vec<D> v, D d, hn::TFromD<D>* at) {
+#if HWY_TARGET <= HWY_AVX3
+  hn::BlendedStore(v, mask, d, at);
+#else
+  // AVX2's masked store takes AMD's processors as many cycles as a dozen others.
+  hn::StoreU(hn::IfThenElse(mask, v, hn::LoadU(d, at)), d, at);
+#endif
+}
+
 template <class D>
 HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t word) {
   return hn::MaskFromVec(hn::Set(d, static_cast<std::int32_t>(word)));
