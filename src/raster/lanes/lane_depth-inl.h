@@ -44,13 +44,10 @@ struct DepthLanes {
   V64 row;  // the lower half of the lanes
   V64 half, step, up;
   HWY_INLINE DepthLanes(const TileTriangles& t, std::size_t k) {
-    row = at_first_lanes(t, k, hn::Mul(real_lane_numbers(), hn::Set(kDD, t.depth_x[k])));
-    half = hn::Set(kD64, t.depth_step_x[k] * (kLanes / 2));
-    step = hn::Set(kD64, t.depth_step_x[k] * kLanes);
-    up = hn::Set(kD64, t.depth_step_y[k]);
-  }
-  static HWY_INLINE V64 at_first_lanes(const TileTriangles& t, std::size_t k, hn::Vec<DD> from_origin) {
-    return hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), from_origin));
+    row = hn::Add(hn::Set(kD64, t.depth[k]), lane_numbers_times(t.depth_x[k]));
+    half = hn::Set(kD64, t.depth_x[k] * (kLanes / 2));
+    step = hn::Set(kD64, t.depth_x[k] * kLanes);
+    up = hn::Set(kD64, t.depth_y[k]);
   }
 };
 

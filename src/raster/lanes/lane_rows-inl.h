@@ -103,12 +103,13 @@ struct SeveralRows {
     }
   }
   // column × step_x + row × step_y, for the lower half of the lanes.
-  static HWY_INLINE hn::Vec<DD> in_lower_half(double step_x, double step_y) {
-    const auto along = [&](hn::Vec<DD> column) HWY_ATTR { return hn::Mul(column, hn::Set(kDD, step_x)); };
-    if constexpr (kCount == 2) return along(real_lane_numbers());
-    alignas(64) static constexpr std::array<double, 8> kColumn{0, 1, 2, 3, 0, 1, 2, 3}, kRow{0, 0, 0, 0, 1, 1, 1, 1};
+  static HWY_INLINE V64 in_lower_half(std::int64_t step_x, V64 step_y) {
+    if constexpr (kCount == 2) return lane_numbers_times(step_x);
+    alignas(64) static constexpr std::array<std::int64_t, 8> kColumn{0, 1, 2, 3, 0, 1, 2, 3};
+    alignas(64) static constexpr std::array<std::int64_t, 8> kSecondRow{0, 0, 0, 0, -1, -1, -1, -1};
     static_assert(kCount == 2 || kLanes == 16);
-    return hn::Add(along(hn::Load(kDD, kColumn.data())), hn::Mul(hn::Load(kDD, kRow.data()), hn::Set(kDD, step_y)));
+    const V64 along = hn::Mul(hn::Load(kD64, kColumn.data()), hn::Set(kD64, step_x));
+    return hn::Add(along, hn::And(hn::Load(kD64, kSecondRow.data()), step_y));
   }
   static HWY_INLINE V columns() { return hn::And(lane_numbers(kD), hn::Set(kD, kColumns - 1)); }
   static HWY_INLINE V rows(D d) { return hn::ShiftRightSame(lane_numbers(d), __builtin_ctz(kColumns)); }

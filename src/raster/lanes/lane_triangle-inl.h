@@ -177,8 +177,8 @@ HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, 
     e[i] = hn::MulAdd(float_column, hn::Set(kDF, t.float_inside_x[i][k]), in_column);
     up[i] = hn::Mul(step_y, hn::Set(kDF, kRows));
   }
-  V64 z_low = DepthLanes::at_first_lanes(t, k, Rows::in_lower_half(t.depth_x[k], t.depth_y[k]));
-  const V64 z_step = hn::Set(kD64, t.depth_step_y[k]);
+  const V64 z_step = hn::Set(kD64, t.depth_y[k]);
+  V64 z_low = hn::Add(hn::Set(kD64, t.depth[k]), Rows::in_lower_half(t.depth_x[k], z_step));
   V64 z_high = hn::Add(z_low, hn::ShiftLeft<kRows / 4>(z_step));
   const V64 z_up = hn::ShiftLeft<kRows / 2>(z_step);
   const int left = t.left[k], top = t.top[k];

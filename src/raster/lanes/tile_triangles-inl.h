@@ -117,6 +117,20 @@ HWY_INLINE M store_edges(TileTriangles& t, const CornerLanes& c, const RegionLan
   return mask;
 }
 
+// Numbers below 2^30 with 32 fraction bits.
+HWY_INLINE V64 fixed_point(hn::Vec<DD> v) {
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+  // These have no instruction for it. A sum of 2^52 and a smaller number has that number as its low bits; another half of
+  // it keeps what is negative within the same power of two.
+  const auto whole = hn::Floor(v), one = hn::Set(kDD, 0x1p52);
+  const auto high = hn::BitCast(kD64, hn::Add(whole, hn::Set(kDD, 0x1.8p52)));
+  const auto low = hn::BitCast(kD64, hn::Add(hn::Mul(hn::Sub(v, whole), hn::Set(kDD, kDepthOne)), one));
+  return hn::Add(hn::ShiftLeft<32>(high), hn::Sub(low, hn::BitCast(kD64, one)));
+#else
+  return hn::ConvertTo(kD64, hn::Mul(v, hn::Set(kDD, kDepthOne)));
+#endif
+}
+
 // The depth planes: the operations of TileTriangles::place in the same order.
 HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const EdgeLanes& edges) {
   const V z0 = word(&word.first.z24[0]);
@@ -145,14 +159,12 @@ HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const
     const auto is_sure =
         hn::And(hn::And(hn::Le(steep, hn::Set(kDD, kSteepestDepth)), hn::Le(far, hn::Set(kDD, kFarthestDepth))),
                 hn::Le(hn::Abs(origin), hn::Set(kDD, kHighestDepth)));
-    const auto kept = hn::IfThenElseZero(is_sure, hn::Set(kDD, kDepthOne));
     const std::size_t at = upper ? hn::Lanes(kDD) : 0;
-    hn::Store(hn::Mul(origin, kept), kDD, t.depth.data() + at);
-    const auto kept_x = hn::Mul(slope_x, kept), kept_y = hn::Mul(slope_y, kept);
-    hn::Store(kept_x, kDD, t.depth_x.data() + at);
-    hn::Store(kept_y, kDD, t.depth_y.data() + at);
-    hn::Store(hn::ConvertTo(kD64, kept_x), kD64, t.depth_step_x.data() + at);
-    hn::Store(hn::ConvertTo(kD64, kept_y), kD64, t.depth_step_y.data() + at);
+    const auto store = [&](hn::Vec<DD> v, TileTriangles::Each<std::int64_t>& to)
+                           HWY_ATTR { hn::Store(fixed_point(hn::IfThenElseZero(is_sure, v)), kD64, to.data() + at); };
+    store(origin, t.depth);
+    store(slope_x, t.depth_x);
+    store(slope_y, t.depth_y);
   }
 }
 
