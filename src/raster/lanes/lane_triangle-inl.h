@@ -163,7 +163,7 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
   }
 }
 
-// Draws triangle k several rows at a time. The triangle has_floats, and its region is no wider than a row of Rows.
+// Draws triangle k, one row or several at a time. The triangle has_floats, and its region is no wider than a row of Rows.
 template <Drawing kDrawing, class Rows, class Draw>
 HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
@@ -179,14 +179,14 @@ HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, 
   }
   const V64 z_step = hn::Set(kD64, t.depth_y[k]);
   V64 z_low = hn::Add(hn::Set(kD64, t.depth[k]), Rows::in_lower_half(t.depth_x[k], z_step));
-  V64 z_high = hn::Add(z_low, hn::ShiftLeft<kRows / 4>(z_step));
+  V64 z_high = hn::Add(z_low, Rows::to_upper_half(t.depth_x[k], z_step));
   const V64 z_up = hn::ShiftLeft<kRows / 2>(z_step);
   const int left = t.left[k], top = t.top[k];
   const M within = hn::Lt(column, hn::Set(kD, t.right[k] - left + 1));
   auto place = first_place(current, t, k);
   for (int y = t.bottom[k];; y += kRows, place += Rows::kRows * kTileSize) {
     M mask = hn::And(within, hn::Gt(hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2])), hn::Set(kD, -1)));
-    mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
+    if constexpr (kRows > 1) mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
     if (!hn::AllFalse(kD, mask)) {
       const PixelVector<VF> at{left, y, place, mask, z_low, z_high, {e[0], e[1], e[2]}};
       draw_fragments<kDrawing, Rows>(draw, current, t, k, at);

@@ -78,6 +78,9 @@ HWY_INLINE void draw_placed(const Draw& current, const TileTriangles& t, std::si
     using Rows = SeveralRows<2>;
     if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(current, t, k);
   }
+  if constexpr (kLanes == 8 && kDrawing != Drawing::gathers) {
+    if (columns <= OneRow::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, OneRow>(current, t, k);
+  }
   if constexpr (kDrawing == Drawing::gathers) {
     const LaneOperations& operations = current.pass.operations;
     if (operations.tests_nothing) return gather_rows<Finding::all>(current, t, k);
