@@ -167,6 +167,8 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
 template <Drawing kDrawing, class Rows, class Draw>
 HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
+  // Where a vector without a fragment costs less than branches that cannot be predicted. (Measured with AVX2.)
+  constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes < 16;
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V column = Rows::columns(), row = Rows::rows(kD);
   const auto float_column = hn::ConvertTo(kDF, column), float_row = hn::ConvertTo(kDF, row);
@@ -187,7 +189,7 @@ HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, 
   for (int y = t.bottom[k];; y += kRows, place += Rows::kRows * kTileSize) {
     M mask = hn::And(within, hn::Gt(hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2])), hn::Set(kD, -1)));
     if constexpr (kRows > 1) mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
-    if (!hn::AllFalse(kD, mask)) {
+    if (kDrawsEmpty || !hn::AllFalse(kD, mask)) {
       const PixelVector<VF> at{left, y, place, mask, z_low, z_high, {e[0], e[1], e[2]}};
       draw_fragments<kDrawing, Rows>(draw, current, t, k, at);
     }
