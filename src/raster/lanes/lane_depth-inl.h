@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
@@ -126,8 +127,11 @@ HWY_INLINE V find_depths(const PrimitiveDraw& current, int x, int y, M mask, V64
   const hn::RebindToUnsigned<D> du;
   const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
   const V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
-  const auto fraction = hn::Add(hn::ConcatEven(du, high, low), hn::Set(du, kDepthDoubt));
-  const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
+  // Within kDepthDoubt of 0, by a signed comparison.
+  constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
+  constexpr auto kDoubt = static_cast<std::int32_t>(kDepthDoubt);
+  const V fraction = hn::Add(hn::BitCast(kD, hn::ConcatEven(du, high, low)), hn::Set(kD, kLeast + kDoubt));
+  const M doubtful = hn::And(mask, hn::Lt(fraction, hn::Set(kD, kLeast + 2 * kDoubt)));
   if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) return exact_depth<Rows>(p, x, y, doubtful, z24);
   return z24;
 }

@@ -58,16 +58,13 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const PrimitiveDraw& cur
 // Draws the fragments of the mask that are nearer than what is stored. kNoted: Drawing::noted.
 template <bool kNoted, class Rows>
 HWY_INLINE void draw_nearest(const LaneDraw<D>& draw, const PrimitiveDraw& current, std::size_t place, M mask, V z24) {
-  const hn::RebindToUnsigned<D> du;
   std::int32_t* const at = lanes_of(current.tile.planes.depth_stencil.data()) + place;
-  // The stencil value does not matter: depth × 256 + 255 is less where the depth is less.
-  const auto stencil_bits = hn::Set(du, 0xFF), stored = hn::BitCast(du, Rows::load(kD, at));
-  const auto depth = hn::Or(hn::ShiftLeft<8>(hn::BitCast(du, z24)), stencil_bits);
-  const M drawn = hn::And(mask, hn::RebindMask(kD, hn::Lt(depth, stored)));
-  const auto after = hn::Or(hn::AndNot(stencil_bits, depth), hn::And(stencil_bits, stored));
-  Rows::blend(hn::BitCast(kD, after), drawn, kD, at);
+  const V stored = Rows::load(kD, at);
+  const V stored_depth = hn::BitCast(kD, hn::ShiftRight<8>(hn::BitCast(hn::RebindToUnsigned<D>(), stored)));
+  const M drawn = hn::And(mask, hn::Lt(z24, stored_depth));
+  Rows::blend(hn::Or(hn::ShiftLeft<8>(z24), hn::And(stored, hn::Set(kD, 0xFF))), drawn, kD, at);
   if constexpr (kNoted) {
-    const M equal = hn::And(mask, has_depth(kD, hn::BitCast(kD, stored), z24));
+    const M equal = hn::And(mask, hn::Eq(z24, stored_depth));
     if (HWY_UNLIKELY(!hn::AllFalse(kD, equal))) current.tile.owners.are_known = false;
     Rows::put(hn::Set(kD, static_cast<std::int32_t>(current.number)), drawn, kD,
               lanes_of(current.tile.owners.number.data()) + place);
@@ -187,7 +184,9 @@ HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, 
   const M within = hn::Lt(column, hn::Set(kD, t.right[k] - left + 1));
   auto place = first_place(current, t, k);
   for (int y = t.bottom[k];; y += kRows, place += Rows::kRows * kTileSize) {
-    M mask = hn::And(within, hn::Gt(hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2])), hn::Set(kD, -1)));
+    // The opposite of `less than 0` would be two operations with AVX2.
+    const V outside = hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2]));
+    M mask = hn::AndNot(hn::Lt(outside, hn::Zero(kD)), within);
     if constexpr (kRows > 1) mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
     if (kDrawsEmpty || !hn::AllFalse(kD, mask)) {
       const PixelVector<VF> at{left, y, place, mask, z_low, z_high, {e[0], e[1], e[2]}};
