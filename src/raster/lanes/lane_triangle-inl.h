@@ -128,9 +128,11 @@ template <Drawing kDrawing, bool kFull, class Draw>
 HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V lane = lane_numbers(kD);
-  V row[3];
+  V row[3], step[3], up[3];
   for (std::size_t i = 0; i < 3; ++i) {
     row[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(lane, hn::Set(kD, t.inside_x[i][k])));
+    step[i] = hn::Set(kD, t.inside_x[i][k] * kLanes);
+    up[i] = hn::Set(kD, t.inside_y[i][k]);
   }
   DepthLanes z(t, k);
   const int left = t.left[k], right = t.right[k], top = t.top[k];
@@ -145,17 +147,17 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
     for (int x = left;; x += kLanes, place += kLanes) {
       const bool is_last = x + kLanes > right;
       M mask = is_last ? last : hn::FirstN(kD, kLaneCount);
-      if (!kFull) mask = hn::And(mask, hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1)));
+      if (!kFull) mask = hn::AndNot(hn::Lt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Zero(kD)), mask);
       if (kFull || !hn::AllFalse(kD, mask)) {
         const PixelVector<V> at{x, y, place, mask, z_low, hn::Add(z_low, z.half), {e[0], e[1], e[2]}};
         draw_fragments<kDrawing, OneRow>(draw, current, t, k, at);
       }
       if (is_last) break;
-      for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
+      for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) e[i] = hn::Add(e[i], step[i]);
       z_low = hn::Add(z_low, z.step);
     }
     if (y == top) break;
-    for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i][k]));
+    for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) row[i] = hn::Add(row[i], up[i]);
     z.row = hn::Add(z.row, z.up);
   }
 }
