@@ -123,8 +123,15 @@ HWY_INLINE bool is_full(const TileTriangles& t, std::size_t k) {
   return signs >= 0;
 }
 
-// Draws triangle k row by row. kFull: it is_full().
-template <Drawing kDrawing, bool kFull, class Draw>
+// How a triangle fills the vectors of its region's rows: it is_full(); those without a fragment are skipped, or not.
+enum class Filling { full, skipping, drawing_all };
+
+// True where a vector without a fragment costs less than a branch that cannot be predicted. (Measured with AVX2.)
+template <Drawing kDrawing>
+inline constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes < 16;
+
+// Draws triangle k row by row.
+template <Drawing kDrawing, Filling kFilling, class Draw>
 HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V lane = lane_numbers(kD);
@@ -138,6 +145,7 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
   const int left = t.left[k], right = t.right[k], top = t.top[k];
   // The triangle may reach beyond the end of the region.
   const M last = hn::FirstN(kD, static_cast<std::size_t>((right - left) % kLanes + 1));
+  constexpr bool kFull = kFilling == Filling::full;
   constexpr bool kReadsEdges = !kFull || kDrawing == Drawing::gathers;
   auto row_place = first_place(current, t, k);
   for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
@@ -148,7 +156,7 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
       const bool is_last = x + kLanes > right;
       M mask = is_last ? last : hn::FirstN(kD, kLaneCount);
       if (!kFull) mask = hn::AndNot(hn::Lt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Zero(kD)), mask);
-      if (kFull || !hn::AllFalse(kD, mask)) {
+      if (kFilling != Filling::skipping || !hn::AllFalse(kD, mask)) {
         const PixelVector<V> at{x, y, place, mask, z_low, hn::Add(z_low, z.half), {e[0], e[1], e[2]}};
         draw_fragments<kDrawing, OneRow>(draw, current, t, k, at);
       }
@@ -166,8 +174,6 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
 template <Drawing kDrawing, class Rows, class Draw>
 HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
-  // Where a vector without a fragment costs less than branches that cannot be predicted. (Measured with AVX2.)
-  constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes < 16;
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V column = Rows::columns(), row = Rows::rows(kD);
   const auto float_column = hn::ConvertTo(kDF, column), float_row = hn::ConvertTo(kDF, row);
@@ -190,7 +196,7 @@ HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, 
     const V outside = hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2]));
     M mask = hn::AndNot(hn::Lt(outside, hn::Zero(kD)), within);
     if constexpr (kRows > 1) mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
-    if (kDrawsEmpty || !hn::AllFalse(kD, mask)) {
+    if (kDrawsEmpty<kDrawing> || !hn::AllFalse(kD, mask)) {
       const PixelVector<VF> at{left, y, place, mask, z_low, z_high, {e[0], e[1], e[2]}};
       draw_fragments<kDrawing, Rows>(draw, current, t, k, at);
     }
