@@ -30,7 +30,9 @@ class PrimitiveWords {
       : first_(reinterpret_cast<const std::int32_t*>(block.primitives.data())),
         offset_(hn::Mul(hn::LoadU(kD, reinterpret_cast<const std::int32_t*>(indices)),
                         hn::Set(kD, static_cast<std::int32_t>(sizeof(SetupPrimitive))))) {}
-  HWY_INLINE V operator()(std::size_t place) const { return hn::GatherOffset(kD, first_ + place / 4, offset_); }
+  HWY_INLINE V operator()(std::size_t place) const {
+    return hn::GatherOffset(kD, first_ + place / 4, offset_);
+  }
 
  private:
   const std::int32_t* first_;
@@ -44,7 +46,9 @@ class PrimitiveWords {
       load_four_words(kD, at, word_[row]);
     }
   }
-  HWY_INLINE V operator()(std::size_t place) const { return word_[place / 16][place / 4 % 4]; }
+  HWY_INLINE V operator()(std::size_t place) const {
+    return word_[place / 16][place / 4 % 4];
+  }
 
  private:
   static constexpr std::size_t kRows = sizeof(SetupPrimitive) / 16;
@@ -137,8 +141,8 @@ HWY_INLINE M store_edges(TileTriangles& t, const CornerLanes& c, const RegionLan
 // Numbers below 2^30 with 32 fraction bits.
 HWY_INLINE V64 fixed_point(hn::Vec<DD> v) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
-  // These have no instruction for it. A sum of 2^52 and a smaller number has that number as its low bits; another half of
-  // it keeps what is negative within the same power of two.
+  // These have no instruction for it. A sum of 2^52 and a smaller number has that number as its low bits; another half
+  // of it keeps what is negative within the same power of two.
   const auto whole = hn::Floor(v), one = hn::Set(kDD, 0x1p52);
   const auto high = hn::BitCast(kD64, hn::Add(whole, hn::Set(kDD, 0x1.8p52)));
   const auto low = hn::BitCast(kD64, hn::Add(hn::Mul(hn::Sub(v, whole), hn::Set(kDD, kDepthOne)), one));

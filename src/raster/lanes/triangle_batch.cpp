@@ -61,7 +61,8 @@ HWY_INLINE bool are_in_range(const Corners& vertex, std::size_t vertex_count) {
   return hn::AllFalse(kDI, beyond);
 }
 
-// Loads the first words, and y where that comes with them, and drops triangles that lie beyond one side of the view. False if none is left.
+// Loads the first words, and y where that comes with them, and drops triangles that lie beyond one side of the view.
+// False if none is left.
 HWY_INLINE bool load_outcodes(const TriangleBatch& batch, std::size_t lanes, BatchTriangles& t) {
   for (int k = 0; k < 3; ++k) words_of<0>(batch, t.vertex.v[k], t.x[k], kGathersRecords ? nullptr : &t.y[k]);
   const VI all = hn::And(hn::And(t.x[0], t.x[1]), t.x[2]), any = hn::Or(hn::Or(t.x[0], t.x[1]), t.x[2]);
