@@ -170,8 +170,7 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
   }
 }
 
-// Draws triangle k, one row or several at a time. The triangle has_floats, and its region is no wider than a row of
-// Rows.
+// Draws triangle k, one row or several at a time. It has_floats, and its region is no wider than a row of Rows.
 template <Drawing kDrawing, class Rows, class Draw>
 HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
