@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <span>
 
-#include "src/raster/surface/large_pages.h"
-
 namespace ninebit {
 
 DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_from_object, const VertexArrays& arrays,
@@ -12,11 +10,6 @@ DrawGeometry::DrawGeometry(const SetupContext& context, const glm::mat4& clip_fr
     : grid_(grid), assembly_(arrays), clip_(clip_from_object, arrays) {
   std::span<const PackedVertex> vertices;
   if (PrimitiveSetup::takes_packed_vertices(context, assembly_, arrays.vertex_count())) {
-    if (packed.capacity() < arrays.vertex_count()) {
-      packed.clear();
-      packed.reserve(arrays.vertex_count());
-      ask_for_large_pages(packed.data(), packed.capacity() * sizeof(PackedVertex));
-    }
     packed.resize(arrays.vertex_count());
     transform_vertices(clip_, context.window, packed.data());
     vertices = packed;

@@ -44,10 +44,6 @@ class TileRasterizer {
   void begin_pass(std::size_t pass);
   void draw(std::size_t pass, const SetupBlock& block, std::span<const std::uint32_t> indices);
   void end_pass(std::size_t pass);
-  // Prefetches part `part` of `parts` of what begin(next) will read.
-  void fetch(const PixelBox& next, std::size_t part, std::size_t parts) const {
-    if (lanes_) fetch_tile(lanes_->planes, next, part, parts);
-  }
   void end();
 
  private:

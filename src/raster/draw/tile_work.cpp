@@ -88,7 +88,7 @@ void TileWork::sort_tiles() {
 }
 
 void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
-                         const TileWork::Tile* next, TileRasterizer& rasterizer) {
+                         TileRasterizer& rasterizer) {
   const PixelBox pixels = state_.grid.pixels(tile.tile, state_.drawn);
   if (pixels.empty()) return;
   const std::span<const std::uint32_t> in_tile = work.blocks_of(tile);
@@ -97,7 +97,6 @@ void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& wo
     probe.meet_planes();
     for (const std::uint32_t b : in_tile) probe.run(blocks[b].setup, blocks[b].in_tile(tile.tile));
   }
-  const PixelBox next_pixels = next != nullptr ? state_.grid.pixels(next->tile, state_.drawn) : PixelBox{};
   rasterizer.begin(pixels);
   for (std::size_t pass = 0; pass < state_.passes.size(); ++pass) {
     using Clock = std::chrono::steady_clock;
@@ -106,8 +105,6 @@ void TileLoop::draw_tile(std::span<const BinnedBlock> blocks, const TileWork& wo
     for (std::size_t i = 0; i < in_tile.size(); ++i) {
       const auto block = [&](std::size_t ahead) { return &blocks[in_tile[std::min(i + ahead, in_tile.size() - 1)]]; };
       fetch_ahead(tile.tile, *block(3), *block(2), *block(1));
-      // A large target comes from memory, a row of a tile from a page of its own.
-      if (pass == 0 && !next_pixels.empty()) rasterizer.fetch(next_pixels, i, in_tile.size());
       rasterizer.draw(pass, block(0)->setup, block(0)->in_tile(tile.tile));
     }
     rasterizer.end_pass(pass);
@@ -146,13 +143,9 @@ void TileLoop::draw(std::span<const BinnedBlock> blocks, const TileWork& work) {
     if (i >= tiles.size()) return;
     std::unique_ptr<TileRasterizer>& rasterizer = rasterizers_[worker];
     if (!rasterizer) rasterizer = std::make_unique<TileRasterizer>(state_.passes, state_.target, state_.actions);
-    while (i < tiles.size()) {
+    for (; i < tiles.size(); i = next.fetch_add(at_a_time)) {
       const std::size_t end = std::min(i + at_a_time, tiles.size());
-      for (std::size_t t = i; t < end; ++t) {
-        if (t + 1 == end) i = next.fetch_add(at_a_time);
-        const std::size_t after = t + 1 < end ? t + 1 : i;
-        draw_tile(blocks, work, tiles[t], after < tiles.size() ? &tiles[after] : nullptr, *rasterizer);
-      }
+      for (std::size_t t = i; t < end; ++t) draw_tile(blocks, work, tiles[t], *rasterizer);
     }
   };
   if (workers == 1) return draw_tiles(0);

@@ -73,9 +73,8 @@ class TileLoop {
   }
 
  private:
-  // `next` is the tile that this thread draws after it, or null.
   void draw_tile(std::span<const BinnedBlock> blocks, const TileWork& work, const TileWork::Tile& tile,
-                 const TileWork::Tile* next, TileRasterizer& rasterizer);
+                 TileRasterizer& rasterizer);
   [[nodiscard]] std::vector<TileWork::Tile> with_empty_tiles(std::span<const TileWork::Tile> tiles) const;
 
   const TileLoopState state_;

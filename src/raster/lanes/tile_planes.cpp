@@ -256,11 +256,11 @@ struct Staging {
   }
 };
 
-// Row y of the tile whose left end is `left`, in the target's planes: of colour, and of depth and stencil if asked for.
-TileRow row_at(const TilePlanes& tile, int left, int y, bool depth, bool stencil) {
+// The first row that may be drawn, in the target's planes: of colour, and of depth and stencil if asked for.
+TileRow first_row(const TilePlanes& tile, bool depth, bool stencil) {
   const RenderTarget& target = tile.target;
   const auto start = [&](auto plane) {
-    plane.data = &plane.at(left, y);
+    plane.data = &plane.at(tile.left, tile.pixels.bottom);
     return plane;
   };
   TileRow row;
@@ -270,25 +270,6 @@ TileRow row_at(const TilePlanes& tile, int left, int y, bool depth, bool stencil
     if (tile.contents.color[k]) row.color[k] = start(target.color[k]);
   }
   return row;
-}
-
-// The first row that may be drawn.
-TileRow first_row(const TilePlanes& tile, bool depth, bool stencil) {
-  return row_at(tile, tile.left, tile.pixels.bottom, depth, stencil);
-}
-
-// Prefetches a tile's row.
-void fetch(const TilePlanes& tile, const TileRow& row) {
-  const auto fetch_samples = [](const auto& plane) {
-    constexpr std::size_t kLine = 64;
-    const std::size_t size = sizeof(*plane.data) * static_cast<std::size_t>(plane.step) * kTileSize;
-    for (std::size_t i = 0; i < size && plane; i += kLine) {
-      __builtin_prefetch(reinterpret_cast<const char*>(plane.data) + i, 1, 2);
-    }
-  };
-  fetch_samples(row.depth);
-  fetch_samples(row.stencil);
-  for (std::size_t k = 0; k < (tile.colors_are_words ? 1 : 4); ++k) fetch_samples(row.color[k]);
 }
 
 // Copies the pixels that may be drawn, of the planes that both rows have.
@@ -387,19 +368,21 @@ void load_tile(TilePlanes& tile) {
   }
 }
 
-void fetch_tile(const TilePlanes& tile, const PixelBox& drawn, std::size_t part, std::size_t parts) {
-  if (tile.contents.clears || tile.form == RowForm::scattered) return;
-  const auto rows = static_cast<std::size_t>(drawn.top - drawn.bottom);
-  const int first = drawn.bottom + static_cast<int>(rows * part / parts);
-  const int end = drawn.bottom + static_cast<int>(rows * (part + 1) / parts);
-  TileRow row = row_at(tile, drawn.left & -kTileSize, first, tile.contents.depth, tile.contents.stencil);
-  for (int y = first; y < end; ++y, row.move_up()) fetch(tile, row);
-}
-
 void fill_tile(TilePlanes& tile, const ClearValues& values) {
+  const auto fetch = [](const auto& plane) {
+    constexpr std::size_t kLine = 64;
+    const std::size_t size = sizeof(*plane.data) * static_cast<std::size_t>(plane.step) * kTileSize;
+    for (std::size_t i = 0; i < size && plane; i += kLine) {
+      __builtin_prefetch(reinterpret_cast<const char*>(plane.data) + i, 1, 2);
+    }
+  };
   TileRow row = first_row(tile, tile.contents.writes_depth, tile.contents.writes_stencil);
   const bool fetches = has_whole_rows(tile) && tile.form != RowForm::streamed;
-  for (int y = tile.pixels.bottom; y < tile.pixels.top && fetches; ++y, row.move_up()) fetch(tile, row);
+  for (int y = tile.pixels.bottom; y < tile.pixels.top && fetches; ++y, row.move_up()) {
+    fetch(row.depth);
+    fetch(row.stencil);
+    for (std::size_t k = 0; k < (tile.colors_are_words ? 1 : 4); ++k) fetch(row.color[k]);
+  }
   const DepthStencilFormat format = tile.target.format;
   const std::array<std::uint8_t, 4> stored = stored_color(tile.target.color_format, values.color);
   std::uint32_t color = 0;

@@ -66,9 +66,6 @@ struct TilePlanes {
 // Reads the pixels that may be drawn from the target.
 void load_tile(TilePlanes& tile);
 
-// Prefetches part `part` of `parts` of the rows that load_tile will read in the tile in which `drawn` lies.
-void fetch_tile(const TilePlanes& tile, const PixelBox& drawn, std::size_t part, std::size_t parts);
-
 // Fills the tile with clear values. Prefetches the target's cache lines, which store_tile will write.
 void fill_tile(TilePlanes& tile, const ClearValues& values);
 

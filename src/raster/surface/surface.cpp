@@ -5,7 +5,6 @@
 #include <string>
 
 #include "src/raster/surface/color_words.h"
-#include "src/raster/surface/large_pages.h"
 
 namespace ninebit {
 namespace {
@@ -31,10 +30,11 @@ Surface::Surface(int width, int height, SurfaceFormat format)
                             static_cast<std::size_t>(height * sample_rows(samples_));
   const ClearValues start;
   const auto make = [&]<class T>(PlaneSamples<T>& samples, T value, bool undrawn) {
-    if (undrawn) samples = undrawn_samples<T>(count);
-    samples.reserve(count);
-    ask_for_large_pages(samples.data(), count * sizeof(T));
-    if (!undrawn) samples.resize(count, value);
+    if (undrawn) {
+      samples = undrawn_samples<T>(count);
+    } else {
+      samples.resize(count, value);
+    }
   };
   const std::array<std::uint8_t, 4> color = stored_color(color_format_, start.color);
   for (std::size_t i = 0; i < 4; ++i) make(color_[i], color[i], format.undrawn);
