@@ -128,7 +128,7 @@ enum class Filling { full, skipping, drawing_all };
 
 // True where a vector without a fragment costs less than a branch that cannot be predicted. (Measured with AVX2.)
 template <Drawing kDrawing>
-inline constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes < 16;
+inline constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes == 8;
 
 // Draws triangle k row by row.
 template <Drawing kDrawing, Filling kFilling, class Draw>
