@@ -158,7 +158,7 @@ HWY_INLINE void operate_on_spans_of(TilePlanes& tile, const LaneFragments& f, co
       if (draws_all && part.count >= kLaneCount) return hn::StoreU(color, kD, to);
       M mask = not_culled(culled, part.first, hn::FirstN(kD, part.count));
       if (by_stencil) mask = hn::And(mask, stencil_passes(kD, draw, load_stored(tile, part)));
-      hn::BlendedStore(color, mask, kD, to);
+      store_where(mask, color, kD, to);
     };
     for (std::size_t s = first; s < end; ++s) for_parts(f.span[s], draw_part);
     return;
@@ -170,7 +170,7 @@ HWY_INLINE void operate_on_spans_of(TilePlanes& tile, const LaneFragments& f, co
     if (writes) hn::StoreU(result.depth_stencil, kD, lanes_of(tile.depth_stencil.data()) + part.place);
     if (operations.color) {
       std::int32_t* const to = lanes_of(tile.color.data()) + part.place;
-      hn::BlendedStore(kChanges ? stored_colors(operations, color, to) : color, result.drawn, kD, to);
+      store_where(result.drawn, kChanges ? stored_colors(operations, color, to) : color, kD, to);
     }
   };
   for (std::size_t s = first; s < end; ++s) for_parts(f.span[s], draw_part);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
@@ -44,13 +45,10 @@ struct DepthLanes {
   V64 row;  // the lower half of the lanes
   V64 half, step, up;
   HWY_INLINE DepthLanes(const TileTriangles& t, std::size_t k) {
-    row = at_first_lanes(t, k, hn::Mul(real_lane_numbers(), hn::Set(kDD, t.depth_x[k])));
-    half = hn::Set(kD64, t.depth_step_x[k] * (kLanes / 2));
-    step = hn::Set(kD64, t.depth_step_x[k] * kLanes);
-    up = hn::Set(kD64, t.depth_step_y[k]);
-  }
-  static HWY_INLINE V64 at_first_lanes(const TileTriangles& t, std::size_t k, hn::Vec<DD> from_origin) {
-    return hn::ConvertTo(kD64, hn::Add(hn::Set(kDD, t.depth[k]), from_origin));
+    row = hn::Add(hn::Set(kD64, t.depth[k]), lane_numbers_times(t.depth_x[k]));
+    half = hn::Set(kD64, t.depth_x[k] * (kLanes / 2));
+    step = hn::Set(kD64, t.depth_x[k] * kLanes);
+    up = hn::Set(kD64, t.depth_y[k]);
   }
 };
 
@@ -129,8 +127,11 @@ HWY_INLINE V find_depths(const PrimitiveDraw& current, int x, int y, M mask, V64
   const hn::RebindToUnsigned<D> du;
   const auto low = hn::BitCast(du, z_low), high = hn::BitCast(du, z_high);
   const V z24 = hn::BitCast(kD, hn::ConcatOdd(du, high, low));
-  const auto fraction = hn::Add(hn::ConcatEven(du, high, low), hn::Set(du, kDepthDoubt));
-  const M doubtful = hn::And(mask, hn::RebindMask(kD, hn::Lt(fraction, hn::Set(du, 2 * kDepthDoubt))));
+  // Within kDepthDoubt of 0, by a signed comparison.
+  constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
+  constexpr auto kDoubt = static_cast<std::int32_t>(kDepthDoubt);
+  const V fraction = hn::Add(hn::BitCast(kD, hn::ConcatEven(du, high, low)), hn::Set(kD, kLeast + kDoubt));
+  const M doubtful = hn::And(mask, hn::Lt(fraction, hn::Set(kD, kLeast + 2 * kDoubt)));
   if (HWY_UNLIKELY(!hn::AllFalse(kD, doubtful))) return exact_depth<Rows>(p, x, y, doubtful, z24);
   return z24;
 }

@@ -335,13 +335,13 @@ HWY_INLINE void divide_coordinates(const LaneFragments& f, LaneBatch& batch, std
         const auto n = static_cast<std::size_t>(k);
         float* const at = batch.coordinate[n].data() + i;
         const VF divided = hn::Div(hn::LoadU(kDF, at), q);
-        hn::BlendedStore(divided, mask, kDF, at);
+        store_where(mask, divided, kDF, at);
         if (!changes) continue;
         for (LaneBatch::Changes* const change : {&batch.dx, &batch.dy}) {
           float* const by = change->coordinate[n].data() + i;
           const VF of_q = ShareLanes(change->share, i).interpolate(a, b, c);
           const VF difference = hn::Sub(hn::LoadU(kDF, by), hn::Mul(divided, of_q));
-          hn::BlendedStore(hn::Div(difference, q), mask, kDF, by);
+          store_where(mask, hn::Div(difference, q), kDF, by);
         }
       }
     }

@@ -24,6 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 // All lanes side by side in one row.
 struct OneRow {
   static constexpr std::size_t kRows = 1;
+  static constexpr int kColumns = kLanes;
   static constexpr int column(int lane) { return lane; }
   static constexpr int row(int) { return 0; }
 
@@ -39,7 +40,7 @@ struct OneRow {
   // Stores only the lanes of the mask.
   template <class D>
   static HWY_INLINE void blend(hn::Vec<D> v, hn::Mask<D> mask, D d, std::int32_t* at) {
-    hn::BlendedStore(v, mask, d, at);
+    store_where(mask, v, d, at);
   }
   // Stores only the lanes of the mask, of a vector whose lanes are all equal.
   template <class D>
@@ -51,6 +52,11 @@ struct OneRow {
   static HWY_INLINE hn::Vec<D> places(D d) {
     return lane_numbers(d);
   }
+  static HWY_INLINE V columns() { return lane_numbers(kD); }
+  static HWY_INLINE V rows(D) { return hn::Zero(kD); }
+  // column × step_x + row × step_y, for the lower half of the lanes, and what the upper half has more.
+  static HWY_INLINE V64 in_lower_half(std::int64_t step_x, V64) { return lane_numbers_times(step_x); }
+  static HWY_INLINE V64 to_upper_half(std::int64_t step_x, V64) { return hn::Set(kD64, step_x * (kLanes / 2)); }
 };
 
 // The lanes in two rows or four, one above the other: a half or a quarter of them in each.
@@ -102,14 +108,15 @@ struct SeveralRows {
       hn::BlendedStore(value, hn::LoadMaskBits(part, &lanes), part, at + r * kTileSize);
     }
   }
-  // column × step_x + row × step_y, for the lower half of the lanes.
-  static HWY_INLINE hn::Vec<DD> in_lower_half(double step_x, double step_y) {
-    const auto along = [&](hn::Vec<DD> column) HWY_ATTR { return hn::Mul(column, hn::Set(kDD, step_x)); };
-    if constexpr (kCount == 2) return along(real_lane_numbers());
-    alignas(64) static constexpr std::array<double, 8> kColumn{0, 1, 2, 3, 0, 1, 2, 3}, kRow{0, 0, 0, 0, 1, 1, 1, 1};
+  static HWY_INLINE V64 in_lower_half(std::int64_t step_x, V64 step_y) {
+    if constexpr (kCount == 2) return lane_numbers_times(step_x);
+    alignas(64) static constexpr std::array<std::int64_t, 8> kColumn{0, 1, 2, 3, 0, 1, 2, 3};
+    alignas(64) static constexpr std::array<std::int64_t, 8> kSecondRow{0, 0, 0, 0, -1, -1, -1, -1};
     static_assert(kCount == 2 || kLanes == 16);
-    return hn::Add(along(hn::Load(kDD, kColumn.data())), hn::Mul(hn::Load(kDD, kRow.data()), hn::Set(kDD, step_y)));
+    const V64 along = hn::Mul(hn::Load(kD64, kColumn.data()), hn::Set(kD64, step_x));
+    return hn::Add(along, hn::And(hn::Load(kD64, kSecondRow.data()), step_y));
   }
+  static HWY_INLINE V64 to_upper_half(std::int64_t, V64 step_y) { return hn::ShiftLeft<kCount / 4>(step_y); }
   static HWY_INLINE V columns() { return hn::And(lane_numbers(kD), hn::Set(kD, kColumns - 1)); }
   static HWY_INLINE V rows(D d) { return hn::ShiftRightSame(lane_numbers(d), __builtin_ctz(kColumns)); }
   static HWY_INLINE V places(D d) { return hn::Add(columns(), hn::Mul(rows(d), hn::Set(d, kTileSize))); }

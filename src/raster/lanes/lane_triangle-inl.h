@@ -58,16 +58,13 @@ HWY_INLINE void draw_flat(D d, const LaneDraw<D>& draw, const PrimitiveDraw& cur
 // Draws the fragments of the mask that are nearer than what is stored. kNoted: Drawing::noted.
 template <bool kNoted, class Rows>
 HWY_INLINE void draw_nearest(const LaneDraw<D>& draw, const PrimitiveDraw& current, std::size_t place, M mask, V z24) {
-  const hn::RebindToUnsigned<D> du;
   std::int32_t* const at = lanes_of(current.tile.planes.depth_stencil.data()) + place;
-  // The stencil value does not matter: depth × 256 + 255 is less where the depth is less.
-  const auto stencil_bits = hn::Set(du, 0xFF), stored = hn::BitCast(du, Rows::load(kD, at));
-  const auto depth = hn::Or(hn::ShiftLeft<8>(hn::BitCast(du, z24)), stencil_bits);
-  const M drawn = hn::And(mask, hn::RebindMask(kD, hn::Lt(depth, stored)));
-  const auto after = hn::Or(hn::AndNot(stencil_bits, depth), hn::And(stencil_bits, stored));
-  Rows::blend(hn::BitCast(kD, after), drawn, kD, at);
+  const V stored = Rows::load(kD, at);
+  const V stored_depth = hn::BitCast(kD, hn::ShiftRight<8>(hn::BitCast(hn::RebindToUnsigned<D>(), stored)));
+  const M drawn = hn::And(mask, hn::Lt(z24, stored_depth));
+  Rows::blend(hn::Or(hn::ShiftLeft<8>(z24), hn::And(stored, hn::Set(kD, 0xFF))), drawn, kD, at);
   if constexpr (kNoted) {
-    const M equal = hn::And(mask, has_depth(kD, hn::BitCast(kD, stored), z24));
+    const M equal = hn::And(mask, hn::Eq(z24, stored_depth));
     if (HWY_UNLIKELY(!hn::AllFalse(kD, equal))) current.tile.owners.are_known = false;
     Rows::put(hn::Set(kD, static_cast<std::int32_t>(current.number)), drawn, kD,
               lanes_of(current.tile.owners.number.data()) + place);
@@ -126,19 +123,29 @@ HWY_INLINE bool is_full(const TileTriangles& t, std::size_t k) {
   return signs >= 0;
 }
 
-// Draws triangle k row by row. kFull: it is_full().
-template <Drawing kDrawing, bool kFull, class Draw>
+// How a triangle fills the vectors of its region's rows: it is_full(); those without a fragment are skipped, or not.
+enum class Filling { full, skipping, drawing_all };
+
+// True where a vector without a fragment costs less than a branch that cannot be predicted. (Measured with AVX2.)
+template <Drawing kDrawing>
+inline constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes == 8;
+
+// Draws triangle k row by row.
+template <Drawing kDrawing, Filling kFilling, class Draw>
 HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   const LaneDraw<D> draw(kD, current.pass.operations, current.primitive.front_facing);
   const V lane = lane_numbers(kD);
-  V row[3];
+  V row[3], step[3], up[3];
   for (std::size_t i = 0; i < 3; ++i) {
     row[i] = hn::Add(hn::Set(kD, t.inside[i][k]), hn::Mul(lane, hn::Set(kD, t.inside_x[i][k])));
+    step[i] = hn::Set(kD, t.inside_x[i][k] * kLanes);
+    up[i] = hn::Set(kD, t.inside_y[i][k]);
   }
   DepthLanes z(t, k);
   const int left = t.left[k], right = t.right[k], top = t.top[k];
   // The triangle may reach beyond the end of the region.
   const M last = hn::FirstN(kD, static_cast<std::size_t>((right - left) % kLanes + 1));
+  constexpr bool kFull = kFilling == Filling::full;
   constexpr bool kReadsEdges = !kFull || kDrawing == Drawing::gathers;
   auto row_place = first_place(current, t, k);
   for (int y = t.bottom[k];; ++y, row_place += kTileSize) {
@@ -148,22 +155,22 @@ HWY_NOINLINE void draw_triangle(const Draw& current, const TileTriangles& t, std
     for (int x = left;; x += kLanes, place += kLanes) {
       const bool is_last = x + kLanes > right;
       M mask = is_last ? last : hn::FirstN(kD, kLaneCount);
-      if (!kFull) mask = hn::And(mask, hn::Gt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Set(kD, -1)));
-      if (kFull || !hn::AllFalse(kD, mask)) {
+      if (!kFull) mask = hn::AndNot(hn::Lt(hn::Or(hn::Or(e[0], e[1]), e[2]), hn::Zero(kD)), mask);
+      if (kFilling != Filling::skipping || !hn::AllFalse(kD, mask)) {
         const PixelVector<V> at{x, y, place, mask, z_low, hn::Add(z_low, z.half), {e[0], e[1], e[2]}};
         draw_fragments<kDrawing, OneRow>(draw, current, t, k, at);
       }
       if (is_last) break;
-      for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) e[i] = hn::Add(e[i], hn::Set(kD, t.inside_x[i][k] * kLanes));
+      for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) e[i] = hn::Add(e[i], step[i]);
       z_low = hn::Add(z_low, z.step);
     }
     if (y == top) break;
-    for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) row[i] = hn::Add(row[i], hn::Set(kD, t.inside_y[i][k]));
+    for (std::size_t i = 0; i < 3 && kReadsEdges; ++i) row[i] = hn::Add(row[i], up[i]);
     z.row = hn::Add(z.row, z.up);
   }
 }
 
-// Draws triangle k several rows at a time. The triangle has_floats, and its region is no wider than a row of Rows.
+// Draws triangle k, one row or several at a time. It has_floats, and its region is no wider than a row of Rows.
 template <Drawing kDrawing, class Rows, class Draw>
 HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, std::size_t k) {
   constexpr int kRows = static_cast<int>(Rows::kRows);
@@ -177,17 +184,19 @@ HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, 
     e[i] = hn::MulAdd(float_column, hn::Set(kDF, t.float_inside_x[i][k]), in_column);
     up[i] = hn::Mul(step_y, hn::Set(kDF, kRows));
   }
-  V64 z_low = DepthLanes::at_first_lanes(t, k, Rows::in_lower_half(t.depth_x[k], t.depth_y[k]));
-  const V64 z_step = hn::Set(kD64, t.depth_step_y[k]);
-  V64 z_high = hn::Add(z_low, hn::ShiftLeft<kRows / 4>(z_step));
+  const V64 z_step = hn::Set(kD64, t.depth_y[k]);
+  V64 z_low = hn::Add(hn::Set(kD64, t.depth[k]), Rows::in_lower_half(t.depth_x[k], z_step));
+  V64 z_high = hn::Add(z_low, Rows::to_upper_half(t.depth_x[k], z_step));
   const V64 z_up = hn::ShiftLeft<kRows / 2>(z_step);
   const int left = t.left[k], top = t.top[k];
   const M within = hn::Lt(column, hn::Set(kD, t.right[k] - left + 1));
   auto place = first_place(current, t, k);
   for (int y = t.bottom[k];; y += kRows, place += Rows::kRows * kTileSize) {
-    M mask = hn::And(within, hn::Gt(hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2])), hn::Set(kD, -1)));
-    mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
-    if (!hn::AllFalse(kD, mask)) {
+    // The opposite of `less than 0` would be two operations with AVX2.
+    const V outside = hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2]));
+    M mask = hn::AndNot(hn::Lt(outside, hn::Zero(kD)), within);
+    if constexpr (kRows > 1) mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
+    if (kDrawsEmpty<kDrawing> || !hn::AllFalse(kD, mask)) {
       const PixelVector<VF> at{left, y, place, mask, z_low, z_high, {e[0], e[1], e[2]}};
       draw_fragments<kDrawing, Rows>(draw, current, t, k, at);
     }

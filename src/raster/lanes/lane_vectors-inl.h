@@ -55,6 +55,20 @@ HWY_INLINE hn::Vec<DD> real_lane_numbers() {
   return hn::Load(kDD, kNumbers.data());
 }
 
+// 0, step, 2 step, …, in half as many lanes as words have.
+HWY_INLINE V64 lane_numbers_times(std::int64_t step) {
+  const V64 once = hn::Set(kD64, step);
+#if HWY_TARGET <= HWY_AVX3
+  alignas(64) static constexpr std::array<std::int64_t, 8> kNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+  return hn::Mul(hn::Load(kD64, kNumbers.data()), once);
+#else  // no instruction multiplies them
+  alignas(32) static constexpr std::array<std::int64_t, 4> kOdd{0, -1, 0, -1}, kSecondPair{0, 0, -1, -1};
+  const V64 in_pair = hn::And(hn::Load(kD64, kOdd.data()), once);
+  if constexpr (hn::MaxLanes(kD64) == 2) return in_pair;
+  return hn::Add(in_pair, hn::And(hn::Load(kD64, kSecondPair.data()), hn::ShiftLeft<1>(once)));
+#endif
+}
+
 // A bit for each lane, the first lane in the lowest bit.
 template <class D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
@@ -65,6 +79,17 @@ HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
   std::array<std::uint8_t, 8> bytes;
   hn::StoreMaskBits(d, mask, bytes.data());
   return hn::MaxLanes(d) > 8 ? bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8 : bytes[0];
+#endif
+}
+
+// Stores only the lanes of the mask. The other words of the vector are read and may be written with what they hold.
+template <class D>
+HWY_INLINE void store_where(hn::Mask<D> mask, hn::Vec<D> v, D d, hn::TFromD<D>* at) {
+#if HWY_TARGET <= HWY_AVX3
+  hn::BlendedStore(v, mask, d, at);
+#else
+  // AVX2's masked store takes AMD's processors as many cycles as a dozen others.
+  hn::StoreU(hn::IfThenElse(mask, v, hn::LoadU(d, at)), d, at);
 #endif
 }
 

@@ -78,6 +78,9 @@ HWY_INLINE void draw_placed(const Draw& current, const TileTriangles& t, std::si
     using Rows = SeveralRows<2>;
     if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(current, t, k);
   }
+  if constexpr (kLanes == 8 && kDrawing != Drawing::gathers) {
+    if (columns <= OneRow::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, OneRow>(current, t, k);
+  }
   if constexpr (kDrawing == Drawing::gathers) {
     const LaneOperations& operations = current.pass.operations;
     if (operations.tests_nothing) return gather_rows<Finding::all>(current, t, k);
@@ -87,8 +90,14 @@ HWY_INLINE void draw_placed(const Draw& current, const TileTriangles& t, std::si
     }
   }
   // Only large triangles cover regions so wide.
-  if (columns >= 2 * kLanes && is_full(t, k)) return draw_triangle<kDrawing, true>(current, t, k);
-  draw_triangle<kDrawing, false>(current, t, k);
+  if (columns >= 2 * kLanes && is_full(t, k)) return draw_triangle<kDrawing, Filling::full>(current, t, k);
+  if constexpr (kDrawsEmpty<kDrawing>) {
+    // The whole of a small triangle has a fragment in most vectors of its box; a large one's part of a tile has not.
+    constexpr int kSmall = 5 * kLanes;
+    const PixelBounds& box = current.primitive.box;
+    if (box.right - box.left < kSmall) return draw_triangle<kDrawing, Filling::drawing_all>(current, t, k);
+  }
+  draw_triangle<kDrawing, Filling::skipping>(current, t, k);
 }
 
 // Primitives of a block that are drawn in a tile.

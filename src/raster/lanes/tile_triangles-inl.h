@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "hwy/highway.h"
+#include "src/raster/lanes/lane_records-inl.h"
 #include "src/raster/lanes/lane_vectors-inl.h"
 #include "src/raster/lanes/tile_triangles.h"
 #include "src/raster/setup/window_primitives.h"
@@ -21,20 +22,38 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
-// A word of each of several primitives, given where the block's first primitive has it.
+// A word of each of several primitives, given by its place in SetupPrimitive.
 class PrimitiveWords {
  public:
+#if HWY_TARGET <= HWY_AVX3
   HWY_INLINE PrimitiveWords(const SetupBlock& block, const std::uint32_t* indices)
-      : first(block.primitives[0]),
+      : first_(reinterpret_cast<const std::int32_t*>(block.primitives.data())),
         offset_(hn::Mul(hn::LoadU(kD, reinterpret_cast<const std::int32_t*>(indices)),
                         hn::Set(kD, static_cast<std::int32_t>(sizeof(SetupPrimitive))))) {}
-  HWY_INLINE V operator()(const void* of_first) const {
-    return hn::GatherOffset(kD, static_cast<const std::int32_t*>(of_first), offset_);
+  HWY_INLINE V operator()(std::size_t place) const {
+    return hn::GatherOffset(kD, first_ + place / 4, offset_);
   }
-  const SetupPrimitive& first;
 
  private:
+  const std::int32_t* first_;
   V offset_;
+#else
+  HWY_INLINE PrimitiveWords(const SetupBlock& block, const std::uint32_t* indices) {
+    for (std::size_t row = 0; row < kRows; ++row) {
+      const auto at = [&](std::size_t lane) HWY_ATTR {
+        return reinterpret_cast<const std::int32_t*>(&block.primitives[indices[lane]]) + 4 * row;
+      };
+      load_four_words(kD, at, word_[row]);
+    }
+  }
+  HWY_INLINE V operator()(std::size_t place) const {
+    return word_[place / 16][place / 4 % 4];
+  }
+
+ private:
+  static constexpr std::size_t kRows = sizeof(SetupPrimitive) / 16;
+  V word_[kRows][4];
+#endif
 };
 
 // The origins of the triangles' regions, and their sizes less one.
@@ -47,7 +66,8 @@ HWY_INLINE RegionLanes store_regions(TileTriangles& t, const PrimitiveWords& wor
   // Two bounds in a word, the first one in its lower half.
   static_assert(offsetof(PixelBounds, bottom) == 2 && offsetof(PixelBounds, right) == 4 &&
                 offsetof(PixelBounds, top) == 6);
-  const V low = word(&word.first.box.left), high = word(&word.first.box.right);
+  constexpr std::size_t kBox = offsetof(SetupPrimitive, box);
+  const V low = word(kBox), high = word(kBox + offsetof(PixelBounds, right));
   const auto lower = [](V both) HWY_ATTR { return hn::ShiftRight<16>(hn::ShiftLeft<16>(both)); };
   const V left = hn::Max(lower(low), hn::Set(kD, tile.left)), right = hn::Min(lower(high), hn::Set(kD, tile.right - 1));
   const V bottom = hn::Max(hn::ShiftRight<16>(low), hn::Set(kD, tile.bottom));
@@ -71,9 +91,10 @@ HWY_INLINE CornerLanes load_corners(const PrimitiveWords& word, const RegionLane
   const V centre_y = hn::Add(hn::ShiftLeft<4>(region.bottom), hn::Set(kD, 8));
   CornerLanes c;
   c.reach = hn::Zero(kD);
-  const V high_y = word(&word.first.position.word[3]);
+  constexpr std::size_t kPosition = offsetof(SetupPrimitive, position);
+  const V high_y = word(kPosition + 12);
   for (std::size_t i = 0; i < 3; ++i) {
-    const V packed = word(&word.first.position.word[i]);
+    const V packed = word(kPosition + 4 * i);
     const V high_part = hn::ShiftRight<32 - kHigh>(hn::ShiftLeftSame(high_y, 32 - kHigh - kHigh * static_cast<int>(i)));
     const V low_part = hn::And(packed, hn::Set(kD, (1 << kLow) - 1));
     c.x[i] = hn::Sub(hn::ShiftRight<kLow>(packed), centre_x);
@@ -117,13 +138,27 @@ HWY_INLINE M store_edges(TileTriangles& t, const CornerLanes& c, const RegionLan
   return mask;
 }
 
+// Numbers below 2^30 with 32 fraction bits.
+HWY_INLINE V64 fixed_point(hn::Vec<DD> v) {
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+  // These have no instruction for it. A sum of 2^52 and a smaller number has that number as its low bits; another half
+  // of it keeps what is negative within the same power of two.
+  const auto whole = hn::Floor(v), one = hn::Set(kDD, 0x1p52);
+  const auto high = hn::BitCast(kD64, hn::Add(whole, hn::Set(kDD, 0x1.8p52)));
+  const auto low = hn::BitCast(kD64, hn::Add(hn::Mul(hn::Sub(v, whole), hn::Set(kDD, kDepthOne)), one));
+  return hn::Add(hn::ShiftLeft<32>(high), hn::Sub(low, hn::BitCast(kD64, one)));
+#else
+  return hn::ConvertTo(kD64, hn::Mul(v, hn::Set(kDD, kDepthOne)));
+#endif
+}
+
 // The depth planes: the operations of TileTriangles::place in the same order.
 HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const EdgeLanes& edges) {
-  const V z0 = word(&word.first.z24[0]);
-  const V dz1 = hn::Sub(word(&word.first.z24[1]), z0), dz2 = hn::Sub(word(&word.first.z24[2]), z0);
+  constexpr std::size_t kZ24 = offsetof(SetupPrimitive, z24);
+  const V z0 = word(kZ24), dz1 = hn::Sub(word(kZ24 + 4), z0), dz2 = hn::Sub(word(kZ24 + 8), z0);
   static_assert(offsetof(SetupPrimitive, kind) == 12 && offsetof(SetupPrimitive, fraction) == 14 && kOffsetBits == 16);
   const M is_flat = hn::Eq(hn::Or(dz1, dz2), hn::Zero(kD));
-  const V own_fraction = hn::And(hn::ShiftRight<16>(word(&word.first.kind)), hn::Set(kD, 0xFFFF));
+  const V own_fraction = hn::And(hn::ShiftRight<16>(word(offsetof(SetupPrimitive, kind))), hn::Set(kD, 0xFFFF));
   const V fraction = hn::IfThenElse(is_flat, hn::Set(kD, 1 << 15), own_fraction);
   const V area = hn::Add(hn::Add(edges.at_origin[0], edges.at_origin[1]), edges.at_origin[2]);
   const hn::Half<D> half;
@@ -145,14 +180,12 @@ HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const
     const auto is_sure =
         hn::And(hn::And(hn::Le(steep, hn::Set(kDD, kSteepestDepth)), hn::Le(far, hn::Set(kDD, kFarthestDepth))),
                 hn::Le(hn::Abs(origin), hn::Set(kDD, kHighestDepth)));
-    const auto kept = hn::IfThenElseZero(is_sure, hn::Set(kDD, kDepthOne));
     const std::size_t at = upper ? hn::Lanes(kDD) : 0;
-    hn::Store(hn::Mul(origin, kept), kDD, t.depth.data() + at);
-    const auto kept_x = hn::Mul(slope_x, kept), kept_y = hn::Mul(slope_y, kept);
-    hn::Store(kept_x, kDD, t.depth_x.data() + at);
-    hn::Store(kept_y, kDD, t.depth_y.data() + at);
-    hn::Store(hn::ConvertTo(kD64, kept_x), kD64, t.depth_step_x.data() + at);
-    hn::Store(hn::ConvertTo(kD64, kept_y), kD64, t.depth_step_y.data() + at);
+    const auto store = [&](hn::Vec<DD> v, TileTriangles::Each<std::int64_t>& to)
+                           HWY_ATTR { hn::Store(fixed_point(hn::IfThenElseZero(is_sure, v)), kD64, to.data() + at); };
+    store(origin, t.depth);
+    store(slope_x, t.depth_x);
+    store(slope_y, t.depth_y);
   }
 }
 

@@ -37,8 +37,7 @@ struct TileTriangles {
   alignas(64) std::array<Each<float>, 3> float_inside, float_inside_x, float_inside_y;
   // Depth + the triangle's fraction with 32 fraction bits, and its steps. Zeros, whose fraction is in doubt, where only
   // the exact plane is good enough.
-  alignas(64) Each<double> depth, depth_x, depth_y;
-  alignas(64) Each<std::int64_t> depth_step_x, depth_step_y;
+  alignas(64) Each<std::int64_t> depth, depth_x, depth_y;
   Each<bool> is_narrow;                       // true if the edge functions of all of the region's vectors fit 32 bits
   alignas(64) Each<std::int32_t> has_floats;  // not 0 if true
   std::array<Each<double>, 3> edge, edge_x, edge_y;  // the edge functions themselves, for those that are not narrow
@@ -96,11 +95,10 @@ inline bool TileTriangles::place(std::size_t k, const SetupPrimitive& p, bool sm
   const bool is_sure = std::fabs(slope_x) <= kSteepestDepth && std::fabs(slope_y) <= kSteepestDepth &&
                        (std::fabs(edge[1][k]) + std::fabs(edge[2][k])) * scale <= kFarthestDepth &&
                        std::fabs(origin) <= kHighestDepth;
-  depth[k] = is_sure ? origin * kDepthOne : 0.0;
-  depth_x[k] = is_sure ? slope_x * kDepthOne : 0.0;
-  depth_y[k] = is_sure ? slope_y * kDepthOne : 0.0;
-  depth_step_x[k] = static_cast<std::int64_t>(depth_x[k]);
-  depth_step_y[k] = static_cast<std::int64_t>(depth_y[k]);
+  const auto fixed = [is_sure](double v) { return is_sure ? static_cast<std::int64_t>(v * kDepthOne) : 0; };
+  depth[k] = fixed(origin);
+  depth_x[k] = fixed(slope_x);
+  depth_y[k] = fixed(slope_y);
   return true;
 }
 

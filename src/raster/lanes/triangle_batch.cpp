@@ -61,9 +61,10 @@ HWY_INLINE bool are_in_range(const Corners& vertex, std::size_t vertex_count) {
   return hn::AllFalse(kDI, beyond);
 }
 
-// Loads the first words, and drops triangles that lie beyond one side of the view. False if none is left.
+// Loads the first words, and y where that comes with them, and drops triangles that lie beyond one side of the view.
+// False if none is left.
 HWY_INLINE bool load_outcodes(const TriangleBatch& batch, std::size_t lanes, BatchTriangles& t) {
-  for (int k = 0; k < 3; ++k) t.x[k] = word_of(batch, 0, t.vertex.v[k]);
+  for (int k = 0; k < 3; ++k) words_of<0>(batch, t.vertex.v[k], t.x[k], kGathersRecords ? nullptr : &t.y[k]);
   const VI all = hn::And(hn::And(t.x[0], t.x[1]), t.x[2]), any = hn::Or(hn::Or(t.x[0], t.x[1]), t.x[2]);
   t.alive = hn::Eq(hn::And(all, set(kBeyondAny)), set(0));
   if (lanes < hn::Lanes(kDI)) t.alive = hn::And(t.alive, hn::FirstN(kDI, lanes));
@@ -72,11 +73,11 @@ HWY_INLINE bool load_outcodes(const TriangleBatch& batch, std::size_t lanes, Bat
   return true;
 }
 
-// Turns the first words into x, and loads y.
+// Turns the first words into x, and has y loaded.
 HWY_INLINE void load_positions(const TriangleBatch& batch, BatchTriangles& t) {
   for (int k = 0; k < 3; ++k) {
     t.x[k] = hn::ShiftRight<kCodeBits>(t.x[k]);
-    t.y[k] = word_of(batch, 1, t.vertex.v[k]);
+    if constexpr (kGathersRecords) t.y[k] = word_of(batch, 1, t.vertex.v[k]);
   }
 }
 

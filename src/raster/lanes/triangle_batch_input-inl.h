@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "hwy/highway.h"
+#include "src/raster/lanes/lane_records-inl.h"
 #include "src/raster/lanes/triangle_batch.h"
 #include "src/raster/lanes/triangle_vectors-inl.h"
 
@@ -66,6 +67,24 @@ HWY_INLINE Corners corners_of(const TriangleBatch& batch, std::size_t first, std
 // A word of the vertices: 0 and 1 are x with the outcode and y, 2 the depth, 3 is 1/w.
 HWY_INLINE VI word_of(const TriangleBatch& batch, int word, VI vertex) {
   return hn::GatherIndex(kDI, &batch.vertices.data()->x_q4_and_code + word, hn::ShiftLeft<2>(vertex));
+}
+
+// Two neighbouring words of the vertices: 0 and 1, or 2 and 3. The second one only if it is there, `second` not null.
+template <int kFirst>
+HWY_INLINE void words_of(const TriangleBatch& batch, VI vertex, VI& first, VI* second) {
+#if HWY_TARGET <= HWY_AVX3 || HWY_TARGET == HWY_SCALAR
+  first = word_of(batch, kFirst, vertex);
+  if (second != nullptr) *second = word_of(batch, kFirst + 1, vertex);
+#else
+  alignas(64) std::int32_t number[16];
+  hn::Store(vertex, kDI, number);
+  VI word[4];
+  const auto at = [&](std::size_t lane)
+                      HWY_ATTR { return &batch.vertices[static_cast<std::size_t>(number[lane])].x_q4_and_code; };
+  load_four_words(kDI, at, word);
+  first = word[kFirst];
+  if (second != nullptr) *second = word[kFirst + 1];
+#endif
 }
 
 // How many triangles are dropped at once where they lie beyond one side of the view, and how many vertices that may

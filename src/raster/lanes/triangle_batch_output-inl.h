@@ -50,8 +50,10 @@ HWY_INLINE void gather_depths(const TriangleBatch& batch, const TriangleCandidat
     const VI vertex[3] = {hn::Load(kDI, c.vertex[0] + i), hn::IfThenElse(swapped, third, second),
                           hn::IfThenElse(swapped, second, third)};
     for (int k = 0; k < 3; ++k) {
-      hn::Store(word_of(batch, 2, vertex[k]), kDI, to.corner[k] + i);
-      if (batch.context.needs_corners) hn::Store(word_of(batch, 3, vertex[k]), kDI, to.inv_w[k] + i);
+      VI depth, inv_w;
+      words_of<2>(batch, vertex[k], depth, batch.context.needs_corners ? &inv_w : nullptr);
+      hn::Store(depth, kDI, to.corner[k] + i);
+      if (batch.context.needs_corners) hn::Store(inv_w, kDI, to.inv_w[k] + i);
     }
   }
 }
