@@ -139,14 +139,6 @@ TEST(Depth, ExactHalvesAreCutOrRoundedUp) {
   }
 }
 
-// One triangle over the whole target at one depth.
-Mesh level_triangle(float z) {
-  Mesh mesh;
-  for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, z});
-  mesh.add_triangle(0, 1, 2);
-  return mesh;
-}
-
 TEST(Depth, EndsOfTheRange) {
   struct Row {
     float z;

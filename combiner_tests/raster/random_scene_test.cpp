@@ -30,8 +30,9 @@ class StateTable {
  public:
   // `values`: how many a full table has, from 0 on.
   void add(const std::string& state, int values, int value, std::uint64_t fragments) {
-    values_[state] = values;
-    count_[state][value] += fragments;
+    Buckets& buckets = states_[state];
+    buckets.values = values;
+    buckets.fragments[value] += fragments;
   }
 
   void add(const RandomDraw& draw, const oracle::Picture& start, const oracle::Tally& t) {
@@ -96,9 +97,9 @@ class StateTable {
 
   [[nodiscard]] std::string text() const {
     std::string out;
-    for (const auto& [state, values] : count_) {
+    for (const auto& [state, buckets] : states_) {
       out += state + ':';
-      for (const auto& [value, fragments] : values)
+      for (const auto& [value, fragments] : buckets.fragments)
         out += "  " + std::to_string(value) + ' ' + std::to_string(fragments);
       out += '\n';
     }
@@ -106,19 +107,21 @@ class StateTable {
   }
 
   void expect_full(std::uint64_t least) const {
-    EXPECT_EQ(values_.size(), 40U);
-    for (const auto& [state, values] : values_) {
-      const auto& table = count_.at(state);
-      for (int value = 0; value < values; ++value) {
-        const auto found = table.find(value);
-        EXPECT_GE(found == table.end() ? 0 : found->second, least) << state << ' ' << value;
+    EXPECT_EQ(states_.size(), 40U);
+    for (const auto& [state, buckets] : states_) {
+      for (int value = 0; value < buckets.values; ++value) {
+        const auto found = buckets.fragments.find(value);
+        EXPECT_GE(found == buckets.fragments.end() ? 0 : found->second, least) << state << ' ' << value;
       }
     }
   }
 
  private:
-  std::map<std::string, std::map<int, std::uint64_t>> count_;
-  std::map<std::string, int> values_;
+  struct Buckets {
+    int values = 0;
+    std::map<int, std::uint64_t> fragments;
+  };
+  std::map<std::string, Buckets> states_;
 };
 
 struct StatesSeen {

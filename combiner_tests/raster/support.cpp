@@ -130,6 +130,13 @@ VertexArrays Mesh::arrays() const {
   return arrays;
 }
 
+Mesh level_triangle(float z) {
+  Mesh mesh;
+  for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, z});
+  mesh.add_triangle(0, 1, 2);
+  return mesh;
+}
+
 PipelineState counting_state() {
   PipelineState state;
   state.color_mask = {false, false, false, false};

@@ -68,6 +68,9 @@ struct Mesh {
   VertexArrays arrays() const;
 };
 
+// One triangle over the whole target and more, at one depth.
+Mesh level_triangle(float z);
+
 // Stencil INCR for every fragment, no colour.
 PipelineState counting_state();
 
