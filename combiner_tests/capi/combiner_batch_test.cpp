@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "ninebit/language/register_words.h"
-#include "src/combiner/c99/ninebit_combiner.h"
+#include "combiner_tests/support/chip_words.h"
 
 namespace ninebit::test {
 namespace {
@@ -22,25 +21,11 @@ nbc_program random_program(Random& random) {
   nbc_words words{};
   const auto encoded = encode_register_words(state, ChipClass::nv20, profiles::nv2a);
   EXPECT_TRUE(encoded);
-  const auto put = [&](const std::string& name, std::uint32_t& to) {
+  for_each_word(words, ChipClass::nv20, [&](const std::string& name, std::uint32_t& to) {
     for (const RegisterWord& word : *encoded) {
       if (word.name == name) to = word.value;
     }
-  };
-  for (int i = 0; i < 8; ++i) {
-    const std::string index = '[' + std::to_string(i) + ']';
-    put("RC_IN_RGB" + index, words.in_rgb[i]);
-    put("RC_IN_ALPHA" + index, words.in_alpha[i]);
-    put("RC_OUT_RGB" + index, words.out_rgb[i]);
-    put("RC_OUT_ALPHA" + index, words.out_alpha[i]);
-    put("RC_CONSTANT_COLOR0" + index, words.stage_color0[i]);
-    put("RC_CONSTANT_COLOR1" + index, words.stage_color1[i]);
-  }
-  put("RC_COLOR0", words.color[0]);
-  put("RC_COLOR1", words.color[1]);
-  put("RC_FINAL0", words.final0);
-  put("RC_FINAL1", words.final1);
-  put("RC_ENABLE", words.enable);
+  });
   nbc_state c_state;
   nbc_program program{};
   EXPECT_TRUE(nbc_read_words(&words, NBC_NV20, &c_state));

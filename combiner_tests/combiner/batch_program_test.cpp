@@ -2,11 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/normalize.h"
@@ -46,11 +44,7 @@ TEST(BatchProgram, ReadsWhatTheWantedOutputsNeed) {
 // One stage that leaves A·B of two inputs in spare0's red, which is wanted.
 std::string product_of(const CombinerInput& a, const CombinerInput& b, Scale scale = Scale::none,
                        const HardwareProfile& profile = profiles::geforce2) {
-  CombinerState state = silent_state(1);
-  state.general[0].rgb.a = a;
-  state.general[0].rgb.b = b;
-  state.general[0].rgb.out.ab = Register::spare0;
-  state.general[0].rgb.out.scale = scale;
+  CombinerState state = rgb_stage({a, b, kZero, kZero, ab_to(Register::spare0, scale)});
   state.final_combiner = final_of(Register::spare0);
   return compiled(state, profile, {.color = {true, false, false, false}});
 }
@@ -77,19 +71,15 @@ TEST(BatchProgram, AMuxByTheLowestBitIsOneChoice) {
   symmetric.lowest.value = symmetric.lowest_output;
   CombinerState state = silent_state(2);
   state.mux_by_lowest_bit = true;
-  Portion& rgb = state.general[1].rgb;
-  rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
-  rgb.c = rgb_of(Register::fog, InputMapping::signed_identity);
-  rgb.b = rgb.d = kOne;
-  rgb.out = {.sum = Register::spare1, .mux_sum = true};
+  state.general[1].rgb = {rgb_of(Register::primary, InputMapping::signed_identity), kOne,
+                          rgb_of(Register::fog, InputMapping::signed_identity), kOne, mux_to(Register::spare1)};
   state.final_combiner = final_of(Register::spare1);
   const BatchOutputs red{.color = {true, false, false, false}};
   EXPECT_EQ(compiled(state, symmetric, red),
             "t0 = (odd(max(spare0.a, 0)) ? fog.r : primary_color.r)\nout.r = 1*max(t0, 0)\n");
   // Where spare0's alpha can be one code only, nothing is chosen.
-  state.general[0].alpha.a = alpha_of(Register::constant0, InputMapping::signed_negate);
-  state.general[0].alpha.b = kOneAlpha;
-  state.general[0].alpha.out.ab = Register::spare0;
+  state.general[0].alpha = {alpha_of(Register::constant0, InputMapping::signed_negate), kOneAlpha, kZeroAlpha,
+                            kZeroAlpha, ab_to(Register::spare0)};
   for (const int code : {0, 128, 129}) {
     state.constant0 = color_of(0, 0, 0, code);
     EXPECT_EQ(compiled(state, symmetric, red), "out.r = 1*max(primary_color.r, 0)\n") << -code;
@@ -99,11 +89,9 @@ TEST(BatchProgram, AMuxByTheLowestBitIsOneChoice) {
 }
 
 TEST(BatchProgram, BlueToAlphaIsNoOperation) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary);
-  rgb.b = rgb_of(Register::fog);
-  rgb.out = {.ab = Register::spare1, .sum = Register::discard, .ab_blue_to_alpha = true};
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary), rgb_of(Register::fog), kZero, kZero, ab_to(Register::spare1)});
+  state.general[0].rgb.out.ab_blue_to_alpha = true;
   state.final_combiner = final_of(Register::spare1);
   const BatchOutputs blue{.color = {false, false, true, false}}, alpha{.color = {false, false, false, true}};
   const std::string one = compiled(state, profiles::nv2a, blue), other = compiled(state, profiles::nv2a, alpha);
@@ -114,12 +102,9 @@ TEST(BatchProgram, BlueToAlphaIsNoOperation) {
 }
 
 TEST(BatchProgram, EqualOperationsRunOnce) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary);
-  rgb.b = rgb_of(Register::secondary);
-  rgb.out.ab = Register::spare0;
-  rgb.out.ab_dot_product = true;
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary), rgb_of(Register::secondary), kZero, kZero, ab_to(Register::spare0)});
+  state.general[0].rgb.out.ab_dot_product = true;
   state.final_combiner = final_of(Register::spare0);
   EXPECT_EQ(compiled(state, profiles::geforce2, {.color = {true, true, true, false}}),
             "out.r = clamp(u16:truncate((max(primary_color.r, 0)*max(secondary_color.r, 0) + "
@@ -128,72 +113,31 @@ TEST(BatchProgram, EqualOperationsRunOnce) {
             "out.g = out.r\nout.b = out.r\n");
 }
 
-// Each mapping of each code, alone and as a factor, on every target.
-TEST(BatchProgram, EveryMappingOfEveryCode) {
-  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  for (const HardwareProfile& profile : profiles_and_rivals()) {
-    for (const InputMapping mapping : kInputMappings) {
-      CombinerState state = silent_state(1);
-      Portion& rgb = state.general[0].rgb;
-      rgb.a = rgb_of(Register::primary, mapping);
-      rgb.b = kOne;
-      rgb.c = rgb_of(Register::primary, mapping);
-      rgb.d = rgb_of(Register::secondary, InputMapping::signed_identity);
-      rgb.out.ab = Register::spare0;
-      rgb.out.cd = Register::spare1;
-      std::vector<RegisterFile> fragments;
-      for (int code = profile.lowest; code <= profile.one; ++code) {
-        RegisterFile& registers = fragments.emplace_back();
-        registers[Register::primary] = codes(code, code, std::min(code + 1, profile.one.value), 0);
-        registers[Register::secondary] = codes(profile.one, profile.one - 1, profile.lowest, 0);
-        if (fragments.size() < kBatchSize && code < profile.one) continue;
-        judged(state, profile, fragments);
-        fragments.clear();
-      }
-    }
-  }
-}
-
 // Terms of one register are joined where they are alike; a value and its positive part are not.
 TEST(BatchProgram, SumsOfTermsOfOneRegister) {
   const HardwareProfile& profile = profiles::geforce2;
+  std::vector<RegisterFile> fragments;
+  for (int code = -255; code <= 255; ++code) fragments.emplace_back()[Register::primary] = codes(code, code, code, 0);
   for (const InputMapping mapping : kInputMappings) {
     for (const CombinerInput& sign : {kOne, kMinusOne}) {
-      CombinerState state = silent_state(1);
-      Portion& rgb = state.general[0].rgb;
-      rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
-      rgb.b = kOne;
-      rgb.c = rgb_of(Register::primary, mapping);
-      rgb.d = sign;
-      rgb.out.sum = Register::spare0;
-      for (int first = -255; first <= 255; first += 256) {
-        std::vector<RegisterFile> fragments;
-        for (int code = first; code <= std::min(first + 255, 255); ++code) {
-          fragments.emplace_back()[Register::primary] = codes(code, code, code, 0);
-        }
-        judged(state, profile, fragments);
-      }
+      judged(rgb_stage({rgb_of(Register::primary, InputMapping::signed_identity), kOne,
+                        rgb_of(Register::primary, mapping), sign, sum_to(Register::spare0)}),
+             profile, fragments);
     }
   }
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb.c = rgb_of(Register::primary);
-  rgb.b = kOne;
-  rgb.d = kMinusOne;
-  rgb.out.sum = Register::spare0;
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary), kOne, rgb_of(Register::primary), kMinusOne, sum_to(Register::spare0)});
   state.final_combiner = final_of(Register::spare0);
   EXPECT_EQ(compiled(state, profile, {.color = {true, false, false, false}}), "out.r = 0\n");
 }
 
 // Registers that exchange their contents, and colours that are registers: nothing is overwritten before it is read.
 TEST(BatchProgram, RegistersThatChangePlaces) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::spare0, InputMapping::signed_identity);
-  rgb.c = rgb_of(Register::spare1, InputMapping::signed_identity);
-  rgb.b = rgb.d = kOne;
-  rgb.out.ab = Register::spare1;
-  rgb.out.cd = Register::spare0;
+  CombinerState state = rgb_stage({rgb_of(Register::spare0, InputMapping::signed_identity),
+                                   kOne,
+                                   rgb_of(Register::spare1, InputMapping::signed_identity),
+                                   kOne,
+                                   {.ab = Register::spare1, .cd = Register::spare0, .sum = Register::discard}});
   state.final_combiner = final_of(Register::spare0);
   RegisterFile registers;
   registers[Register::spare0] = codes(-7, 8, 9, 10);
@@ -233,8 +177,7 @@ TEST(BatchProgram, ManyTemporaries) {
 }
 
 TEST(BatchProgram, ConstantsThatVaryComeFromTheBatch) {
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
+  Lanes lanes;
   for (std::uint64_t index = 0; index < (kSlowBuild ? 40 : 400); ++index) {
     Random random(0xC0457, index);
     const HardwareProfile profile = random_profile(random);
@@ -249,11 +192,9 @@ TEST(BatchProgram, ConstantsThatVaryComeFromTheBatch) {
     std::vector<RegisterFile> initial(kCount);
     for (std::size_t i = 0; i < kCount; ++i) {
       initial[i] = random_registers(random, profile);
-      for (std::size_t r = 0; r < kRegisterCount; ++r) {
-        for (std::size_t c = 0; c < 4; ++c) batch->plane[r][c][i] = initial[i].value[r][c];
-      }
+      put(*lanes.registers, i, initial[i]);
     }
-    BatchProgram(program, {}, varying).run(*batch, kCount, *out);
+    BatchProgram(program, {}, varying).run(*lanes.registers, kCount, *lanes.out);
     for (std::size_t i = 0; i < kCount; ++i) {
       const auto replace = [&](Register reg, Rgba9& constant) {
         for (int c = 0; c < 4; ++c) {
@@ -267,8 +208,7 @@ TEST(BatchProgram, ConstantsThatVaryComeFromTheBatch) {
       }
       replace(Register::constant0, program.constant0);
       replace(Register::constant1, program.constant1);
-      const Rgba9 expected = evaluate(program, initial[i]);
-      for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(out->plane[c][i], expected[c]) << index << ' ' << i << ' ' << c;
+      ASSERT_EQ(lane_of(*lanes.out, i), evaluate(program, initial[i])) << index << ' ' << i;
     }
   }
 }

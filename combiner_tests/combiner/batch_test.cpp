@@ -18,20 +18,6 @@
 namespace ninebit::test {
 namespace {
 
-RegisterFile lane_of(const RegisterBatch& batch, std::size_t lane) {
-  RegisterFile registers;
-  for (std::size_t r = 0; r < kRegisterCount; ++r) {
-    for (std::size_t c = 0; c < 4; ++c) registers.value[r][c] = batch.plane[r][c][lane];
-  }
-  return registers;
-}
-
-void fill(RegisterBatch& batch, std::size_t lane, const RegisterFile& registers) {
-  for (std::size_t r = 0; r < kRegisterCount; ++r) {
-    for (std::size_t c = 0; c < 4; ++c) batch.plane[r][c][lane] = registers.value[r][c];
-  }
-}
-
 TEST(Batch, EveryTargetOfThisProcessorIsDispatchedTo) {
   ASSERT_FALSE(simd_targets().empty());
   const BatchProgram program(normalize(CombinerState{}, profiles::geforce2));
@@ -62,37 +48,37 @@ TEST(Batch, EveryTargetOfThisProcessorIsDispatchedTo) {
 // A batch of `count` gives each lane what the lane alone gives, whatever stands in the lanes past it.
 TEST(Batch, SizesAndLanesPastTheCount) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
+  Lanes lanes;
+  RegisterBatch& batch = *lanes.registers;
+  const auto start = std::make_unique<RegisterBatch>();
   int checked = 0;
   for (std::uint64_t index = 0; index < 40; ++index) {
     Random random(0xBA7C4, index);
     const HardwareProfile profile = random_profile(random);
     const Program program = normalize(random_state(random, profile), profile);
     const BatchProgram compiled(program, {.registers = true});
-    std::vector<RegisterFile> initial(kBatchSize);
-    for (RegisterFile& registers : initial) registers = random_registers(random, profile);
+    std::vector<EvaluatedFragment> expected;
+    for (std::size_t lane = 0; lane < kBatchSize; ++lane) {
+      const RegisterFile registers = random_registers(random, profile);
+      put(*start, lane, registers);
+      expected.push_back(evaluate_fragment(program, registers));
+    }
     for (const std::int64_t target : simd_targets()) {
       const OnTarget on_target(target);
       for (const std::size_t count : {1U, 2U, 3U, 7U, 8U, 9U, 15U, 16U, 17U, 31U, 33U, 255U, 256U, 257U, 511U, 512U}) {
-        for (std::size_t lane = 0; lane < kBatchSize; ++lane) fill(*batch, lane, initial[lane]);
-        for (auto& reg : batch->plane) {
+        batch = *start;
+        for (auto& reg : batch.plane) {
           for (auto& plane : reg) {
             for (std::size_t lane = count; lane < kBatchSize; ++lane) {
               plane[lane] = static_cast<s9>(static_cast<std::uint16_t>(random.next()));
             }
           }
         }
-        compiled.run(*batch, count, *out);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-          RegisterFile expected = initial[lane];
-          evaluate_general(program, expected);
-          const Rgba9 color = evaluate_final(program, expected);
-          ASSERT_EQ(lane_of(*batch, lane), expected) << simd_target_name(target) << ' ' << count << ' ' << lane;
-          for (std::size_t c = 0; c < 4; ++c) {
-            ASSERT_EQ(out->plane[c][lane], color[c]) << simd_target_name(target) << ' ' << count << ' ' << lane;
-          }
-          ++checked;
+        compiled.run(batch, count, *lanes.out);
+        for (std::size_t lane = 0; lane < count; ++lane, ++checked) {
+          ASSERT_TRUE(lane_of(batch, lane) == expected[lane].registers &&
+                      lane_of(*lanes.out, lane) == expected[lane].color)
+              << simd_target_name(target) << ' ' << count << ' ' << lane;
         }
       }
     }
@@ -115,7 +101,7 @@ TEST(Batch, NothingIsWrittenOutsideTheBatch) {
     const BatchProgram program(normalize(random_state(random, profile), profile), {.registers = true});
     std::memset(static_cast<void*>(guarded.get()), 0x5A, sizeof(Guarded));
     for (std::size_t lane = 0; lane < kBatchSize; ++lane) {
-      fill(guarded->registers, lane, random_registers(random, profile));
+      put(guarded->registers, lane, random_registers(random, profile));
     }
     for (const std::int64_t target : simd_targets()) {
       const OnTarget on_target(target);
@@ -143,20 +129,14 @@ TEST(Batch, AnEmptyBatchChangesNothing) {
 
 // The places of zero and the constants in a register file are not read.
 TEST(Batch, ZeroAndConstantsInTheRegisterFileAreNotRead) {
-  CombinerState state = silent_state(1);
+  CombinerState state = rgb_stage({rgb_of(Register::constant0),
+                                   kOne,
+                                   rgb_of(Register::zero),
+                                   kOne,
+                                   {.ab = Register::spare0, .cd = Register::spare1, .sum = Register::discard}});
   state.constant0 = color_of(10, 20, 30, 40);
   state.constant1 = color_of(50, 60, 70, 80);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::constant0);
-  rgb.b = kOne;
-  rgb.c = rgb_of(Register::zero);
-  rgb.d = kOne;
-  rgb.out.ab = Register::spare0;
-  rgb.out.cd = Register::spare1;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = alpha_of(Register::constant1);
-  alpha.b = kOneAlpha;
-  alpha.out.ab = Register::spare0;
+  state.general[0].alpha = {alpha_of(Register::constant1), kOneAlpha, kZeroAlpha, kZeroAlpha, ab_to(Register::spare0)};
   RegisterFile registers;
   for (const Register r : {Register::zero, Register::constant0, Register::constant1}) {
     registers[r] = codes(99, -99, 255, -255);

@@ -11,11 +11,11 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/chip_words.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/validate.h"
-#include "ninebit/language/register_words.h"
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/numerics/profile_fields.h"
 #include "src/combiner/c99/ninebit_combiner.h"
@@ -255,17 +255,13 @@ TEST(C99, AllMappingsOfAllCodesAndAllOutputsOfAllProducts) {
     }
     for (const auto& [scale, bias] : kScaleBias) {
       for (const bool mux : {false, true}) {
-        CombinerState state = silent_state(1);
-        Portion& rgb = state.general[0].rgb;
-        rgb.a = rgb_of(Register::texture0, InputMapping::signed_identity);
-        rgb.b = rgb_of(Register::primary, InputMapping::signed_identity);
-        rgb.c = rgb_of(Register::texture0, InputMapping::expand_normal);
-        rgb.d = rgb_of(Register::primary, InputMapping::signed_negate);
-        rgb.out = {Register::spare1, Register::texture1, Register::texture0, scale, bias};
-        rgb.out.mux_sum = mux;
-        state.general[0].alpha = rgb;
-        Portion& alpha = state.general[0].alpha;
-        for (CombinerInput* const in : {&alpha.a, &alpha.b, &alpha.c, &alpha.d}) in->usage = ComponentUsage::alpha;
+        CombinerState state = rgb_stage({rgb_of(Register::texture0, InputMapping::signed_identity),
+                                         rgb_of(Register::primary, InputMapping::signed_identity),
+                                         rgb_of(Register::texture0, InputMapping::expand_normal),
+                                         rgb_of(Register::primary, InputMapping::signed_negate),
+                                         {Register::spare1, Register::texture1, Register::texture0, scale, bias}});
+        state.general[0].rgb.out.mux_sum = mux;
+        state.general[0].alpha = of_alpha(state.general[0].rgb);
         state.mux_by_lowest_bit = mux && profile.mux_by_lowest_bit && bias == Bias::none;
         ASSERT_NO_FATAL_FAILURE(expect_same_for_pairs(state, profile, 7));
       }
@@ -434,31 +430,13 @@ ChipWords random_words(Random& random, ChipClass chip) {
   const auto encoded = encode_register_words(state, chip, profile);
   EXPECT_TRUE(encoded) << encoded.error().text();
   const bool damaged = random.one_in(4);
-  const auto put = [&](const std::string& name, std::uint32_t& to) {
+  for_each_word(words.c, chip, [&](const std::string& name, std::uint32_t& to) {
     for (const RegisterWord& word : *encoded) {
       if (word.name == name) to = word.value;
     }
     if (damaged && random.one_in(12)) to ^= 1U << random.below(32);
     words.named.push_back({name, to, {}});
-  };
-  const int stages = chip == ChipClass::nv20 ? 8 : 2;
-  for (int i = 0; i < stages; ++i) {
-    const std::string index = '[' + std::to_string(i) + ']';
-    put("RC_IN_RGB" + index, words.c.in_rgb[i]);
-    put("RC_IN_ALPHA" + index, words.c.in_alpha[i]);
-    put("RC_OUT_RGB" + index, words.c.out_rgb[i]);
-    put("RC_OUT_ALPHA" + index, words.c.out_alpha[i]);
-    if (chip == ChipClass::nv10) continue;
-    put("RC_CONSTANT_COLOR0" + index, words.c.stage_color0[i]);
-    put("RC_CONSTANT_COLOR1" + index, words.c.stage_color1[i]);
-  }
-  for (int k = 0; k < 2; ++k) {
-    put(chip == ChipClass::nv20 ? "RC_COLOR" + std::to_string(k) : "RC_COLOR[" + std::to_string(k) + ']',
-        words.c.color[k]);
-  }
-  put("RC_FINAL0", words.c.final0);
-  put("RC_FINAL1", words.c.final1);
-  if (chip == ChipClass::nv20) put("RC_ENABLE", words.c.enable);
+  });
   return words;
 }
 

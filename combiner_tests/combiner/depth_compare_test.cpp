@@ -14,45 +14,30 @@ namespace {
 // Stage 1, alpha: mux(AB = spare0.b, CD = 0).
 CombinerState depth_compare() {
   CombinerState state = silent_state(2);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::texture0);
-  rgb.b = kOne;
-  rgb.c = rgb_of(Register::texture1);
-  rgb.d = kMinusOne;
-  rgb.out.sum = Register::spare0;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = alpha_of(Register::texture1);
-  alpha.b = alpha.d = kOneAlpha;
-  alpha.c = alpha_of(Register::texture0, InputMapping::unsigned_invert);
-  alpha.out.sum = Register::spare0;
-  alpha.out.bias = Bias::by_negative_one_half;
-  Portion& choice = state.general[1].alpha;
-  choice.a = blue_of(Register::spare0);
-  choice.b = kOneAlpha;
-  choice.c = choice.d = kZeroAlpha;
-  choice.out.sum = Register::spare0;
-  choice.out.mux_sum = true;
+  state.general[0].rgb = {rgb_of(Register::texture0), kOne, rgb_of(Register::texture1), kMinusOne,
+                          sum_to(Register::spare0)};
+  state.general[0].alpha = {alpha_of(Register::texture1), kOneAlpha,
+                            alpha_of(Register::texture0, InputMapping::unsigned_invert), kOneAlpha,
+                            sum_to(Register::spare0, Scale::none, Bias::by_negative_one_half)};
+  state.general[1].alpha = {blue_of(Register::spare0), kOneAlpha, kZeroAlpha, kZeroAlpha, mux_to(Register::spare0)};
   return state;
 }
 
 // The pairs for which the program does not take AB where tex1.a <= tex0.a and CD where it is larger.
 int wrong_decisions(const HardwareProfile& profile) {
-  int wrong = 0;
-  for (int first = 0; first < 256; ++first) {
-    std::vector<RegisterFile> fragments(256);
-    for (int second = 0; second < 256; ++second) {
-      FragmentInputs inputs;
-      inputs.texture[0] = Texel{.value = {0, 0, 255, static_cast<std::uint8_t>(first)}};
-      inputs.texture[1] = Texel{.value = {0, 0, 0, static_cast<std::uint8_t>(second)}};
-      fragments[static_cast<std::size_t>(second)] = initial_registers(profile, inputs);
-    }
-    const std::vector<Fragment> results = judged(depth_compare(), profile, fragments);
-    for (int second = 0; second < 256; ++second) {
-      const int alpha = results[static_cast<std::size_t>(second)].color[kAlpha];
-      EXPECT_TRUE(alpha == 0 || alpha == profile.one) << alpha;
-      const bool took_ab = alpha != 0;
-      if (took_ab != (second <= first)) ++wrong;
-    }
+  std::vector<RegisterFile> fragments;
+  for (int i = 0; i < 65536; ++i) {
+    FragmentInputs inputs;
+    inputs.texture[0] = Texel{.value = {0, 0, 255, static_cast<std::uint8_t>(i / 256)}};
+    inputs.texture[1] = Texel{.value = {0, 0, 0, static_cast<std::uint8_t>(i)}};
+    fragments.push_back(initial_registers(profile, inputs));
+  }
+  int wrong = 0, i = 0;
+  for (const Fragment& fragment : judged(depth_compare(), profile, fragments)) {
+    const int alpha = fragment.color[kAlpha], first = i / 256, second = i % 256;
+    EXPECT_TRUE(alpha == 0 || alpha == profile.one) << alpha;
+    if ((alpha != 0) != (second <= first)) ++wrong;
+    ++i;
   }
   return wrong;
 }

@@ -1,6 +1,6 @@
-// Random valid states: the oracle, the reference and the batch evaluator on every SIMD target give the same codes. Each
-// arithmetic has its own run with its own oracle, cut into shards that are tests of their own: shard s takes the cases
-// s, s + kShards, s + 2 kShards, …
+// Random valid states: the oracle, the reference and the batch evaluator on every SIMD target give the same codes; the
+// slow oracle for some fragments of each state. Each arithmetic has its own run with its own oracle, cut into shards
+// that are tests of their own: shard s takes the cases s, s + kShards, s + 2 kShards, …
 //
 // One case again, alone: NINEBIT_DIFFERENTIAL_INDEX=12345 and the run's name in the filter, as a failure prints it
 // (and NINEBIT_DIFFERENTIAL_SEED, if it was set). NINEBIT_DIFFERENTIAL_COUNT=1000000 gives another number of cases to
@@ -21,6 +21,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
+#include "combiner_tests/support/environment.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/validate.h"
 
@@ -36,19 +37,15 @@ struct Run {
   std::uint64_t cases;
   std::uint64_t sanitized_cases;
   std::size_t fragments;  // each: for vectors more than the longest has, and a rest; numbers without a limit take long
+  std::size_t oracle_every;  // one in so many
 };
-constexpr Run kInteger{"integer", Arithmetic::integer, 50000, 4000, 40};
-constexpr Run kFloat{"float", Arithmetic::float32, 20000, 2000, 40};
-constexpr Run kExact{"exact", Arithmetic::exact, 8000, 160, 16};
+constexpr Run kInteger{"integer", Arithmetic::integer, 50000, 4000, 40, 4};
+constexpr Run kFloat{"float", Arithmetic::float32, 20000, 2000, 40, 4};
+constexpr Run kExact{"exact", Arithmetic::exact, 8000, 160, 16, 1};
 
 HardwareProfile profile_of(const Run& run, Random& random) {
   if (run.arithmetic == Arithmetic::integer) return random_profile(random);
   return random_real_profile(random, run.arithmetic == Arithmetic::exact ? profiles::ideal : profiles::float_shader);
-}
-
-std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 0);
 }
 
 // The outputs of a shard: a differential test of constant outputs would prove nothing.
@@ -98,7 +95,7 @@ void run_case(const Run& run, std::uint64_t seed, std::uint64_t index, StatesSee
   ASSERT_TRUE(faults.empty()) << faults[0].message << '\n' << describe(state, profile);
   std::vector<RegisterFile> initial(run.fragments);
   for (RegisterFile& registers : initial) registers = random_registers(random, profile);
-  const std::vector<Fragment> fragments = judged(state, profile, initial);
+  const std::vector<Fragment> fragments = judged(state, profile, initial, run.oracle_every);
   for (std::size_t i = 0; i < run.fragments; ++i) seen.add(initial[i], fragments[i]);
   seen.coverage.add(state, profile);
 }

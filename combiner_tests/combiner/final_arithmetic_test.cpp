@@ -2,11 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <memory>
+#include <array>
 #include <vector>
 
-#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
 
@@ -33,100 +31,69 @@ std::vector<HardwareProfile> profiles_and_truncation() {
   return all;
 }
 
-// All values of A, B and C: 2^24 with nine-bit codes.
+// All values of A, B and C: 2^24 with nine-bit codes. By the reference and on every SIMD target.
 TEST(FinalArithmetic, EveryBlendOfThreeValues) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
-  for (const HardwareProfile& p : profiles_and_truncation()) {
-    const Datapath d = datapath_of(p);
-    for (int a = 0; a <= p.one; ++a) {
-      for (int b = 0; b <= p.one; ++b) {
-        for (int c = 0; c <= p.one; ++c) {
-          const int expected = blended(p, a, b, c), actual = reference::final_rgb(d, a, b, c, 0);
-          if (actual != expected) {
-            FAIL() << p.name << ' ' << a << ' ' << b << ' ' << c << ": " << actual << " instead of " << expected;
-          }
-        }
-      }
-    }
-  }
-}
-
-TEST(FinalArithmetic, EveryBlendOfThreeValuesOnEverySimdTarget) {
-  if (kSanitized || kCoverage) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
   CombinerState state = silent_state(1);
   state.final_combiner.a = rgb_of(Register::primary);
   state.final_combiner.b = rgb_of(Register::secondary);
   state.final_combiner.c = rgb_of(Register::texture0);
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
+  Lanes lanes;
+  std::array<std::array<int, 256>, 3> expected{};
   for (const HardwareProfile& p : profiles_and_truncation()) {
+    const Datapath d = datapath_of(p);
     const BatchProgram program(compile(state, p).value());
     const int one = p.one;
     const auto values = static_cast<std::size_t>(one + 1);
-    for (std::size_t c = 0; c < values; ++c) {
-      for (int channel = 0; channel < 3; ++channel) (*batch)(Register::texture0, channel)[c] = static_cast<s9>(c);
-    }
     // Three values of A at once, one a channel. A sanitizer gets every fifteenth.
-    for (const std::int64_t target : simd_targets()) {
-      const OnTarget on_target(target);
-      for (int a = 0; a <= one; a += kSlowBuild ? 15 : 3) {
+    for (int a = 0; a <= one; a += kSlowBuild ? 15 : 3) {
+      for (int b = 0; b <= one; ++b) {
+        int wrong = 0;
         for (int channel = 0; channel < 3; ++channel) {
-          std::fill_n((*batch)(Register::primary, channel), values, static_cast<s9>(std::min(a + channel, one)));
-        }
-        for (int b = 0; b <= one; ++b) {
-          for (int channel = 0; channel < 3; ++channel) {
-            std::fill_n((*batch)(Register::secondary, channel), values, static_cast<s9>(b));
-          }
-          program.run(*batch, values, *out);
-          for (int channel = 0; channel < 3; ++channel) {
-            const int value = std::min(a + channel, one);
-            for (int c = 0; c <= one; ++c) {
-              const int expected = blended(p, value, b, c);
-              const int actual = out->plane[static_cast<std::size_t>(channel)][static_cast<std::size_t>(c)];
-              if (actual != expected) {
-                FAIL() << p.name << " on " << simd_target_name(target) << ": " << value << ' ' << b << ' ' << c << ": "
-                       << actual << " instead of " << expected;
-              }
-            }
+          const int value = std::min(a + channel, one);
+          std::fill_n((*lanes.registers)(Register::primary, channel), values, static_cast<s9>(value));
+          std::fill_n((*lanes.registers)(Register::secondary, channel), values, static_cast<s9>(b));
+          for (int c = 0; c <= one; ++c) {
+            (*lanes.registers)(Register::texture0, channel)[c] = static_cast<s9>(c);
+            int& code = expected[static_cast<std::size_t>(channel)][static_cast<std::size_t>(c)];
+            code = blended(p, value, b, c);
+            wrong |= reference::final_rgb(d, value, b, c, 0) ^ code;
           }
         }
+        ASSERT_EQ(wrong, 0) << p.name << ": the reference, " << a << ' ' << b;
+        lanes.expect_on_every_target(program, values, p, [&] {
+          for (std::size_t channel = 0; channel < 3; ++channel) {
+            for (std::size_t c = 0; c < values; ++c) wrong |= lanes.out->plane[channel][c] ^ expected[channel][c];
+          }
+          return wrong;
+        });
+        if (HasFatalFailure()) return;
       }
-      ASSERT_TRUE(on_target.ran());
     }
   }
 }
 
-// Pairs of register values in one fragment's red, green and blue, run through the whole state by every path.
+// All pairs of register values from `low` on, run through the whole state by every path: x in all components of one
+// register, a third of all y in each component of another.
 template <class Expected>
 void for_all_pairs(const CombinerState& state, const HardwareProfile& p, Register first, Register second, int low,
                    const Expected& expected) {
-  const int one = p.one;
-  const int step = kSlowBuild ? 17 : 1;
+  const int one = p.one, step = kSlowBuild ? 17 : 1, third = (one - low + 3) / 3;
+  const auto y = [&](int i, int component) { return std::min(low + i + component * third, one); };
+  std::vector<RegisterFile> fragments;
   for (int x = low; x <= one; x += x >= one - step ? 1 : step) {
-    std::vector<RegisterFile> fragments;
-    std::vector<int> second_value;
-    const auto flush = [&] {
-      const std::vector<Fragment> results = judged(state, p, fragments);
-      for (std::size_t i = 0; i < results.size(); ++i) {
-        const int y = second_value[i];
-        const int other = std::max(low, x - 1);
-        ASSERT_EQ(results[i].color[kRed], expected(x, y)) << p.name << ' ' << x << ' ' << y;
-        ASSERT_EQ(results[i].color[kGreen], expected(other, y)) << p.name << ' ' << other << ' ' << y;
-        ASSERT_EQ(results[i].color[kBlue], expected(y, x)) << p.name << ' ' << y << ' ' << x;
-      }
-      fragments.clear();
-      second_value.clear();
-    };
-    for (int y = low; y <= one; ++y) {
-      RegisterFile registers;
-      registers[first] = codes(x, std::max(low, x - 1), y, 0);
-      registers[second] = codes(y, y, x, 0);
-      fragments.push_back(registers);
-      second_value.push_back(y);
-      if (fragments.size() == kBatchSize) flush();
+    for (int i = 0; i < third; ++i) {
+      RegisterFile& registers = fragments.emplace_back();
+      registers[first] = codes(x, x, x, 0);
+      registers[second] = codes(y(i, 0), y(i, 1), y(i, 2), 0);
     }
-    if (!fragments.empty()) flush();
-    if (testing::Test::HasFailure()) return;
+  }
+  const std::vector<Fragment> results = judged(state, p, fragments);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int a = fragments[i][first][c], b = fragments[i][second][c];
+      ASSERT_EQ(results[i].color[c], expected(a, b)) << p.name << ' ' << a << ' ' << b;
+    }
   }
 }
 
@@ -141,52 +108,29 @@ TEST(FinalArithmetic, ETimesFOfAllPairs) {
   }
 }
 
-TEST(FinalArithmetic, ColorSumOfAllPairsWithTheClamp) {
+// With the clamp, and without it by halves, so that what lies above 1.0 shows; of the NV2A with 1 - x of either or
+// both.
+TEST(FinalArithmetic, ColorSumOfAllPairs) {
   for (const HardwareProfile& p : integer_profiles()) {
-    CombinerState state = silent_state(1);
-    state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
-    const int low = kSlowBuild ? -3 : p.lowest.value;
-    for_all_pairs(state, p, Register::spare0, Register::secondary, low,
-                  [&](int x, int y) { return std::min(std::max(x, 0) + std::max(y, 0), p.one.value); });
-  }
-}
-
-TEST(FinalArithmetic, ColorSumOfAllPairsWithoutTheClamp) {
-  for (const HardwareProfile& p : {profiles::geforce2, profiles::geforce256_8bit}) {
-    CombinerState state = silent_state(1);
-    state.color_sum_clamp = false;
-    // Half of the sum, so that what lies above 1.0 shows.
-    state.constant0 = {0.5F, 0.5F, 0.5F, 0.5F};
-    state.final_combiner.a = rgb_of(Register::constant0);
-    state.final_combiner.b = rgb_of(Register::spare0_plus_secondary);
-    const int half = p.one == 255 ? 128 : 64;
-    for_all_pairs(state, p, Register::spare0, Register::secondary, 0,
-                  [&](int x, int y) { return std::min((2 * half * (x + y) + p.one) / (2 * p.one), p.one.value); });
-  }
-}
-
-// 1 - x of either or both, of every pair of register values; with the clamp, and without it by halves.
-TEST(FinalArithmetic, InvertedColorSumOfAllPairs) {
-  const HardwareProfile& p = profiles::nv2a;
-  for (const bool clamp : {true, false}) {
-    for (const int inverts : {1, 2, 3}) {
-      CombinerState state = silent_state(1);
-      state.color_sum_clamp = clamp;
-      state.color_sum_invert_spare0 = (inverts & 1) != 0;
-      state.color_sum_invert_secondary = (inverts & 2) != 0;
-      if (clamp) {
-        state.final_combiner.d = rgb_of(Register::spare0_plus_secondary);
-      } else {
+    for (const bool clamp : {true, false}) {
+      if (!clamp && p.narrowing_point == NarrowingPoint::before_scale) continue;  // geforce2's final combiner
+      for (int inverts = 0; inverts < (p.color_sum_inverts ? 4 : 1); ++inverts) {
+        CombinerState state = silent_state(1);
+        state.color_sum_clamp = clamp;
+        state.color_sum_invert_spare0 = (inverts & 1) != 0;
+        state.color_sum_invert_secondary = (inverts & 2) != 0;
+        FinalCombiner& f = state.final_combiner;
+        (clamp ? f.d : f.b) = rgb_of(Register::spare0_plus_secondary);
         state.constant0 = {0.5F, 0.5F, 0.5F, 0.5F};
-        state.final_combiner.a = rgb_of(Register::constant0);
-        state.final_combiner.b = rgb_of(Register::spare0_plus_secondary);
+        if (!clamp) f.a = rgb_of(Register::constant0);
+        const int low = kSlowBuild ? -3 : p.lowest.value, half = (p.one + 1) / 2;
+        for_all_pairs(state, p, Register::spare0, Register::secondary, low, [&](int x, int y) {
+          const auto part = [&](int v, bool inverted) { return inverted ? p.one - std::max(v, 0) : std::max(v, 0); };
+          const int sum = part(x, (inverts & 1) != 0) + part(y, (inverts & 2) != 0);
+          return std::min(clamp ? sum : (2 * half * sum + p.one) / (2 * p.one), p.one.value);
+        });
+        if (HasFailure()) return;
       }
-      const int low = kSlowBuild ? -3 : p.lowest.value;
-      for_all_pairs(state, p, Register::spare0, Register::secondary, low, [&](int x, int y) {
-        const auto part = [](int v, bool inverted) { return inverted ? (v > 0 ? 255 - v : 255) : (v > 0 ? v : 0); };
-        const int sum = part(x, (inverts & 1) != 0) + part(y, (inverts & 2) != 0);
-        return clamp ? std::min(sum, 255) : std::min((2 * 128 * sum + 255) / 510, 255);
-      });
     }
   }
 }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
@@ -56,85 +56,70 @@ TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValue) {
   EXPECT_EQ(cases, 8 * (3 * 511 + 255 + 2 * 512));
 }
 
+// Alone, where its blue also goes to alpha, and as a factor.
 TEST(GeneralArithmetic, EveryMappingOfEveryRegisterValueInARunningProgram) {
   if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  for (const HardwareProfile& p : integer_profiles()) {
+  for (const HardwareProfile& p : profiles_and_rivals()) {
     for (const InputMapping mapping : kInputMappings) {
-      CombinerState state = silent_state(1);
-      state.general[0].rgb.a = rgb_of(Register::primary, mapping);
-      state.general[0].rgb.b = kOne;
-      state.general[0].rgb.out.ab = Register::spare1;
-      state.general[0].alpha.a = blue_of(Register::primary, mapping);
-      state.general[0].alpha.b = kOneAlpha;
-      state.general[0].alpha.out.ab = Register::spare1;
+      const CombinerInput mapped = rgb_of(Register::primary, mapping);
+      CombinerState state = rgb_stage({mapped,
+                                       kOne,
+                                       mapped,
+                                       rgb_of(Register::secondary, InputMapping::signed_identity),
+                                       {.ab = Register::spare1, .cd = Register::texture0, .sum = Register::discard}});
+      state.general[0].alpha = {blue_of(Register::primary, mapping), kOneAlpha, kZeroAlpha, kZeroAlpha,
+                                ab_to(Register::spare1)};
+      std::vector<RegisterFile> fragments;
       for (int e = p.lowest; e <= p.one; ++e) {
-        RegisterFile registers;
-        registers[Register::primary] = codes(e, e, e, 7);
-        const RegisterFile after = judged(state, p, registers).registers;
-        const int expected = std::clamp(mapped_by_table(p, mapping, e), p.lowest_output.value, p.one.value);
-        ASSERT_EQ(after[Register::spare1], codes(expected, expected, expected, expected)) << name_of(mapping) << e;
+        RegisterFile& registers = fragments.emplace_back();
+        registers[Register::primary] = codes(e, e, std::min(e + 1, p.one.value), 7);
+        registers[Register::secondary] = codes(p.one, p.one - 1, p.lowest, 0);
+      }
+      const std::vector<Fragment> results = judged(state, p, fragments);
+      for (std::size_t i = 0; i < results.size(); ++i) {
+        const Rgba9& e = fragments[i][Register::primary];
+        for (std::size_t c = 0; c < 4; ++c) {
+          ASSERT_EQ(results[i].registers[Register::spare1][c],
+                    std::clamp(mapped_by_table(p, mapping, e[c < 3 ? c : 2]), p.lowest_output.value, p.one.value))
+              << p.name << ' ' << name_of(mapping) << ' ' << e[0];
+        }
       }
     }
   }
 }
 
-// Both portions of a stage choose between the primary (AB) and the secondary colour (CD).
-CombinerState mux_state() {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary);
-  rgb.b = rgb.d = kOne;
-  rgb.c = rgb_of(Register::secondary);
-  rgb.out.sum = Register::spare1;
-  rgb.out.mux_sum = true;
-  state.general[0].alpha = rgb;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a.usage = alpha.b.usage = alpha.c.usage = alpha.d.usage = ComponentUsage::alpha;
-  return state;
-}
-
+// By the highest bit, and by the lowest of the eight that have that one, which is 0 of all that is negative.
 TEST(GeneralArithmetic, MuxOfEverySpare0Alpha) {
-  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
-  const CombinerState state = mux_state();
-  for (const HardwareProfile& p : integer_profiles()) {
-    for (int select = p.lowest; select <= p.one; ++select) {
-      RegisterFile registers;
-      registers[Register::primary] = codes(1, 2, 3, 4);
-      registers[Register::secondary] = codes(5, 6, 7, 8);
-      registers[Register::spare0][kAlpha] = static_cast<s9>(select);
-      const Rgba9 expected = registers[select >= p.half ? Register::secondary : Register::primary];
-      ASSERT_EQ(judged(state, p, registers).registers[Register::spare1], expected) << p.name << ' ' << select;
-    }
-  }
-}
-
-// The lowest bit of the eight that have the highest one, which is 0 of all that is negative.
-TEST(GeneralArithmetic, MuxByTheLowestBitOfEverySpare0Alpha) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   int cases = 0;
   for (HardwareProfile p : profiles_and_rivals()) {
     p.mux_by_lowest_bit.value = true;
-    // Once as factors are chosen before they are multiplied, once as codes are chosen.
-    for (const bool products : {false, true}) {
-      CombinerState state = mux_state();
-      state.mux_by_lowest_bit = true;
-      if (products) {
-        state.general[0].rgb.b = state.general[0].rgb.d = rgb_of(Register::texture0);
-        state.general[0].alpha.b = state.general[0].alpha.d = alpha_of(Register::texture0);
-      }
-      for (int select = p.lowest; select <= p.one; ++select, ++cases) {
-        RegisterFile registers;
-        registers[Register::primary] = codes(1, 2, 3, 4);
-        registers[Register::secondary] = codes(5, 6, 7, 8);
-        registers[Register::texture0] = codes(p.one, p.one, p.one, p.one);
-        registers[Register::spare0][kAlpha] = static_cast<s9>(select);
-        const bool odd = select == 1 || (select > 1 && select % 2 == 1);
-        const Rgba9 expected = registers[odd ? Register::secondary : Register::primary];
-        ASSERT_EQ(judged(state, p, registers).registers[Register::spare1], expected) << p.name << ' ' << select;
+    for (const bool by_lowest_bit : {false, true}) {
+      // Once as factors are chosen before they are multiplied, once as codes are chosen.
+      for (const CombinerInput& factor : {kOne, rgb_of(Register::texture0)}) {
+        CombinerState state = rgb_stage(
+            {rgb_of(Register::primary), factor, rgb_of(Register::secondary), factor, mux_to(Register::spare1)});
+        state.general[0].alpha = of_alpha(state.general[0].rgb);
+        state.mux_by_lowest_bit = by_lowest_bit;
+        std::vector<RegisterFile> fragments;
+        for (int select = p.lowest; select <= p.one; ++select, ++cases) {
+          RegisterFile& registers = fragments.emplace_back();
+          registers[Register::primary] = codes(1, 2, 3, 4);
+          registers[Register::secondary] = codes(5, 6, 7, 8);
+          registers[Register::texture0] = codes(p.one, p.one, p.one, p.one);
+          registers[Register::spare0][kAlpha] = static_cast<s9>(select);
+        }
+        const std::vector<Fragment> results = judged(state, p, fragments);
+        for (std::size_t i = 0; i < results.size(); ++i) {
+          const int select = p.lowest + static_cast<int>(i);
+          const bool takes_cd = by_lowest_bit ? select > 0 && select % 2 == 1 : select >= p.half;
+          ASSERT_EQ(results[i].registers[Register::spare1], takes_cd ? codes(5, 6, 7, 8) : codes(1, 2, 3, 4))
+              << p.name << ' ' << select << by_lowest_bit;
+        }
       }
     }
   }
-  EXPECT_EQ(cases, 2 * (3 * 511 + 255 + 2 * 512));
+  EXPECT_EQ(cases, 4 * (3 * 511 + 255 + 2 * 512));
 }
 
 TEST(GeneralArithmetic, TheReferenceRunsAtCompileTime) {

@@ -25,19 +25,16 @@ RegisterFile mixed_registers() {
 
 // A·1 of one register to another, in the RGB portion.
 Portion move_rgb(Register from, Register to) {
-  Portion p = silent_state(1).general[0].rgb;
-  p.a = rgb_of(from, InputMapping::signed_identity);
-  p.b = kOne;
-  p.out.ab = to;
-  return p;
+  return {rgb_of(from, InputMapping::signed_identity), kOne, kZero, kZero, ab_to(to)};
 }
 
 Portion move_alpha(Register from, Register to) {
-  Portion p = silent_state(1).general[0].alpha;
-  p.a = alpha_of(from, InputMapping::signed_identity);
-  p.b = kOneAlpha;
-  p.out.ab = to;
-  return p;
+  return of_alpha(move_rgb(from, to));
+}
+
+// A·1 and C·1 of two registers.
+Portion move_two(Register a, Register c, const PortionOutput& out) {
+  return {rgb_of(a), kOne, rgb_of(c), kOne, out};
 }
 
 TEST(GeneralCombiner, TheDefaultStateIsColorSumAndFog) {
@@ -62,8 +59,7 @@ TEST(GeneralCombiner, DiscardWritesNothing) {
 }
 
 TEST(GeneralCombiner, EachPortionWritesItsOwnComponents) {
-  CombinerState state = silent_state(1);
-  state.general[0].rgb = move_rgb(Register::texture0, Register::spare0);
+  CombinerState state = rgb_stage(move_rgb(Register::texture0, Register::spare0));
   RegisterFile expected = mixed_registers();
   expected[Register::spare0] = codes(180, 190, 200, 130);
   EXPECT_EQ(judged(state, kCard, mixed_registers()).registers, expected);
@@ -80,12 +76,9 @@ TEST(GeneralCombiner, EveryWritableRegisterTakesEachOfTheThreeOutputs) {
     const int units = profile.texture_units;
     for (int to = static_cast<int>(Register::primary); to < static_cast<int>(Register::texture0) + units; ++to) {
       for (int which = 0; which < 3; ++which) {
-        CombinerState state = silent_state(1);
-        Portion& rgb = state.general[0].rgb;
-        rgb.a = rgb_of(Register::primary);
-        rgb.c = rgb_of(Register::secondary);
-        rgb.b = rgb.d = kOne;
-        (which == 0 ? rgb.out.ab : which == 1 ? rgb.out.cd : rgb.out.sum) = static_cast<Register>(to);
+        PortionOutput out = sum_to(Register::discard);
+        (which == 0 ? out.ab : which == 1 ? out.cd : out.sum) = static_cast<Register>(to);
+        const CombinerState state = rgb_stage(move_two(Register::primary, Register::secondary, out));
         RegisterFile expected = mixed_registers();
         const Rgba9 values[3] = {codes(10, 20, 30, 0), codes(50, 60, 70, 0), codes(60, 80, 100, 0)};
         Rgba9& written = expected[static_cast<Register>(to)];
@@ -97,21 +90,10 @@ TEST(GeneralCombiner, EveryWritableRegisterTakesEachOfTheThreeOutputs) {
 }
 
 TEST(GeneralCombiner, ComponentUsage) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = alpha_of(Register::primary);
-  rgb.b = kOne;
-  rgb.c = rgb_of(Register::primary);
-  rgb.d = alpha_of(Register::zero, InputMapping::unsigned_invert);
-  rgb.out.ab = Register::spare0;
-  rgb.out.cd = Register::spare1;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = blue_of(Register::primary);
-  alpha.c = blue_of(Register::fog);
-  alpha.b = kOneAlpha;
-  alpha.d = blue_of(Register::zero, InputMapping::unsigned_invert);
-  alpha.out.ab = Register::spare0;
-  alpha.out.cd = Register::spare1;
+  const PortionOutput out{.ab = Register::spare0, .cd = Register::spare1, .sum = Register::discard};
+  CombinerState state = rgb_stage({alpha_of(Register::primary), kOne, rgb_of(Register::primary), kOneAlpha, out});
+  state.general[0].alpha = {blue_of(Register::primary), kOneAlpha, blue_of(Register::fog),
+                            blue_of(Register::zero, InputMapping::unsigned_invert), out};
   const RegisterFile after = judged(state, kCard, mixed_registers()).registers;
   EXPECT_EQ(after[Register::spare0], codes(40, 40, 40, 30));
   EXPECT_EQ(after[Register::spare1], codes(10, 20, 30, 92));
@@ -128,13 +110,10 @@ TEST(GeneralCombiner, AStageSeesWhatTheStageBeforeItWrote) {
 }
 
 TEST(GeneralCombiner, TheSumIsNotClampedBeforeBiasAndScale) {
-  CombinerState state = silent_state(1);
+  CombinerState state =
+      rgb_stage(move_two(Register::texture1, Register::texture1,
+                         {.ab = Register::spare1, .sum = Register::spare0, .scale = Scale::by_one_half}));
   Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb.c = rgb_of(Register::texture1);
-  rgb.b = rgb.d = kOne;
-  rgb.out.ab = Register::spare1;
-  rgb.out.sum = Register::spare0;
-  rgb.out.scale = Scale::by_one_half;
   const RegisterFile after = judged(state, profiles::nv2a, mixed_registers()).registers;
   EXPECT_EQ(after[Register::spare0], codes(220, 230, 240, 130)) << "(x + x) / 2";
   EXPECT_EQ(after[Register::spare1], codes(110, 115, 120, -170)) << "the scale is every output's";
@@ -148,16 +127,12 @@ TEST(GeneralCombiner, TheSumIsNotClampedBeforeBiasAndScale) {
 }
 
 TEST(GeneralCombiner, NegativeAndPositiveProductsCancelBeforeTheClamp) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::texture1);
-  rgb.c = rgb_of(Register::texture0);
-  rgb.b = kOne;
-  rgb.d = kMinusOne;
-  rgb.out.ab = Register::spare0;
-  rgb.out.cd = Register::spare1;
-  rgb.out.sum = Register::primary;
-  rgb.out.scale = Scale::by_four;
+  const CombinerState state =
+      rgb_stage({rgb_of(Register::texture1),
+                 kOne,
+                 rgb_of(Register::texture0),
+                 kMinusOne,
+                 {.ab = Register::spare0, .cd = Register::spare1, .sum = Register::primary, .scale = Scale::by_four}});
   const RegisterFile after = judged(state, kCard, mixed_registers()).registers;
   EXPECT_EQ(after[Register::primary], codes(160, 160, 160, 40)) << "4 (220 - 180), from the unclamped products";
   EXPECT_EQ(after[Register::spare0], codes(255, 255, 255, 130));
@@ -166,15 +141,15 @@ TEST(GeneralCombiner, NegativeAndPositiveProductsCancelBeforeTheClamp) {
 
 // The pieces of a stage with both dot products: (1, 1/2, 0) and (-1, 1, 1/5) against ones.
 CombinerState dot_state(bool ab, bool cd) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::texture0, InputMapping::signed_identity);
-  rgb.c = rgb_of(Register::texture1, InputMapping::signed_identity);
-  rgb.b = rgb.d = kOne;
-  rgb.out = {.ab = Register::primary, .cd = Register::secondary, .sum = Register::spare1};
-  rgb.out.ab_dot_product = ab;
-  rgb.out.cd_dot_product = cd;
-  return state;
+  return rgb_stage({rgb_of(Register::texture0, InputMapping::signed_identity),
+                    kOne,
+                    rgb_of(Register::texture1, InputMapping::signed_identity),
+                    kOne,
+                    {.ab = Register::primary,
+                     .cd = Register::secondary,
+                     .sum = Register::spare1,
+                     .ab_dot_product = ab,
+                     .cd_dot_product = cd}});
 }
 
 RegisterFile dot_registers() {
@@ -185,20 +160,19 @@ RegisterFile dot_registers() {
 }
 
 TEST(GeneralCombiner, DotProductsGoToAllThreeComponentsAndIntoTheSum) {
-  RegisterFile out = judged(dot_state(false, false), kCard, dot_registers()).registers;
-  EXPECT_EQ(out[Register::primary], codes(100, 50, 0, 0));
-  EXPECT_EQ(out[Register::secondary], codes(-90, 30, 20, 0));
-  EXPECT_EQ(out[Register::spare1], codes(10, 80, 20, 0));
-  out = judged(dot_state(true, false), kCard, dot_registers()).registers;
-  EXPECT_EQ(out[Register::primary], codes(150, 150, 150, 0));
-  EXPECT_EQ(out[Register::secondary], codes(-90, 30, 20, 0));
-  EXPECT_EQ(out[Register::spare1], codes(60, 180, 170, 0));
-  out = judged(dot_state(false, true), kCard, dot_registers()).registers;
-  EXPECT_EQ(out[Register::primary], codes(100, 50, 0, 0));
-  EXPECT_EQ(out[Register::secondary], codes(-40, -40, -40, 0));
-  EXPECT_EQ(out[Register::spare1], codes(60, 10, -40, 0));
-  out = judged(dot_state(true, true), kCard, dot_registers()).registers;
-  EXPECT_EQ(out[Register::spare1], codes(110, 110, 110, 0));
+  struct Row {
+    bool ab, cd;  // are dot products
+    Rgba9 primary, secondary, spare1;
+  };
+  for (const Row& row : {Row{false, false, codes(100, 50, 0, 0), codes(-90, 30, 20, 0), codes(10, 80, 20, 0)},
+                         Row{true, false, codes(150, 150, 150, 0), codes(-90, 30, 20, 0), codes(60, 180, 170, 0)},
+                         Row{false, true, codes(100, 50, 0, 0), codes(-40, -40, -40, 0), codes(60, 10, -40, 0)},
+                         Row{true, true, codes(150, 150, 150, 0), codes(-40, -40, -40, 0), codes(110, 110, 110, 0)}}) {
+    const RegisterFile out = judged(dot_state(row.ab, row.cd), kCard, dot_registers()).registers;
+    EXPECT_EQ(out[Register::primary], row.primary);
+    EXPECT_EQ(out[Register::secondary], row.secondary);
+    EXPECT_EQ(out[Register::spare1], row.spare1);
+  }
 }
 
 TEST(GeneralCombiner, TheMuxTakesDotProducts) {
@@ -217,12 +191,8 @@ TEST(GeneralCombiner, TheMuxReadsSpare0AlphaAsItEnteredTheStage) {
   // Stage 0 writes a new spare0 alpha and muxes by the old one; stage 1 muxes by the new one.
   state.general[0].alpha = move_alpha(Register::primary, Register::spare0);
   for (std::size_t i = 0; i < 2; ++i) {
-    Portion& rgb = state.general[i].rgb;
-    rgb.a = rgb_of(Register::texture0);
-    rgb.c = rgb_of(Register::texture1);
-    rgb.b = rgb.d = kOne;
-    rgb.out.sum = i == 0 ? Register::spare1 : Register::secondary;
-    rgb.out.mux_sum = true;
+    state.general[i].rgb =
+        move_two(Register::texture0, Register::texture1, mux_to(i == 0 ? Register::spare1 : Register::secondary));
   }
   RegisterFile r = mixed_registers();
   r[Register::spare0][kAlpha] = 255;
@@ -234,12 +204,7 @@ TEST(GeneralCombiner, TheMuxReadsSpare0AlphaAsItEnteredTheStage) {
 TEST(GeneralCombiner, TheAlphaPortionMuxesToo) {
   for (const int select : {127, 128}) {
     CombinerState state = silent_state(1);
-    Portion& alpha = state.general[0].alpha;
-    alpha.a = alpha_of(Register::texture0);
-    alpha.c = alpha_of(Register::texture1);
-    alpha.b = alpha.d = kOneAlpha;
-    alpha.out.sum = Register::spare0;
-    alpha.out.mux_sum = true;
+    state.general[0].alpha = of_alpha(move_two(Register::texture0, Register::texture1, mux_to(Register::spare0)));
     RegisterFile r = mixed_registers();
     r[Register::spare0][kAlpha] = static_cast<s9>(select);
     EXPECT_EQ(judged(state, kCard, r).registers[Register::spare0][kAlpha], select == 127 ? 210 : 250);
@@ -276,10 +241,8 @@ TEST(GeneralCombiner, AllEightStagesRunInOrder) {
   for (int i = 0; i < 8; ++i) {
     GeneralCombiner& stage = state.general[static_cast<std::size_t>(i)];
     stage.constant0 = color_of(i + 1, 0, 0, 0);
-    stage.rgb.a = rgb_of(Register::spare0, i == 7 ? InputMapping::signed_negate : InputMapping::signed_identity);
-    stage.rgb.c = rgb_of(Register::constant0);
-    stage.rgb.b = stage.rgb.d = kOne;
-    stage.rgb.out.sum = Register::spare0;
+    stage.rgb = move_two(Register::spare0, Register::constant0, sum_to(Register::spare0));
+    stage.rgb.a.mapping = i == 7 ? InputMapping::signed_negate : InputMapping::signed_identity;
   }
   EXPECT_EQ(judged(state, profiles::nv2a, RegisterFile{}).registers[Register::spare0], codes(-28 + 8, 0, 0, 0));
 }
@@ -301,20 +264,20 @@ TEST(GeneralCombiner, BlueToAlphaOfEveryOutputAndOption) {
   for (const auto& [scale, bias] : kScaleBias) {
     for (int flags = 0; flags < 16; ++flags) {
       const bool ab = (flags & 1) != 0, cd = (flags & 2) != 0, ab_dot = (flags & 4) != 0, cd_dot = (flags & 8) != 0;
-      CombinerState state = silent_state(1);
-      Portion& rgb = state.general[0].rgb;
-      rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
-      rgb.c = rgb_of(Register::secondary, InputMapping::signed_identity);
-      rgb.b = rgb.d = rgb_of(Register::fog, InputMapping::signed_identity);
-      rgb.out = {.ab = Register::spare0,
-                 .cd = Register::spare1,
-                 .sum = Register::texture2,
-                 .scale = scale,
-                 .bias = bias,
-                 .ab_dot_product = ab_dot,
-                 .cd_dot_product = cd_dot,
-                 .ab_blue_to_alpha = ab,
-                 .cd_blue_to_alpha = cd};
+      const CombinerInput fog = rgb_of(Register::fog, InputMapping::signed_identity);
+      const CombinerState state = rgb_stage({rgb_of(Register::primary, InputMapping::signed_identity),
+                                             fog,
+                                             rgb_of(Register::secondary, InputMapping::signed_identity),
+                                             fog,
+                                             {.ab = Register::spare0,
+                                              .cd = Register::spare1,
+                                              .sum = Register::texture2,
+                                              .scale = scale,
+                                              .bias = bias,
+                                              .ab_dot_product = ab_dot,
+                                              .cd_dot_product = cd_dot,
+                                              .ab_blue_to_alpha = ab,
+                                              .cd_blue_to_alpha = cd}});
       RegisterFile registers;
       registers[Register::primary] = codes(10, -20, 30, 40);
       registers[Register::secondary] = codes(-50, 160, -70, 80);
@@ -333,14 +296,11 @@ TEST(GeneralCombiner, BlueToAlphaOfEveryOutputAndOption) {
 TEST(GeneralCombiner, BlueToAlphaComesAfterAllReads) {
   CombinerState state = silent_state(2);
   for (const std::size_t i : {0U, 1U}) {
-    Portion& rgb = state.general[i].rgb;
-    rgb.a = rgb_of(Register::primary);
-    rgb.c = rgb_of(Register::secondary);
-    rgb.b = rgb.d = kOne;
-    rgb.out = {.ab = i == 0 ? Register::spare0 : Register::discard,
-               .sum = i == 0 ? Register::spare1 : Register::texture3,
-               .mux_sum = true,
-               .ab_blue_to_alpha = i == 0};
+    state.general[i].rgb = move_two(Register::primary, Register::secondary,
+                                    {.ab = i == 0 ? Register::spare0 : Register::discard,
+                                     .sum = i == 0 ? Register::spare1 : Register::texture3,
+                                     .mux_sum = true,
+                                     .ab_blue_to_alpha = i == 0});
   }
   RegisterFile registers;
   registers[Register::primary] = codes(1, 2, 200, 0);
@@ -353,20 +313,16 @@ TEST(GeneralCombiner, BlueToAlphaComesAfterAllReads) {
 // Whichever of its outputs it is.
 TEST(GeneralCombiner, TheAlphaPortionHasTheLastWordOnBlueToAlpha) {
   for (Register PortionOutput::*const alpha_output : {&PortionOutput::ab, &PortionOutput::cd, &PortionOutput::sum}) {
-    CombinerState state = silent_state(1);
-    GeneralCombiner& stage = state.general[0];
-    stage.rgb.a = stage.rgb.c = rgb_of(Register::primary);
-    stage.rgb.b = stage.rgb.d = kOne;
-    stage.rgb.out = {.ab = Register::spare0,
-                     .cd = Register::spare1,
-                     .sum = Register::discard,
-                     .ab_blue_to_alpha = true,
-                     .cd_blue_to_alpha = true};
-    stage.alpha.a = stage.alpha.c = alpha_of(Register::primary);
-    stage.alpha.b = kOneAlpha;
-    stage.alpha.d = alpha_output == &PortionOutput::cd ? kOneAlpha : kZeroAlpha;
-    stage.alpha.out = {.sum = Register::discard};
-    stage.alpha.out.*alpha_output = Register::spare0;
+    CombinerState state = rgb_stage(move_two(Register::primary, Register::primary,
+                                             {.ab = Register::spare0,
+                                              .cd = Register::spare1,
+                                              .sum = Register::discard,
+                                              .ab_blue_to_alpha = true,
+                                              .cd_blue_to_alpha = true}));
+    Portion& alpha = state.general[0].alpha;
+    alpha = of_alpha(move_two(Register::primary, Register::primary, sum_to(Register::discard)));
+    if (alpha_output != &PortionOutput::cd) alpha.d = kZeroAlpha;
+    alpha.out.*alpha_output = Register::spare0;
     RegisterFile registers;
     registers[Register::primary] = codes(1, 2, 3, 40);
     const RegisterFile after = judged(state, profiles::nv2a, registers).registers;

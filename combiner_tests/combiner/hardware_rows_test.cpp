@@ -34,16 +34,11 @@ TEST(HardwareRows, GeneralCombinerOutputOptions) {
   int rows = 0;
   for (const auto& row : read_hardware_table("nv2a_combiner_ops")) {
     const auto& [scale, bias] = options.at(row.at("op"));
-    CombinerState state = silent_state(1);
+    CombinerState state =
+        rgb_stage({rgb_of(Register::constant0), kOne, kZero, kZero, ab_to(Register::spare0, scale, bias)});
+    state.general[0].alpha = of_alpha(state.general[0].rgb);
+    state.general[0].alpha.a.usage = ComponentUsage::blue;
     state.constant0 = color_of(25, 63, 255, 0);
-    for (Portion* const portion : {&state.general[0].rgb, &state.general[0].alpha}) {
-      const bool rgb = portion == &state.general[0].rgb;
-      portion->a = rgb ? rgb_of(Register::constant0) : blue_of(Register::constant0);
-      portion->b = rgb ? kOne : kOneAlpha;
-      portion->out.ab = Register::spare0;
-      portion->out.scale = scale;
-      portion->out.bias = bias;
-    }
     state.final_combiner = final_of(Register::spare0);
     const Rgba9 color = judged(state, kXbox, RegisterFile{}).color;
     const std::string& channel = row.at("channel");
@@ -62,17 +57,12 @@ TEST(HardwareRows, MuxByTheHighestAndByTheLowestBit) {
     state.mux_by_lowest_bit = row.at("mux_select") == "LSB";
     state.per_stage_constants = true;
     state.general[0].constant0 = color_of(0, 0, 0, std::stoi(row.at("spare0_alpha_byte")));
-    state.general[0].alpha.a = alpha_of(Register::constant0);
-    state.general[0].alpha.b = kOneAlpha;
-    state.general[0].alpha.out.ab = Register::spare0;
+    state.general[0].alpha = {alpha_of(Register::constant0), kOneAlpha, kZeroAlpha, kZeroAlpha,
+                              ab_to(Register::spare0)};
     state.general[1].constant0 = color_of(255, 0, 0, 0);
     state.general[1].constant1 = color_of(0, 0, 255, 0);
-    Portion& choice = state.general[1].rgb;
-    choice.a = rgb_of(Register::constant0);
-    choice.c = rgb_of(Register::constant1);
-    choice.b = choice.d = kOne;
-    choice.out.sum = Register::primary;
-    choice.out.mux_sum = true;
+    state.general[1].rgb = {rgb_of(Register::constant0), kOne, rgb_of(Register::constant1), kOne,
+                            mux_to(Register::primary)};
     state.final_combiner = final_of(Register::primary);
     state.final_combiner.g = alpha_of(Register::zero, InputMapping::unsigned_invert);
     EXPECT_EQ(judged(state, kXbox, RegisterFile{}).color,
@@ -115,24 +105,17 @@ bool case_of(const std::string& name, CombinerState& state, RegisterFile& regist
   } else if (name == "R1=old R0") {
     state.constant0 = color_of(255, 0, 0, 0);
     registers[Register::spare0] = codes(0, 255, 0, 0);
-    Portion& rgb = state.general[0].rgb;
-    rgb.a = rgb_of(Register::constant0);
-    rgb.c = rgb_of(Register::spare0);
-    rgb.b = rgb.d = kOne;
-    rgb.out.ab = Register::spare0;
-    rgb.out.cd = Register::spare1;
+    state.general[0].rgb = {rgb_of(Register::constant0),
+                            kOne,
+                            rgb_of(Register::spare0),
+                            kOne,
+                            {.ab = Register::spare0, .cd = Register::spare1, .sum = Register::discard}};
     f = final_of(Register::spare1);
   } else if (name == "alpha reads old R0.blue") {
     // Blended by alpha 0, the picture shows the diffuse colour below: all of it.
     state.constant0 = color_of(0, 0, 255, 0);
-    Portion& rgb = state.general[0].rgb;
-    rgb.a = rgb_of(Register::constant0);
-    rgb.b = kOne;
-    rgb.out.ab = Register::spare0;
-    Portion& alpha = state.general[0].alpha;
-    alpha.a = blue_of(Register::spare0);
-    alpha.b = kOneAlpha;
-    alpha.out.ab = Register::spare0;
+    state.general[0].rgb = {rgb_of(Register::constant0), kOne, kZero, kZero, ab_to(Register::spare0)};
+    state.general[0].alpha = {blue_of(Register::spare0), kOneAlpha, kZeroAlpha, kZeroAlpha, ab_to(Register::spare0)};
     registers[Register::primary] = codes(25, 255, 25, 255);
     // Frame-buffer blending's formula, in the final combiner: alpha 0 keeps C.
     f = final_of(Register::zero);
@@ -144,22 +127,18 @@ bool case_of(const std::string& name, CombinerState& state, RegisterFile& regist
     state.per_stage_constants = true;
     state.general[0].constant0 = color_of(0, 0, 63, 0);
     state.general[1].constant0 = color_of(0, 0, 191, 0);
-    for (const std::size_t i : {0U, 1U}) {
-      Portion& rgb = state.general[i].rgb;
-      rgb.a = rgb_of(Register::constant0);
-      rgb.b = kOne;
-      rgb.out.ab = Register::spare0;
-    }
-    Portion& both = state.general[1].rgb;
-    both.c = rgb_of(Register::spare0);
-    both.d = kOne;
-    both.out.cd = Register::spare1;
-    both.out.ab_blue_to_alpha = both.out.cd_blue_to_alpha = true;
+    state.general[0].rgb = {rgb_of(Register::constant0), kOne, kZero, kZero, ab_to(Register::spare0)};
+    state.general[1].rgb = {rgb_of(Register::constant0),
+                            kOne,
+                            rgb_of(Register::spare0),
+                            kOne,
+                            {.ab = Register::spare0,
+                             .cd = Register::spare1,
+                             .sum = Register::discard,
+                             .ab_blue_to_alpha = true,
+                             .cd_blue_to_alpha = true}};
     const Register shown = name == "blue->alpha AB" ? Register::spare0 : Register::spare1;
-    Portion& show = state.general[2].rgb;
-    show.a = alpha_of(shown);
-    show.b = kOne;
-    show.out.ab = shown;
+    state.general[2].rgb = {alpha_of(shown), kOne, kZero, kZero, ab_to(shown)};
     f = final_of(shown);
   } else if (name == "tex0 rgb unbound" || name == "tex0 alpha unbound") {
     registers = initial_registers(kXbox, {});

@@ -3,35 +3,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
+#include <string>
 #include <vector>
 
-#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
 
-// The oracle's results for the wide values from `low` to `high`, in steps of `step`.
-std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bias, int low, int high, int step) {
-  std::vector<s9> outputs;
-  for (int wide = low; wide <= high; wide += step) {
-    outputs.push_back(static_cast<s9>(oracle::general_output(p, scale, bias, {wide, p.one * p.one})));
-  }
-  return outputs;
-}
-
-// A portion that leaves a sum of so many products in spare1: one and two by AB and CD, three by a dot product.
-Portion portion_of(int products, InputMapping mapping) {
-  Portion rgb = silent_state(1).general[0].rgb;
-  rgb.a = rgb_of(Register::primary, mapping);
-  rgb.b = rgb_of(Register::secondary, mapping);
-  rgb.c = products == 2 ? rgb_of(Register::texture0, mapping) : kZero;
-  rgb.d = products == 2 ? rgb_of(Register::texture1, mapping) : kZero;
-  (products == 2 ? rgb.out.sum : rgb.out.ab) = Register::spare1;
+// The program of a portion that leaves a sum of so many products in spare1: one and two by AB and CD, three by a dot
+// product.
+BatchProgram program_of(const HardwareProfile& p, int products, Scale scale) {
+  const bool two = products == 2;
+  Portion rgb{rgb_of(Register::primary), rgb_of(Register::secondary), two ? rgb_of(Register::texture0) : kZero,
+              two ? rgb_of(Register::texture1) : kZero,
+              two ? sum_to(Register::spare1, scale) : ab_to(Register::spare1, scale)};
   rgb.out.ab_dot_product = products == 3;
-  return rgb;
+  return BatchProgram(compile(rgb_stage(rgb), p).value(), {.registers = true});
 }
 
 // Sets the factors of the products of one lane so that their sum is `wide`; false if they cannot.
@@ -57,47 +46,46 @@ bool split(int wide, int products, int one, RegisterBatch& batch, std::size_t la
 
 TEST(NarrowLanes, EverySumOfProductsThatAreNotNegative) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
+  Lanes lanes;
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const int one = p.one;
     for (int products = 1; products <= 3; ++products) {
       const int most = products * one * one;
+      std::vector<BatchProgram> programs;
+      std::vector<std::vector<s9>> by_wide;
       for (const Scale scale : {Scale::none, Scale::by_two, Scale::by_four, Scale::by_one_half}) {
-        CombinerState state = silent_state(1);
-        state.general[0].rgb = portion_of(products, InputMapping::unsigned_identity);
-        state.general[0].rgb.out.scale = scale;
-        const BatchProgram program(compile(state, p).value(), {.registers = true});
+        programs.push_back(program_of(p, products, scale));
+        by_wide.push_back(outputs_by_oracle(p, scale, Bias::none, 0, most));
         if (one == 255 && scale != Scale::by_one_half) {
-          EXPECT_NE(program.describe().find("u16:"), std::string::npos) << p.name << ' ' << name_of(scale);
+          EXPECT_NE(programs.back().describe().find("u16:"), std::string::npos) << p.name << ' ' << name_of(scale);
         }
-        const std::vector<s9> expected = outputs_by_oracle(p, scale, Bias::none, 0, most, 1);
-        std::vector<int> wides;
-        const auto flush = [&] {
-          for (const std::int64_t target : simd_targets()) {
-            const OnTarget on_target(target);
-            program.run(*batch, wides.size(), *out);
+      }
+      std::vector<int> wides;
+      const auto flush = [&] {
+        for (std::size_t k = 0; k < programs.size(); ++k) {
+          lanes.expect_on_every_target(programs[k], wides.size(), p, [&] {
+            int difference = 0;
             for (std::size_t i = 0; i < wides.size(); ++i) {
-              ASSERT_EQ((*batch)(Register::spare1, kGreen)[i], expected[static_cast<std::size_t>(wides[i])])
-                  << p.name << ' ' << name_of(scale) << ' ' << products << " products, " << wides[i] << " on "
-                  << simd_target_name(target);
+              difference |=
+                  (*lanes.registers)(Register::spare1, kGreen)[i] ^ by_wide[k][static_cast<std::size_t>(wides[i])];
             }
-          }
-          wides.clear();
-        };
-        int tried = 0;
-        for (int wide = 0; wide <= most; wide += kSlowBuild ? 7 : 1) {
-          if (!split(wide, products, one, *batch, wides.size())) continue;
-          wides.push_back(wide);
-          ++tried;
-          if (wides.size() == kBatchSize) flush();
-          if (HasFatalFailure()) return;
+            return difference;
+          });
         }
-        flush();
-        // The last factor takes any rest below one; beyond that it is one itself.
-        if (!kSlowBuild) {
-          EXPECT_EQ(tried, (products - 1) * one * one + 2 * one);
-        }
+        wides.clear();
+      };
+      int tried = 0;
+      for (int wide = 0; wide <= most; wide += kSlowBuild ? 7 : 1) {
+        if (!split(wide, products, one, *lanes.registers, wides.size())) continue;
+        wides.push_back(wide);
+        ++tried;
+        if (wides.size() == kBatchSize) flush();
+        if (HasFatalFailure()) return;
+      }
+      if (!wides.empty()) flush();
+      // The last factor takes any rest below one; beyond that it is one itself.
+      if (!kSlowBuild) {
+        EXPECT_EQ(tried, (products - 1) * one * one + 2 * one);
       }
     }
   }
@@ -106,29 +94,25 @@ TEST(NarrowLanes, EverySumOfProductsThatAreNotNegative) {
 // All pairs of factors of one product, which the sums above do not have.
 TEST(NarrowLanes, EveryProductOfTwoPositiveCodes) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
+  Lanes lanes;
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const int one = p.one;
     for (const Scale scale : {Scale::none, Scale::by_two, Scale::by_four}) {
-      CombinerState state = silent_state(1);
-      state.general[0].rgb = portion_of(1, InputMapping::unsigned_identity);
-      state.general[0].rgb.out.scale = scale;
-      const BatchProgram program(compile(state, p).value(), {.registers = true});
-      const std::vector<s9> expected = outputs_by_oracle(p, scale, Bias::none, 0, one * one, 1);
+      const BatchProgram program = program_of(p, 1, scale);
+      const std::vector<s9> expected = outputs_by_oracle(p, scale, Bias::none, 0, one * one);
       for (int x = 0; x <= one; x += kSlowBuild ? 15 : 1) {
         for (int y = 0; y <= one; ++y) {
-          (*batch)(Register::primary, kRed)[y] = static_cast<s9>(x);
-          (*batch)(Register::secondary, kRed)[y] = static_cast<s9>(y);
+          (*lanes.registers)(Register::primary, kRed)[y] = static_cast<s9>(x);
+          (*lanes.registers)(Register::secondary, kRed)[y] = static_cast<s9>(y);
         }
-        for (const std::int64_t target : simd_targets()) {
-          const OnTarget on_target(target);
-          program.run(*batch, static_cast<std::size_t>(one + 1), *out);
+        lanes.expect_on_every_target(program, static_cast<std::size_t>(one + 1), p, [&] {
+          int difference = 0;
           for (int y = 0; y <= one; ++y) {
-            ASSERT_EQ((*batch)(Register::spare1, kRed)[y], expected[static_cast<std::size_t>(x * y)])
-                << p.name << ' ' << name_of(scale) << ' ' << x << ' ' << y << " on " << simd_target_name(target);
+            difference |= (*lanes.registers)(Register::spare1, kRed)[y] ^ expected[static_cast<std::size_t>(x * y)];
           }
-        }
+          return difference;
+        });
+        if (HasFatalFailure()) return;
       }
     }
   }
@@ -137,47 +121,36 @@ TEST(NarrowLanes, EveryProductOfTwoPositiveCodes) {
 // A·1 + C·1 and A·1 - C·1 of all pairs of codes, and A·1 alone.
 TEST(NarrowLanes, EverySumAndDifferenceOfTwoCodes) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
+  Lanes lanes;
+  RegisterBatch& batch = *lanes.registers;
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const int one = p.one, lowest = p.lowest;
     for (const auto& [scale, bias] : kScaleBias) {
       const int most = 2 * std::max(one, -lowest);
-      const std::vector<s9> expected = outputs_by_oracle(p, scale, bias, -most * one, most * one, one);
+      const std::vector<s9> by_sum = outputs_by_oracle(p, scale, bias, -most * one, most * one, one);
       for (const int sign : {1, -1}) {
-        CombinerState state = silent_state(1);
-        Portion& rgb = state.general[0].rgb;
-        rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
-        rgb.b = kOne;
-        rgb.c = rgb_of(Register::secondary, sign > 0 ? InputMapping::signed_identity : InputMapping::signed_negate);
-        rgb.d = kOne;
-        rgb.out.sum = Register::spare1;
+        Portion rgb{rgb_of(Register::primary, InputMapping::signed_identity), kOne,
+                    rgb_of(Register::secondary, sign > 0 ? InputMapping::signed_identity : InputMapping::signed_negate),
+                    kOne, sum_to(Register::spare1, scale, bias)};
         rgb.out.ab = Register::spare0;
-        rgb.out.scale = scale;
-        rgb.out.bias = bias;
-        const BatchProgram program(compile(state, p).value(), {.registers = true});
+        const BatchProgram program(compile(rgb_stage(rgb), p).value(), {.registers = true});
         EXPECT_EQ(program.describe().find(':'), std::string::npos) << "nothing is multiplied or divided";
+        const int count = one - lowest + 1;  // at most kBatchSize
         for (int x = lowest; x <= one; x += kSlowBuild ? 15 : 1) {
-          for (int first = lowest; first <= one; first += static_cast<int>(kBatchSize)) {
-            const auto count = static_cast<std::size_t>(std::min(static_cast<int>(kBatchSize), one - first + 1));
-            for (std::size_t i = 0; i < count; ++i) {
-              (*batch)(Register::primary, kRed)[i] = static_cast<s9>(x);
-              (*batch)(Register::secondary, kRed)[i] = static_cast<s9>(first + static_cast<int>(i));
-            }
-            for (const std::int64_t target : simd_targets()) {
-              const OnTarget on_target(target);
-              program.run(*batch, count, *out);
-              for (std::size_t i = 0; i < count; ++i) {
-                const int y = sign * (first + static_cast<int>(i));
-                ASSERT_EQ((*batch)(Register::spare1, kRed)[i], expected[static_cast<std::size_t>(x + y + most)])
-                    << p.name << ' ' << name_of(scale) << ' ' << name_of(bias) << ' ' << x << " + " << y << " on "
-                    << simd_target_name(target);
-                ASSERT_EQ((*batch)(Register::spare0, kRed)[i], expected[static_cast<std::size_t>(x + most)])
-                    << p.name << ' ' << name_of(scale) << ' ' << name_of(bias) << ' ' << x << " on "
-                    << simd_target_name(target);
-              }
-            }
+          for (int i = 0; i < count; ++i) {
+            batch(Register::primary, kRed)[i] = static_cast<s9>(x);
+            batch(Register::secondary, kRed)[i] = static_cast<s9>(lowest + i);
           }
+          lanes.expect_on_every_target(program, static_cast<std::size_t>(count), p, [&] {
+            int difference = 0;
+            for (int i = 0; i < count; ++i) {
+              const int sum = x + sign * (lowest + i);
+              difference |= batch(Register::spare1, kRed)[i] ^ by_sum[static_cast<std::size_t>(sum + most)];
+              difference |= batch(Register::spare0, kRed)[i] ^ by_sum[static_cast<std::size_t>(x + most)];
+            }
+            return difference;
+          });
+          if (HasFatalFailure()) return;
         }
       }
     }

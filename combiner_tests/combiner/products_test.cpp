@@ -13,10 +13,9 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <memory>
+#include <numeric>
 #include <vector>
 
-#include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
 
@@ -46,26 +45,11 @@ int largest_mapped(const HardwareProfile& p) {
   return std::max({p.one.value, -p.lowest, p.expand_offset.value});
 }
 
-// The oracle's answer for every wide value in [-most, most].
-std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bias, int most) {
-  std::vector<s9> outputs;
-  for (int wide = -most; wide <= most; ++wide) {
-    outputs.push_back(static_cast<s9>(oracle::general_output(p, scale, bias, {wide, p.one * p.one})));
-  }
-  return outputs;
-}
-
 // spare1 = A·B of primary and secondary, as they are. The colour is its positive part.
-BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, bool dot,
-                             InputMapping of_a = InputMapping::signed_identity, bool registers = true) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary, of_a);
-  rgb.b = rgb_of(Register::secondary, InputMapping::signed_identity);
-  rgb.out.ab = Register::spare1;
-  rgb.out.ab_dot_product = dot;
-  rgb.out.scale = scale;
-  rgb.out.bias = bias;
+BatchProgram product_program(const HardwareProfile& p, Scale scale, Bias bias, InputMapping of_a, bool registers) {
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary, of_a), rgb_of(Register::secondary, InputMapping::signed_identity), kZero,
+                 kZero, ab_to(Register::spare1, scale, bias)});
   state.final_combiner = final_of(Register::spare1);
   return BatchProgram(compile(state, p).value(), {.registers = registers});
 }
@@ -94,60 +78,57 @@ TEST(Products, EveryProductOfTwoMappedValues) {
   EXPECT_EQ(cases, 6 * (3 * 511 * 511 + 255 * 255 + 2 * 513 * 513));
 }
 
-// All products of B with A mapped so, and with any sign or with none.
-void expect_products(const HardwareProfile& p, InputMapping of_a, std::int64_t target) {
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
-  const Datapath d = datapath_of(p);
-  const int most = largest_mapped(p);
-  // Unmapped, they stand for what any mapping makes; else they are what a register holds.
-  const bool plain = of_a == InputMapping::signed_identity;
-  const int lowest = plain ? -most : p.lowest.value, highest = plain ? most : p.one.value;
-  for (const auto& [scale, bias] : kScaleBias) {
-    const BatchProgram program = product_program(p, scale, bias, false, of_a);
-    const BatchProgram positive = product_program(p, scale, bias, false, of_a, false);
-    const std::vector<s9> by_wide = outputs_by_oracle(p, scale, bias, most * most);
-    // Three values of A at once, one a channel.
+// All products of B with A mapped so, and their positive parts alone.
+TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
+  if (kSanitized || kCoverage) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
+  Lanes lanes;
+  RegisterBatch& batch = *lanes.registers;
+  // Three values of A at once, one a channel.
+  const auto try_all = [&](const HardwareProfile& p, Scale scale, Bias bias, InputMapping of_a,
+                           const std::vector<s9>& by_wide) {
+    // Unmapped, they stand for what any mapping makes; else they are what a register holds.
+    const bool plain = of_a == InputMapping::signed_identity;
+    const int most = largest_mapped(p), lowest = plain ? -most : p.lowest.value, highest = plain ? most : p.one.value;
+    const BatchProgram program = product_program(p, scale, bias, of_a, true);
+    const BatchProgram positive = product_program(p, scale, bias, of_a, false);
     for (int a = lowest; a <= highest; a += 3) {
-      for (int c = 0; c < 3; ++c) {
-        std::fill_n((*batch)(Register::primary, c), kBatchSize, static_cast<s9>(std::min(a + c, highest)));
-      }
       for (int first = lowest; first <= highest; first += static_cast<int>(kBatchSize)) {
         const std::size_t count = std::min(kBatchSize, static_cast<std::size_t>(highest - first + 1));
         for (int c = 0; c < 3; ++c) {
-          for (std::size_t i = 0; i < count; ++i) {
-            (*batch)(Register::secondary, c)[i] = static_cast<s9>(first + static_cast<int>(i));
-          }
+          std::fill_n(batch(Register::primary, c), count, static_cast<s9>(std::min(a + c, highest)));
+          std::iota(batch(Register::secondary, c), batch(Register::secondary, c) + count, static_cast<s9>(first));
         }
-        program.run(*batch, count, *out);
-        positive.run(*batch, count, *out);
-        for (int c = 0; c < 3; ++c) {
-          const int factor = reference::map_input(d, of_a, std::min(a + c, highest));
-          for (std::size_t i = 0; i < count; ++i) {
-            const int wide = factor * (first + static_cast<int>(i));
-            ASSERT_EQ((*batch)(Register::spare1, c)[i], by_wide[static_cast<std::size_t>(wide + most * most)])
-                << p.name << ' ' << name_of(of_a) << ' ' << name_of(scale) << ' ' << name_of(bias) << ' ' << factor
-                << ' ' << first + static_cast<int>(i) << " on " << simd_target_name(target);
-            ASSERT_EQ(out->plane[static_cast<std::size_t>(c)][i], std::max<int>((*batch)(Register::spare1, c)[i], 0))
-                << positive.describe() << factor << ' ' << first + static_cast<int>(i) << " on "
-                << simd_target_name(target);
+        // The bits by which the codes of each channel differ from what is expected of the registers, or of the colour.
+        const auto difference = [&](const auto& codes, int least) {
+          int bits = 0;
+          for (int c = 0; c < 3; ++c) {
+            const int factor = reference::map_input(datapath_of(p), of_a, std::min(a + c, highest));
+            const s9* const actual = codes(c);
+            for (int i = 0; i < static_cast<int>(count); ++i) {
+              const int expected = by_wide[static_cast<std::size_t>(factor * (first + i) + most * most)];
+              bits |= actual[i] ^ std::max(expected, least);
+            }
           }
-        }
+          return bits;
+        };
+        lanes.expect_on_every_target(program, count, p, [&] {
+          return difference([&](int c) { return batch(Register::spare1, c); }, p.lowest_output);
+        });
+        lanes.expect_on_every_target(positive, count, p, [&] {
+          return difference([&](int c) { return lanes.out->plane[static_cast<std::size_t>(c)].data(); }, 0);
+        });
+        if (HasFatalFailure()) return;
       }
     }
-  }
-}
-
-TEST(Products, EveryProductOfTwoMappedValuesOnEverySimdTarget) {
-  if (kSanitized || kCoverage) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
+  };
   for (const HardwareProfile& p : profiles_and_rivals()) {
-    for (const std::int64_t target : simd_targets()) {
-      const OnTarget on_target(target);
+    const int most = largest_mapped(p) * largest_mapped(p);
+    for (const auto& [scale, bias] : kScaleBias) {
+      const std::vector<s9> by_wide = outputs_by_oracle(p, scale, bias, -most, most);
       for (const InputMapping of_a :
            {InputMapping::signed_identity, InputMapping::unsigned_identity, InputMapping::unsigned_invert}) {
-        expect_products(p, of_a, target);
+        ASSERT_NO_FATAL_FAILURE(try_all(p, scale, bias, of_a, by_wide));
       }
-      ASSERT_TRUE(on_target.ran()) << simd_target_name(target);
     }
   }
 }
@@ -158,7 +139,7 @@ TEST(Products, EveryWideValueThatTwoDotProductsCanReach) {
     const Datapath d = datapath_of(p);
     const int most = 6 * largest_mapped(p) * largest_mapped(p);
     for (const auto& [scale, bias] : kScaleBias) {
-      const std::vector<s9> expected = outputs_by_oracle(p, scale, bias, most);
+      const std::vector<s9> expected = outputs_by_oracle(p, scale, bias, -most, most);
       for (int wide = -most; wide <= most; ++wide) {
         ASSERT_EQ(reference::combiner_output(d, scale, bias, wide), expected[static_cast<std::size_t>(wide + most)])
             << p.name << ' ' << name_of(scale) << ' ' << name_of(bias) << ' ' << wide;
@@ -187,51 +168,40 @@ bool split(int wide, int one, std::array<int, 6>& factor, int& last_partner) {
 
 // spare1 = A·B + C·D, both dot products of registers as they are.
 BatchProgram dot_products_program(const HardwareProfile& p, Scale scale, Bias bias) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
-  rgb.b = rgb_of(Register::secondary, InputMapping::signed_identity);
-  rgb.c = rgb_of(Register::texture0, InputMapping::signed_identity);
-  rgb.d = rgb_of(Register::texture1, InputMapping::signed_identity);
-  rgb.out.sum = Register::spare1;
+  const auto read = [](Register reg) { return rgb_of(reg, InputMapping::signed_identity); };
+  Portion rgb{read(Register::primary), read(Register::secondary), read(Register::texture0), read(Register::texture1),
+              sum_to(Register::spare1, scale, bias)};
   rgb.out.ab_dot_product = rgb.out.cd_dot_product = true;
-  rgb.out.scale = scale;
-  rgb.out.bias = bias;
-  return BatchProgram(compile(state, p).value(), {.registers = true});
+  return BatchProgram(compile(rgb_stage(rgb), p).value(), {.registers = true});
 }
 
 TEST(Products, EverySumOfTwoDotProductsOnEverySimdTarget) {
   if (kSanitized || kCoverage) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
-  const auto batch = std::make_unique<RegisterBatch>();
-  const auto out = std::make_unique<OutputBatch>();
+  Lanes lanes;
+  RegisterBatch& batch = *lanes.registers;
   for (const HardwareProfile& p : profiles_and_rivals()) {
     const int one = p.one, most = 6 * one * one;
     std::vector<BatchProgram> programs;
     std::vector<std::vector<s9>> by_wide;
     for (const auto& [scale, bias] : kScaleBias) {
       programs.push_back(dot_products_program(p, scale, bias));
-      by_wide.push_back(outputs_by_oracle(p, scale, bias, most));
+      by_wide.push_back(outputs_by_oracle(p, scale, bias, -most, most));
     }
     std::vector<int> wides;
     std::int64_t tried = 0;
     // Every pair of scale and bias on every target, for the sums that are in the batch.
     const auto flush = [&] {
-      for (const std::int64_t target : simd_targets()) {
-        const OnTarget on_target(target);
-        for (std::size_t k = 0; k < programs.size(); ++k) {
-          programs[k].run(*batch, wides.size(), *out);
+      for (std::size_t k = 0; k < programs.size(); ++k) {
+        lanes.expect_on_every_target(programs[k], wides.size(), p, [&] {
           int difference = 0;
           for (int c = 0; c < 3; ++c) {
-            const s9* const actual = (*batch)(Register::spare1, c);
+            const s9* const actual = batch(Register::spare1, c);
             for (std::size_t i = 0; i < wides.size(); ++i) {
               difference |= actual[i] ^ by_wide[k][static_cast<std::size_t>(wides[i] + most)];
             }
           }
-          ASSERT_EQ(difference, 0) << p.name << ' ' << name_of(kScaleBias[k].first) << ' '
-                                   << name_of(kScaleBias[k].second) << ", sums from " << wides[0] << " on, on "
-                                   << simd_target_name(target);
-        }
-        ASSERT_TRUE(on_target.ran()) << simd_target_name(target);
+          return difference;
+        });
       }
       tried += static_cast<std::int64_t>(wides.size());
       wides.clear();
@@ -243,10 +213,10 @@ TEST(Products, EverySumOfTwoDotProductsOnEverySimdTarget) {
       const std::size_t lane = wides.size();
       for (int c = 0; c < 3; ++c) {
         const auto i = static_cast<std::size_t>(c);
-        (*batch)(Register::primary, c)[lane] = static_cast<s9>(factor[i]);
-        (*batch)(Register::secondary, c)[lane] = static_cast<s9>(one);
-        (*batch)(Register::texture0, c)[lane] = static_cast<s9>(factor[3 + i]);
-        (*batch)(Register::texture1, c)[lane] = static_cast<s9>(c == 2 ? last_partner : one);
+        batch(Register::primary, c)[lane] = static_cast<s9>(factor[i]);
+        batch(Register::secondary, c)[lane] = static_cast<s9>(one);
+        batch(Register::texture0, c)[lane] = static_cast<s9>(factor[3 + i]);
+        batch(Register::texture1, c)[lane] = static_cast<s9>(c == 2 ? last_partner : one);
       }
       wides.push_back(wide);
       if (wides.size() == kBatchSize) flush();

@@ -70,22 +70,14 @@ TEST(EvaluateReal, FloatsAreTheOraclesBitForBit) {
 
 // Every step of one stage, with numbers that can be followed by hand.
 TEST(EvaluateReal, StepsOfOneStage) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary);
-  rgb.b = rgb_of(Register::secondary, InputMapping::expand_normal);
-  rgb.c = kOne;
-  rgb.d = rgb_of(Register::texture0, InputMapping::half_bias_normal);
-  rgb.out.ab = Register::spare1;
-  rgb.out.sum = Register::spare0;
-  rgb.out.scale = Scale::by_two;
-  rgb.out.bias = Bias::by_negative_one_half;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = alpha_of(Register::primary);
-  alpha.b = alpha.d = kOneAlpha;
-  alpha.c = alpha_of(Register::secondary);
-  alpha.out.sum = Register::spare1;
-  alpha.out.mux_sum = true;
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary),
+                 rgb_of(Register::secondary, InputMapping::expand_normal),
+                 kOne,
+                 rgb_of(Register::texture0, InputMapping::half_bias_normal),
+                 {.ab = Register::spare1, .scale = Scale::by_two, .bias = Bias::by_negative_one_half}});
+  state.general[0].alpha = {alpha_of(Register::primary), kOneAlpha, alpha_of(Register::secondary), kOneAlpha,
+                            mux_to(Register::spare1)};
   RegisterFile registers;
   registers[Register::primary] = codes(51, 102, 255, 100);
   registers[Register::secondary] = codes(255, 51, 204, 200);
@@ -149,18 +141,15 @@ TEST(EvaluateReal, StepsOfTheFinalCombiner) {
 
 // Halves of a code go up, decided exactly: 1/2 of every odd code.
 TEST(EvaluateReal, HalvesGoUp) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
-  rgb.b = kOne;
-  rgb.out.ab = Register::spare0;
-  rgb.out.scale = Scale::by_one_half;
-  for (int code = -255; code <= 255; ++code) {
-    RegisterFile registers;
-    registers[Register::primary] = codes(code, code, code, 0);
+  const CombinerState state = rgb_stage({rgb_of(Register::primary, InputMapping::signed_identity), kOne, kZero, kZero,
+                                         ab_to(Register::spare0, Scale::by_one_half)});
+  std::vector<RegisterFile> fragments;
+  for (int code = -255; code <= 255; ++code) fragments.emplace_back()[Register::primary] = codes(code, code, code, 0);
+  int code = -255;
+  for (const Fragment& exact : judged(state, profiles::ideal, fragments)) {
     const int expected = (code + 1 + 1000) / 2 - 500;
-    const Fragment exact = judged(state, profiles::ideal, registers);
     EXPECT_EQ(exact.registers[Register::spare0], codes(expected, expected, expected, 0)) << code;
+    ++code;
   }
 }
 
@@ -170,22 +159,12 @@ TEST(EvaluateReal, DecidesAHairsbreadthFromAHalf) {
     CombinerState state = silent_state(8);
     // spare1 = 1/2 of (1/255), kept; spare0 = (1/255)^8.
     for (int i = 0; i < 7; ++i) {
-      Portion& rgb = state.general[static_cast<std::size_t>(i)].rgb;
-      rgb.a = rgb_of(Register::spare0);
-      rgb.b = rgb_of(Register::primary);
-      rgb.out.ab = Register::spare0;
-      if (i != 0) continue;
-      rgb.c = rgb_of(Register::texture0);
-      rgb.d = kOne;
-      rgb.out.cd = Register::spare1;
+      state.general[static_cast<std::size_t>(i)].rgb = {rgb_of(Register::spare0), rgb_of(Register::primary),
+                                                        rgb_of(Register::texture0), kOne, ab_to(Register::spare0)};
     }
-    Portion& last = state.general[7].rgb;
-    last.a = rgb_of(Register::spare1);
-    last.b = kOne;
-    last.c = rgb_of(Register::spare0);
-    last.d = sign > 0 ? kOne : kMinusOne;
-    last.out.sum = Register::spare0;
-    last.out.scale = Scale::by_one_half;
+    state.general[0].rgb.out.cd = Register::spare1;
+    state.general[7].rgb = {rgb_of(Register::spare1), kOne, rgb_of(Register::spare0), sign > 0 ? kOne : kMinusOne,
+                            sum_to(Register::spare0, Scale::by_one_half)};
     state.final_combiner = final_of(Register::spare0);
     RegisterFile registers;
     registers[Register::spare0] = registers[Register::primary] = registers[Register::texture0] = codes(1, 1, 1, 0);
@@ -205,10 +184,9 @@ TEST(EvaluateReal, PowersOfEveryCode) {
       if (squares + more == 0) continue;
       CombinerState state = silent_state(squares + more);
       for (int i = 0; i < squares + more; ++i) {
-        Portion& rgb = state.general[static_cast<std::size_t>(i)].rgb;
-        rgb.a = rgb_of(Register::spare0);
-        rgb.b = rgb_of(i < squares ? Register::spare0 : Register::primary);
-        rgb.out.ab = Register::spare0;
+        state.general[static_cast<std::size_t>(i)].rgb = {rgb_of(Register::spare0),
+                                                          rgb_of(i < squares ? Register::spare0 : Register::primary),
+                                                          kZero, kZero, ab_to(Register::spare0)};
       }
       state.final_combiner = final_of(Register::spare0);
       std::vector<RegisterFile> fragments;
@@ -235,12 +213,8 @@ TEST(EvaluateReal, LanesPastTheCountAreLeftAlone) {
 }
 
 TEST(EvaluateReal, TheTwoHalvesRoundInBetween) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary);
-  rgb.b = kOne;
-  rgb.out.ab = Register::spare0;
-  rgb.out.scale = Scale::by_one_half;
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary), kOne, kZero, kZero, ab_to(Register::spare0, Scale::by_one_half)});
   state.final_combiner = final_of(Register::spare0);
   state.final_combiner.d = {};
   state.final_combiner.a = state.final_combiner.b = rgb_of(Register::spare0);

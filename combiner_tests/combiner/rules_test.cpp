@@ -12,15 +12,9 @@ namespace {
 
 // Primary through A·1 of stage 0 with this output option, to spare1, in both portions (alpha likewise).
 CombinerState option_state(Scale scale, Bias bias, InputMapping mapping = InputMapping::signed_identity) {
-  CombinerState state = silent_state(1);
-  for (Portion* const portion : {&state.general[0].rgb, &state.general[0].alpha}) {
-    const bool rgb = portion == &state.general[0].rgb;
-    portion->a = rgb ? rgb_of(Register::primary, mapping) : alpha_of(Register::primary, mapping);
-    portion->b = rgb ? kOne : kOneAlpha;
-    portion->out.ab = Register::spare1;
-    portion->out.scale = scale;
-    portion->out.bias = bias;
-  }
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary, mapping), kOne, kZero, kZero, ab_to(Register::spare1, scale, bias)});
+  state.general[0].alpha = of_alpha(state.general[0].rgb);
   return state;
 }
 
@@ -30,24 +24,41 @@ RegisterFile with(Register r, const Rgba9& value) {
   return registers;
 }
 
-// The option's result for one value; all four components must agree.
+// Fragments whose components are all one value.
+std::vector<RegisterFile> grey(int low, int high) {
+  std::vector<RegisterFile> fragments;
+  for (int v = low; v <= high; ++v) fragments.push_back(with(Register::primary, codes(v, v, v, v)));
+  return fragments;
+}
+
+// The option's results for values in [low, high]; all four components of each must agree.
+std::vector<int> options_of(const HardwareProfile& profile, Scale scale, Bias bias, int low, int high) {
+  std::vector<int> results;
+  for (const Fragment& fragment : judged(option_state(scale, bias), profile, grey(low, high))) {
+    const Rgba9& out = fragment.registers[Register::spare1];
+    EXPECT_EQ(out, codes(out[0], out[0], out[0], out[0]));
+    results.push_back(out[0]);
+  }
+  return results;
+}
+
 int option_of(const HardwareProfile& profile, Scale scale, Bias bias, int value) {
-  const RegisterFile initial = with(Register::primary, codes(value, value, value, value));
-  const Rgba9 out = judged(option_state(scale, bias), profile, initial).registers[Register::spare1];
-  EXPECT_EQ(out, codes(out[0], out[0], out[0], out[0]));
-  return out[0];
+  return options_of(profile, scale, bias, value, value)[0];
 }
 
 TEST(Rule, R1_AByteTimesOneIsItself) {
+  CombinerState state = option_state(Scale::none, Bias::none);
+  state.final_combiner = final_of(Register::spare1);
   for (const HardwareProfile& profile : {profiles::geforce2, profiles::geforce2_early_truncation, profiles::nv2a}) {
-    CombinerState state = option_state(Scale::none, Bias::none);
-    state.final_combiner = final_of(Register::spare1);
-    FragmentInputs inputs;
+    std::vector<RegisterFile> fragments;
     for (int byte = 0; byte < 256; ++byte) {
       const auto b = static_cast<std::uint8_t>(byte);
-      inputs.primary = {b, b, b, b};
-      const Rgba9 color = judged(state, profile, initial_registers(profile, inputs)).color;
-      ASSERT_EQ(color, codes(byte, byte, byte, byte)) << profile.name;
+      fragments.push_back(initial_registers(profile, {.primary = {b, b, b, b}}));
+    }
+    int byte = 0;
+    for (const Fragment& out : judged(state, profile, fragments)) {
+      ASSERT_EQ(out.color, codes(byte, byte, byte, byte)) << profile.name;
+      ++byte;
     }
   }
 }
@@ -56,9 +67,9 @@ TEST(Rule, R2_InvertIs255MinusThePositivePart) {
   CombinerState state = option_state(Scale::none, Bias::none, InputMapping::unsigned_invert);
   state.final_combiner.d = rgb_of(Register::primary, InputMapping::unsigned_invert);
   state.final_combiner.g = alpha_of(Register::primary, InputMapping::unsigned_invert);
-  for (int v = -255; v <= 255; ++v) {
-    const int expected = 255 - std::max(v, 0);
-    const Fragment out = judged(state, profiles::nv2a, with(Register::primary, codes(v, v, v, v)));
+  int v = -255;
+  for (const Fragment& out : judged(state, profiles::nv2a, grey(-255, 255))) {
+    const int expected = 255 - std::max(v++, 0);
     ASSERT_EQ(out.registers[Register::spare1], codes(expected, expected, expected, expected));
     ASSERT_EQ(out.color, codes(expected, expected, expected, expected));
   }
@@ -66,9 +77,10 @@ TEST(Rule, R2_InvertIs255MinusThePositivePart) {
 
 TEST(Rule, R3_BiasComesBeforeScale) {
   for (const HardwareProfile& profile : {profiles::geforce2, profiles::nv2a}) {
-    for (int v = -255; v <= 255; ++v) {
-      const int expected = std::clamp((v - 128) * 2, -255, 255);
-      ASSERT_EQ(option_of(profile, Scale::by_two, Bias::by_negative_one_half, v), expected) << v;
+    int v = -255;
+    for (const int option : options_of(profile, Scale::by_two, Bias::by_negative_one_half, -255, 255)) {
+      ASSERT_EQ(option, std::clamp((v - 128) * 2, -255, 255)) << v;
+      ++v;
     }
     EXPECT_EQ(option_of(profile, Scale::by_two, Bias::by_negative_one_half, 25), -206) << "not 2 * 25 - 128";
   }
@@ -97,11 +109,12 @@ TEST(Rule, R5_OneHalfOfAValue) {
 
 TEST(Rule, R6_TwiceAndFourTimesAreExactAndSaturate) {
   for (const HardwareProfile& profile : integer_profiles()) {
-    for (int v = profile.lowest; v <= profile.one; ++v) {
-      ASSERT_EQ(option_of(profile, Scale::by_two, Bias::none, v),
-                std::clamp(2 * v, profile.lowest_output.value, profile.one.value));
-      ASSERT_EQ(option_of(profile, Scale::by_four, Bias::none, v),
-                std::clamp(4 * v, profile.lowest_output.value, profile.one.value));
+    for (const auto& [scale, factor] : {std::pair{Scale::by_two, 2}, {Scale::by_four, 4}}) {
+      int v = profile.lowest;
+      for (const int option : options_of(profile, scale, Bias::none, profile.lowest, profile.one)) {
+        ASSERT_EQ(option, std::clamp(factor * v, profile.lowest_output.value, profile.one.value)) << v;
+        ++v;
+      }
     }
   }
   EXPECT_EQ(option_of(profiles::nv2a, Scale::by_two, Bias::none, 25), 50);
@@ -110,10 +123,8 @@ TEST(Rule, R6_TwiceAndFourTimesAreExactAndSaturate) {
 
 // primary² with a scale.
 int square_of(const HardwareProfile& profile, Scale scale, int value) {
-  CombinerState state = silent_state(1);
-  state.general[0].rgb.a = state.general[0].rgb.b = rgb_of(Register::primary, InputMapping::signed_identity);
-  state.general[0].rgb.out.ab = Register::spare1;
-  state.general[0].rgb.out.scale = scale;
+  const CombinerInput primary = rgb_of(Register::primary, InputMapping::signed_identity);
+  const CombinerState state = rgb_stage({primary, primary, kZero, kZero, ab_to(Register::spare1, scale)});
   return judged(state, profile, with(Register::primary, codes(value, 0, 0, 0))).registers[Register::spare1][kRed];
 }
 
@@ -131,10 +142,9 @@ TEST(Rule, R8_TheGeforce2Truncates) {
   EXPECT_EQ(square_of(profiles::geforce2, Scale::none, 16), 1) << "256 / 255";
   EXPECT_EQ(square_of(profiles::nv2a, Scale::none, 11), 0) << "121 / 255";
   EXPECT_EQ(square_of(profiles::nv2a, Scale::none, 12), 1) << "144 / 255 is nearer to 1";
-  CombinerState state = silent_state(1);
-  state.general[0].rgb.a = rgb_of(Register::primary, InputMapping::signed_identity);
-  state.general[0].rgb.b = rgb_of(Register::secondary, InputMapping::signed_identity);
-  state.general[0].rgb.out.ab = Register::spare1;
+  const CombinerState state =
+      rgb_stage({rgb_of(Register::primary, InputMapping::signed_identity),
+                 rgb_of(Register::secondary, InputMapping::signed_identity), kZero, kZero, ab_to(Register::spare1)});
   RegisterFile registers = with(Register::primary, codes(-2, 2, -2, 0));
   registers[Register::secondary] = codes(127, 127, 128, 0);
   EXPECT_EQ(judged(state, profiles::geforce2, registers).registers[Register::spare1], codes(0, 0, -1, 0));
@@ -168,13 +178,8 @@ TEST(Rule, R10_ETimesF) {
 }
 
 TEST(Rule, R11_TheMuxTakesCdFromOneHalfOn) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary);
-  rgb.b = rgb.d = kOne;
-  rgb.c = rgb_of(Register::secondary);
-  rgb.out.sum = Register::texture0;
-  rgb.out.mux_sum = true;
+  const CombinerState state =
+      rgb_stage({rgb_of(Register::primary), kOne, rgb_of(Register::secondary), kOne, mux_to(Register::texture0)});
   for (const HardwareProfile& profile : {profiles::geforce2, profiles::nv2a}) {
     for (const auto& [alpha, picks_cd] : std::vector<std::pair<int, bool>>{{0x00, false},
                                                                            {0x7F, false},
@@ -196,19 +201,16 @@ TEST(Rule, R11_TheMuxTakesCdFromOneHalfOn) {
 
 TEST(Rule, R12_AStageReadsAllBeforeItWrites) {
   // Red, green and blue swap spare0 and spare1; alpha takes the old blues.
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::spare0);
-  rgb.c = rgb_of(Register::spare1);
-  rgb.b = rgb.d = kOne;
-  rgb.out.ab = Register::spare1;
-  rgb.out.cd = Register::spare0;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = blue_of(Register::spare0);
-  alpha.c = blue_of(Register::spare1);
-  alpha.b = alpha.d = kOneAlpha;
-  alpha.out.ab = Register::spare0;
-  alpha.out.cd = Register::spare1;
+  CombinerState state = rgb_stage({rgb_of(Register::spare0),
+                                   kOne,
+                                   rgb_of(Register::spare1),
+                                   kOne,
+                                   {.ab = Register::spare1, .cd = Register::spare0, .sum = Register::discard}});
+  state.general[0].alpha = {blue_of(Register::spare0),
+                            kOneAlpha,
+                            blue_of(Register::spare1),
+                            kOneAlpha,
+                            {.ab = Register::spare0, .cd = Register::spare1, .sum = Register::discard}};
   for (const HardwareProfile& profile : integer_profiles()) {
     RegisterFile registers = with(Register::spare0, codes(1, 2, 3, 100));
     registers[Register::spare1] = codes(11, 12, 13, 101);

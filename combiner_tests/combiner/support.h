@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,8 +47,25 @@ constexpr CombinerInput blue_of(Register r, InputMapping mapping = InputMapping:
   return {r, mapping, ComponentUsage::blue};
 }
 
+// The outputs of a portion that writes A·B alone, or its third output alone.
+constexpr PortionOutput ab_to(Register to, Scale scale = Scale::none, Bias bias = Bias::none) {
+  return {.ab = to, .sum = Register::discard, .scale = scale, .bias = bias};
+}
+constexpr PortionOutput sum_to(Register to, Scale scale = Scale::none, Bias bias = Bias::none) {
+  return {.sum = to, .scale = scale, .bias = bias};
+}
+constexpr PortionOutput mux_to(Register to) {
+  return {.sum = to, .mux_sum = true};
+}
+
 // A valid state of so many stages in which no portion writes; the final combiner gives 0 and spare0's alpha.
 CombinerState silent_state(int stages);
+
+// The same with one stage, whose RGB portion is this.
+CombinerState rgb_stage(const Portion& rgb);
+
+// A portion as an alpha portion: each input reads alpha.
+Portion of_alpha(Portion portion);
 
 // The article's two stages: spare0 = (primary - texture 0) × scale, spare1 = (spare0 · spare0) × scale. Alpha =
 // spare1's blue: 0 means that the indices are equal and the fragment is lit.
@@ -71,8 +90,24 @@ std::string describe(const RegisterFile& registers);
 std::string describe(const Rgba9& color);
 
 oracle::Registers to_oracle(const RegisterFile& registers);
-RegisterFile from_oracle(const oracle::Registers& registers);
-Rgba9 from_oracle(const oracle::Codes& color);
+
+// One fragment of a batch.
+void put(RegisterBatch& batch, std::size_t lane, const RegisterFile& registers);
+RegisterFile lane_of(const RegisterBatch& batch, std::size_t lane);
+Rgba9 lane_of(const OutputBatch& out, std::size_t lane);
+
+// The oracle's outputs for the wide values from `low` to `high`, which count parts of 1 / one².
+std::vector<s9> outputs_by_oracle(const HardwareProfile& p, Scale scale, Bias bias, int low, int high, int step = 1);
+
+// A batch and its colours.
+struct Lanes {
+  std::unique_ptr<RegisterBatch> registers = std::make_unique<RegisterBatch>();
+  std::unique_ptr<OutputBatch> out = std::make_unique<OutputBatch>();
+
+  // Runs a program on every SIMD target; difference() must then be 0: the bits that are not as expected.
+  void expect_on_every_target(const BatchProgram& program, std::size_t count, const HardwareProfile& p,
+                              const std::function<int()>& difference);
+};
 
 struct Fragment {
   RegisterFile registers;  // after the last general combiner
@@ -84,8 +119,9 @@ struct Fragment {
 // oracle says.
 Fragment judged(const CombinerState& state, const HardwareProfile& profile, const RegisterFile& initial);
 
-// The same for many fragments (at most kBatchSize).
+// The same for many fragments, in batches of kBatchSize. With `oracle_every`, the oracle judges one in so many, and the
+// reference the others.
 std::vector<Fragment> judged(const CombinerState& state, const HardwareProfile& profile,
-                             const std::vector<RegisterFile>& initial);
+                             const std::vector<RegisterFile>& initial, std::size_t oracle_every = 1);
 
 }  // namespace ninebit::test

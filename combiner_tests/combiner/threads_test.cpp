@@ -6,20 +6,14 @@
 #include <thread>
 #include <vector>
 
-#include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/combiner/support.h"
 #include "combiner_tests/support/slow_build.h"
-#include "ninebit/combiner/batch_program.h"
 #include "ninebit/combiner/normalize.h"
 
 namespace ninebit::test {
 namespace {
 
 constexpr int kThreads = 4;
-
-struct Lanes {
-  std::unique_ptr<RegisterBatch> registers = std::make_unique<RegisterBatch>();
-  std::unique_ptr<OutputBatch> out = std::make_unique<OutputBatch>();
-};
 
 void fill(Random& random, const HardwareProfile& profile, RegisterBatch& batch) {
   for (auto& reg : batch.plane) {

@@ -304,15 +304,10 @@ TEST(Trace, SaysWhatTakesNoPart) {
 // The mux of NVIDIA's depth comparison: half of a code decides, which real numbers decide otherwise.
 TEST(Trace, AMuxSeesOtherAlphaThanTheIdeal) {
   CombinerState state = silent_state(2);
-  Portion& first = state.general[0].alpha;
-  first.a = alpha_of(Register::texture1);
-  first.b = kOneAlpha;
-  first.c = alpha_of(Register::texture0, InputMapping::unsigned_invert);
-  first.d = kOneAlpha;
-  first.out = {.sum = Register::spare0, .bias = Bias::by_negative_one_half};
-  Portion& second = state.general[1].alpha;
-  second.a = second.b = kOneAlpha;
-  second.out = {.sum = Register::spare1, .mux_sum = true};
+  state.general[0].alpha = {alpha_of(Register::texture1), kOneAlpha,
+                            alpha_of(Register::texture0, InputMapping::unsigned_invert), kOneAlpha,
+                            sum_to(Register::spare0, Scale::none, Bias::by_negative_one_half)};
+  state.general[1].alpha = {kOneAlpha, kOneAlpha, kZeroAlpha, kZeroAlpha, mux_to(Register::spare1)};
   RegisterFile registers;
   registers[Register::texture0] = registers[Register::texture1] = codes(0, 0, 0, 77);
   const Trace t = trace(normalize(state, profiles::geforce2), profiles::geforce2, registers);
@@ -327,11 +322,8 @@ TEST(Trace, AMuxSeesOtherAlphaThanTheIdeal) {
 TEST(Trace, AMuxByTheLowestBitIsToldSo) {
   CombinerState state = silent_state(1);
   state.mux_by_lowest_bit = true;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = alpha_of(Register::primary);
-  alpha.c = alpha_of(Register::secondary);
-  alpha.b = alpha.d = kOneAlpha;
-  alpha.out = {.sum = Register::spare1, .mux_sum = true};
+  state.general[0].alpha = {alpha_of(Register::primary), kOneAlpha, alpha_of(Register::secondary), kOneAlpha,
+                            mux_to(Register::spare1)};
   for (const HardwareProfile& profile : {profiles::nv2a, profiles::ideal, profiles::float_shader}) {
     for (const int select : {-3, 0, 1, 128, 129, 255}) {
       RegisterFile registers;
@@ -349,11 +341,9 @@ TEST(Trace, AMuxByTheLowestBitIsToldSo) {
 }
 
 TEST(Trace, BlueGoesToAlphaInTheRegistersAfterTheStage) {
-  CombinerState state = silent_state(1);
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = rgb_of(Register::primary);
-  rgb.b = kOne;
-  rgb.out = {.ab = Register::spare1, .sum = Register::discard, .scale = Scale::by_two, .ab_blue_to_alpha = true};
+  CombinerState state =
+      rgb_stage({rgb_of(Register::primary), kOne, kZero, kZero, ab_to(Register::spare1, Scale::by_two)});
+  state.general[0].rgb.out.ab_blue_to_alpha = true;
   RegisterFile registers;
   registers[Register::primary] = codes(10, 20, 30, 40);
   for (const HardwareProfile& profile : {profiles::nv2a, profiles::ideal, profiles::float_shader}) {

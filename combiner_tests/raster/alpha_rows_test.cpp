@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "combiner_tests/hardware/csv.h"
-#include "ninebit/raster/rasterizer.h"
+#include "combiner_tests/raster/support.h"
 
 namespace ninebit::test {
 namespace {
@@ -33,11 +33,8 @@ std::vector<bool> drawn(const HardwareProfile& profile, CompareFunction function
   PipelineState state;
   state.profile = profile;
   state.alpha_test = {true, function, reference};
-  Surface surface = Surface::make(kAlphas, 1).value();
-  RenderTarget target = surface.target();
-  const VertexArrays arrays{.type = PrimitiveType::quads, .positions = positions, .primitive_colors = colors};
-  const Status status = rasterize(state, glm::mat4(1.0F), arrays, {}, target);
-  EXPECT_TRUE(status.ok()) << status.error().message;
+  const Surface surface = drawn_surface(
+      kAlphas, 1, state, {.type = PrimitiveType::quads, .positions = positions, .primitive_colors = colors});
   std::vector<bool> result;
   for (const std::uint8_t red : surface.color(kRed)) result.push_back(red == 255);
   return result;

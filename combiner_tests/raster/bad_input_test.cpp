@@ -13,13 +13,6 @@ namespace {
 
 constexpr float kMax = std::numeric_limits<float>::max();
 
-Mesh covering_triangle() {
-  Mesh mesh;
-  for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, 0.0F});
-  mesh.add_triangle(0, 1, 2);
-  return mesh;
-}
-
 Status draw(const PipelineState& state, const VertexArrays& arrays, std::span<const TextureUnit> units = {}) {
   Surface surface = Surface::make(8, 8).value();
   RenderTarget target = surface.target();
@@ -39,17 +32,17 @@ TEST(BadInput, SizesOutsideTheRangeAreReported) {
     Surface surface = Surface::make(8, 8).value();
     RenderTarget target = surface.target();
     target.width = size;
-    EXPECT_FALSE(rasterize({}, kIdentity, covering_triangle().arrays(), {}, target).ok()) << size;
+    EXPECT_FALSE(rasterize({}, kIdentity, level_triangle(0.0F).arrays(), {}, target).ok()) << size;
     target.width = 8;
     target.height = size;
-    EXPECT_FALSE(rasterize({}, kIdentity, covering_triangle().arrays(), {}, target).ok()) << size;
+    EXPECT_FALSE(rasterize({}, kIdentity, level_triangle(0.0F).arrays(), {}, target).ok()) << size;
   }
   EXPECT_TRUE(Surface::make(1, kMaxSurfaceSize).ok());
   EXPECT_TRUE(Surface::make(kMaxSurfaceSize, 1).ok());
 }
 
 TEST(BadInput, ArraysThatDoNotFitAreReported) {
-  const Mesh good = covering_triangle();
+  const Mesh good = level_triangle(0.0F);
   ASSERT_TRUE(draw({}, good.arrays()).ok());
   EXPECT_TRUE(draw({}, VertexArrays{}).ok());  // nothing to draw
 
@@ -90,7 +83,7 @@ TEST(BadInput, ArraysThatDoNotFitAreReported) {
 }
 
 TEST(BadInput, NumbersOutOfTheirRangesAreReported) {
-  const Mesh mesh = covering_triangle();
+  const Mesh mesh = level_triangle(0.0F);
   const auto fails = [&](auto change) {
     PipelineState state;
     change(state);
@@ -133,7 +126,7 @@ TEST(BadInput, TexturesThatDoNotFitAreReported) {
   std::array<TextureUnit, 5> units{};
   units[0] = {&map, kNearestSampler};
   const std::span<const TextureUnit> all(units);
-  Mesh mesh = covering_triangle();
+  Mesh mesh = level_triangle(0.0F);
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
   EXPECT_FALSE(draw(state, mesh.arrays(), all.first(1)).ok());  // no texture coordinates
@@ -171,7 +164,7 @@ TEST(BadInput, TexturesThatDoNotFitAreReported) {
 }
 
 TEST(BadInput, MissingPlanesAreReportedOrLeftOut) {
-  const Mesh mesh = covering_triangle();
+  const Mesh mesh = level_triangle(0.0F);
   RenderTarget empty;
   empty.width = empty.height = 8;
   EXPECT_TRUE(rasterize({}, kIdentity, mesh.arrays(), {}, empty).ok());
@@ -192,19 +185,19 @@ TEST(BadInput, PositionsThatAreNotFiniteDrawNothing) {
   for (const float odd : {kNan, kInfinity, -kInfinity}) {
     for (int vertex = 0; vertex < 3; ++vertex) {
       for (int axis = 0; axis < 3; ++axis) {
-        Mesh mesh = covering_triangle();
+        Mesh mesh = level_triangle(0.0F);
         mesh.positions[static_cast<std::size_t>(vertex)][axis] = odd;
         const auto count = coverage(mesh, kIdentity, 8, 8);
         EXPECT_EQ(std::count(count.begin(), count.end(), 0), 64) << odd << ' ' << vertex << ' ' << axis;
       }
     }
     glm::mat4 matrix(odd);
-    const auto count = coverage(covering_triangle(), matrix, 8, 8);
+    const auto count = coverage(level_triangle(0.0F), matrix, 8, 8);
     EXPECT_EQ(std::count(count.begin(), count.end(), 0), 64);
   }
   // Finite in the object, infinite in one clip coordinate alone.
   for (int axis = 0; axis < 3; ++axis) {
-    Mesh mesh = covering_triangle();
+    Mesh mesh = level_triangle(0.0F);
     mesh.positions[1][axis] = kMax;
     glm::mat4 matrix(1.0F);
     matrix[axis][axis] = 4.0F;
@@ -217,7 +210,7 @@ TEST(BadInput, NothingBehindTheEyeAndNothingWithoutAreaIsDrawn) {
   glm::mat4 behind(1.0F);
   for (const float w : {0.0F, -0.0F, -1.0F, -1e-30F, -kMax}) {
     behind[3][3] = w;
-    const auto count = coverage(covering_triangle(), behind, 8, 8);
+    const auto count = coverage(level_triangle(0.0F), behind, 8, 8);
     EXPECT_EQ(std::count(count.begin(), count.end(), 0), 64) << w;
   }
   Random random(71);

@@ -154,13 +154,8 @@ TEST(Blend, FactorsByHand) {
 TEST(Blend, ReadsWhatIsThere) {
   PipelineState state;
   state.blend = {.enabled = true, .source = BlendFactor::dst_alpha, .destination = BlendFactor::zero};
-  oracle::Picture start = {.width = 1,
-                           .height = 1,
-                           .color = {{10, 20, 30, 51}},
-                           .depth = {0},
-                           .stencil = {0},
-                           .primitive = {0},
-                           .captured = {0}};
+  oracle::Picture start = empty_picture(1, 1);
+  start.color[0] = {10, 20, 30, 51};
   const auto drawn = [&] {
     PicturePlanes planes(start);
     EXPECT_TRUE(FragmentOperations(state, planes.target).apply({}, {100, 200, 50, 255}));
@@ -180,9 +175,7 @@ TEST(Blend, ReadsWhatIsThere) {
 TEST(Blend, AccumulatesInOrder) {
   PipelineState state;
   state.blend = {.enabled = true, .source = BlendFactor::one, .destination = BlendFactor::one};
-  oracle::Picture start = {
-      .width = 1, .height = 1, .color = {{}}, .depth = {0}, .stencil = {0}, .primitive = {0}, .captured = {0}};
-  PicturePlanes planes(start);
+  PicturePlanes planes(empty_picture(1, 1));
   const FragmentOperations operations(state, planes.target);
   for (int i = 0; i < 3; ++i) operations.apply({}, {10, 100, 60, 255});
   EXPECT_EQ(planes.picture().color[0], (oracle::Bytes{30, 255, 180, 255}));

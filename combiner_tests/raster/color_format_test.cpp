@@ -13,8 +13,6 @@
 namespace ninebit::test {
 namespace {
 
-const std::array<glm::vec3, 3> kWholeTarget{glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
-
 TEST(ColorFormats, TheTableIsInTheOrderOfTheEnumeration) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < kColorFormats.size(); ++i) {

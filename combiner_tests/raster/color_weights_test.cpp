@@ -42,15 +42,11 @@ std::array<ColorBytes, 3> colors_of(const HardwareRow& row) {
 }
 
 Surface drawn_as(PrimitiveType type, std::span<const glm::vec4> corners, std::span<const ColorBytes> colors) {
-  Surface surface = Surface::make(kScreenWidth, kScreenHeight).value();
-  RenderTarget target = surface.target();
   PipelineState state;
   state.profile = profiles::nv2a;
   state.depth_test.enabled = false;
-  const VertexArrays arrays{.type = type, .homogeneous_positions = corners, .vertex_colors = colors};
-  const Status drawn = rasterize(state, kIdentity, arrays, {}, target);
-  EXPECT_TRUE(drawn.ok()) << drawn.error().message;
-  return surface;
+  return drawn_surface(kScreenWidth, kScreenHeight, state,
+                       {.type = type, .homogeneous_positions = corners, .vertex_colors = colors});
 }
 
 // Compares the measured pixels of the triangles that have a picture. Returns their number.

@@ -82,21 +82,6 @@ TEST(CubeMap, TiesZerosAndSignsFollowTheDocumentedRule) {
   }
 }
 
-// A cube map whose texels say where they are: x, y, face.
-Texture places(int size) {
-  std::vector<std::vector<TextureSamples>> faces;
-  for (int face = 0; face < 6; ++face) {
-    std::vector<std::uint8_t> bytes;
-    for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < size * size; ++i) {
-        bytes.push_back(static_cast<std::uint8_t>(k == 0 ? i % size : k == 1 ? i / size : face));
-      }
-    }
-    faces.push_back({{size, size, std::move(bytes)}});
-  }
-  return make_texture(TextureTarget::cube_map, InternalFormat::rgb8, std::move(faces)).value();
-}
-
 // The register codes that a direction fetches, NEAREST.
 Rgba9 fetch(const Texture& texture, const glm::vec3& direction) {
   const auto sampler = TextureSampler::make(profiles::geforce2, texture, kNearestSampler);
@@ -108,7 +93,7 @@ Rgba9 fetch(const Texture& texture, const glm::vec3& direction) {
 }
 
 TEST(CubeMap, NotANumberGivesTheFirstTexelAndInfinityOneOfTheMap) {
-  const Texture texture = places(16);
+  const Texture texture = cube_of_places(16);
   const float values[] = {-kInfinity, -1.0F, 0.0F, 3.0F, kInfinity, kNan, std::numeric_limits<float>::max()};
   for (const float x : values) {
     for (const float y : values) {
@@ -129,7 +114,7 @@ TEST(CubeMap, NotANumberGivesTheFirstTexelAndInfinityOneOfTheMap) {
 TEST(CubeMap, NearestTakesTheTexelThatHoldsTheCoordinate) {
   Random random(42);
   for (const int size : {1, 2, 4, 16, 128, 256}) {
-    const Texture texture = places(size);
+    const Texture texture = cube_of_places(size);
     for (int i = 0; i < cases_here(20000); ++i) {
       const float x = random.real_f(-1, 1), y = random.real_f(-1, 1), z = random.real_f(-1, 1);
       const Expected expected = table(x, y, z);
@@ -139,7 +124,7 @@ TEST(CubeMap, NearestTakesTheTexelThatHoldsTheCoordinate) {
       ASSERT_NEAR(codes[1] + 0.5, expected.t * size, 0.5 + 1e-4);
     }
   }
-  const Texture texture = places(8);  // s = 1 and t = 1 belong to the last texel
+  const Texture texture = cube_of_places(8);  // s = 1 and t = 1 belong to the last texel
   EXPECT_EQ(fetch(texture, {1, 0, -1})[0], 7);
   EXPECT_EQ(fetch(texture, {1, -1, 0})[1], 7);
 }

@@ -130,25 +130,13 @@ TEST(Depth, ExactHalvesAreCutOrRoundedUp) {
     Mesh mesh;
     for (const auto& v : t) mesh.add(clip_position(v, size, size));
     mesh.add_triangle(0, 1, 2);
-    Surface surface = Surface::make(size, size).value();
-    RenderTarget target = surface.target();
     PipelineState state;
     state.depth_test = {true, CompareFunction::always, true};
     const auto at = static_cast<std::size_t>(y * size + x);
-    ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
-    ASSERT_EQ(surface.depth()[at], (t[0].z24 + t[1].z24) / 2);
+    ASSERT_EQ(drawn_surface(size, size, state, mesh.arrays()).depth()[at], (t[0].z24 + t[1].z24) / 2);
     state.profile.depth_narrowing.value = Narrowing::nearest_halves_up;
-    ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
-    ASSERT_EQ(surface.depth()[at], (t[0].z24 + t[1].z24 + 1) / 2);
+    ASSERT_EQ(drawn_surface(size, size, state, mesh.arrays()).depth()[at], (t[0].z24 + t[1].z24 + 1) / 2);
   }
-}
-
-// One triangle over the whole target at one depth.
-Mesh level_triangle(float z) {
-  Mesh mesh;
-  for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, z});
-  mesh.add_triangle(0, 1, 2);
-  return mesh;
 }
 
 TEST(Depth, EndsOfTheRange) {
@@ -250,11 +238,9 @@ TEST(Depth, IsTheSameForEveryOrderOfAnUnclippedTrianglesVertices) {
     do {
       mesh.triangles.clear();
       mesh.add_triangle(order[0], order[1], order[2]);
-      Surface surface = Surface::make(size, size).value();
-      RenderTarget target = surface.target();
       PipelineState state;
       state.depth_test = {true, CompareFunction::always, true};
-      ASSERT_TRUE(rasterize(state, matrix, mesh.arrays(), {}, target).ok());
+      const Surface surface = drawn_surface(size, size, state, mesh.arrays(), {}, {}, matrix);
       if (first.empty()) {
         first = surface.depth();
         for (const std::uint32_t z : first) drawn += z != kDeepest ? 1 : 0;

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "combiner_tests/raster/fragment_support.h"
+#include "combiner_tests/support/environment.h"
 #include "src/raster/fragment/output_planes.h"
 
 namespace ninebit::test {
@@ -87,12 +87,11 @@ std::string describe(const RejectionCase& c, std::uint64_t index) {
 }
 
 TEST(EarlyRejection, ChangesNothingWhateverWaits) {
-  const char* const only = std::getenv("NINEBIT_RASTER_INDEX");
-  const std::uint64_t first = only != nullptr ? std::strtoull(only, nullptr, 10) : 0;
-  const std::uint64_t count = only != nullptr ? 1 : kSlowBuild ? 1500 : 60000;
+  const std::uint64_t count = kSlowBuild ? 1500 : 20000;
+  const CaseRange range("NINEBIT_RASTER_INDEX", count);
   std::uint64_t lost = 0, lost_two_sided = 0, lost_blending = 0, lost_at_depth_pass = 0;
   oracle::Tally tally;
-  for (std::uint64_t index = first; index < first + count; ++index) {
+  for (std::uint64_t index = range.first; index < range.end; ++index) {
     const RejectionCase c = random_case(index);
     oracle::Picture expected = c.start, late, early;
     for (const oracle::Incoming& f : c.fragments) oracle::process(c.state, f, expected, tally);
@@ -106,7 +105,7 @@ TEST(EarlyRejection, ChangesNothingWhateverWaits) {
     if (c.state.blend.enabled) lost_blending += n;
     if (c.at_depth_pass) lost_at_depth_pass += n;
   }
-  if (only != nullptr) return;
+  if (!range.is_whole) return;
   EXPECT_GE(lost, 5 * count);
   EXPECT_GE(lost_two_sided, count / 4);
   EXPECT_GE(lost_blending, count);
@@ -118,8 +117,9 @@ TEST(EarlyRejection, ChangesNothingWhateverWaits) {
 
 // Cases that random ones could miss: each is lost early just where that is exact.
 TEST(EarlyRejection, IsUsedWhereItIsExact) {
-  oracle::Picture picture = {
-      .width = 1, .height = 1, .color = {{}}, .depth = {5}, .stencil = {3}, .primitive = {0}, .captured = {0}};
+  oracle::Picture picture = empty_picture(1, 1);
+  picture.depth[0] = 5;
+  picture.stencil[0] = 3;
   const UncoloredFragment behind{.depth = 9}, back_behind{.depth = 9, .front_facing = false};
   const auto lost = [&](const PipelineState& state, const UncoloredFragment& fragment, bool at_depth_pass = false) {
     PicturePlanes planes(picture, at_depth_pass);

@@ -41,17 +41,13 @@ TEST(FogFunctions, AreThoseOfTheFacts) {
 // The function is computed at each fragment, not at the vertices.
 TEST(FogFunctions, ReachTheProgramAtEachFragment) {
   constexpr int kSize = 32;
-  Surface surface = Surface::make(kSize, 1).value();
-  RenderTarget target = surface.target();
-  const std::array<glm::vec3, 4> positions{glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0),
-                                           glm::vec3(-1, 1, 0)};
   const std::array<float, 4> coordinates{-1.0F, 1.0F, 1.0F, -1.0F};
   PipelineState state;
   state.profile = profiles::nv2a;
   state.fog = {.enabled = true, .color = {}, .function = FogFunction::exp2, .bias = 1.5F, .slope = 0.25F};
   state.program = pass_through(Register::fog, Register::fog, profiles::nv2a);
-  const VertexArrays arrays{.type = PrimitiveType::quads, .positions = positions, .fog_factors = coordinates};
-  ASSERT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok());
+  const Surface surface = drawn_surface(
+      kSize, 1, state, {.type = PrimitiveType::quads, .positions = kWholeQuad, .fog_factors = coordinates});
   for (int x = 0; x < kSize; ++x) {
     const long double at = (2 * x + 1) / static_cast<long double>(kSize) - 1;
     const auto [low, high] = oracle::fog_bytes(state.profile, state.fog, at, 1e-6L);
@@ -87,11 +83,9 @@ TEST(FogFunctions, VectorsTakeCoordinatesThatAreNotFiniteAsSingleFragmentsDo) {
                                                : finite.back());
       }
       const auto draw = [&](bool with_primitive, std::span<const float> given) {
-        Surface surface = Surface::make(kSize, kSize, {.with_primitive = with_primitive}).value();
-        RenderTarget target = surface.target();
-        const VertexArrays arrays{.homogeneous_positions = positions, .fog_factors = given};
-        EXPECT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok());
-        return surface.color(kAlpha);
+        return drawn_surface(kSize, kSize, state, {.homogeneous_positions = positions, .fog_factors = given}, {},
+                             {.with_primitive = with_primitive})
+            .color(kAlpha);
       };
       const PlaneSamples<std::uint8_t> expected = draw(true, coordinates), other = draw(true, finite);
       for (std::size_t i = 0; i < expected.size(); ++i) changed += expected[i] != other[i] ? 1 : 0;

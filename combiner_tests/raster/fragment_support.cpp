@@ -86,17 +86,25 @@ std::uint32_t some_depth(Random& random, DepthStencilFormat format) {
   return static_cast<std::uint32_t>(random.next()) & largest;
 }
 
+oracle::Picture empty_picture(int width, int height, DepthStencilFormat format) {
+  oracle::Picture p{.width = width, .height = height, .format = format};
+  const auto count = static_cast<std::size_t>(width * height);
+  p.color.resize(count);
+  p.depth.resize(count);
+  p.stencil.resize(count);
+  p.primitive.resize(count);
+  p.captured.resize(count);
+  return p;
+}
+
 oracle::Picture random_picture(Random& random, int width, int height, DepthStencilFormat format) {
-  oracle::Picture p;
-  p.width = width;
-  p.height = height;
-  p.format = format;
-  for (int i = 0; i < width * height; ++i) {
-    p.color.push_back({edge_byte(random), edge_byte(random), edge_byte(random), edge_byte(random)});
-    p.depth.push_back(some_depth(random, format));
-    p.stencil.push_back(edge_byte(random));
-    p.primitive.push_back(0xFFFFFFFF);
-    p.captured.push_back(random.byte());
+  oracle::Picture p = empty_picture(width, height, format);
+  for (std::size_t i = 0; i < p.color.size(); ++i) {
+    p.color[i] = {edge_byte(random), edge_byte(random), edge_byte(random), edge_byte(random)};
+    p.depth[i] = some_depth(random, format);
+    p.stencil[i] = edge_byte(random);
+    p.primitive[i] = 0xFFFFFFFF;
+    p.captured[i] = random.byte();
   }
   return p;
 }

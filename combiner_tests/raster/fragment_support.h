@@ -33,6 +33,9 @@ std::uint8_t edge_byte(Random& random);
 // A depth code of the format, often one of few, so that equal ones meet.
 std::uint32_t some_depth(Random& random, DepthStencilFormat format);
 
+// A picture full of zeros.
+oracle::Picture empty_picture(int width, int height, DepthStencilFormat format = DepthStencilFormat::d24s8);
+
 // A picture full of random samples; values beyond a format's stencil bits too.
 oracle::Picture random_picture(Random& random, int width, int height, DepthStencilFormat format);
 

@@ -1,13 +1,10 @@
-// Programs, output planes, sides and the scissor in whole draws; any number of threads.
+// Programs, output planes, sides and the scissor in whole draws.
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "combiner_tests/raster/support.h"
-#include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
 namespace {
@@ -47,10 +44,7 @@ TEST(Programs, PassTheirInputsThrough) {
   for (const auto& [rgb, alpha, expected] : cases) {
     PipelineState state;
     state.program = pass_through(rgb, alpha);
-    Surface surface = Surface::make(70, 67).value();
-    RenderTarget target = surface.target();
-    const Status status = rasterize(state, kIdentity, mesh.arrays(), unit0, target);
-    ASSERT_TRUE(status.ok()) << status.error().message;
+    const Surface surface = drawn_surface(70, 67, state, mesh.arrays(), unit0);
     for (std::size_t at = 0; at < 70 * 67; ++at) {
       ASSERT_EQ(color_at(surface, at), expected) << name_of(rgb) << ' ' << name_of(alpha);
     }
@@ -58,10 +52,7 @@ TEST(Programs, PassTheirInputsThrough) {
   // All units off.
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
-  Surface surface = Surface::make(9, 9).value();
-  RenderTarget target = surface.target();
-  ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
-  EXPECT_EQ(color_at(surface, 40), (ColorBytes{0, 0, 0, 255}));
+  EXPECT_EQ(color_at(drawn_surface(9, 9, state, mesh.arrays()), 40), (ColorBytes{0, 0, 0, 255}));
 }
 
 // Without a program the colour is the primary colour itself, also for a profile whose registers are narrower, and
@@ -203,8 +194,6 @@ TEST(Scissor, BoundsEveryPlane) {
 TEST(Stencil, FacingChoosesTheSide) {
   for (const FrontFace front : {FrontFace::counter_clockwise, FrontFace::clockwise}) {
     for (const PolygonMode mode : {PolygonMode::fill, PolygonMode::line, PolygonMode::point}) {
-      Surface surface = Surface::make(20, 20).value();
-      RenderTarget target = surface.target();
       PipelineState state;
       state.front_face = front;
       state.front_mode = state.back_mode = mode;
@@ -213,7 +202,7 @@ TEST(Stencil, FacingChoosesTheSide) {
       state.stencil_test.back = StencilFace{.reference = 2, .depth_pass = StencilOperation::replace};
       Mesh mesh = quad(0, {1, 1, 1, 1});
       for (glm::vec3& position : mesh.positions) position *= 0.5F;
-      ASSERT_TRUE(rasterize(state, kIdentity, mesh.arrays(), {}, target).ok());
+      const Surface surface = drawn_surface(20, 20, state, mesh.arrays());
       const int expected = front == FrontFace::counter_clockwise ? 1 : 2;
       int drawn = 0;
       for (const std::uint8_t value : surface.stencil()) {
@@ -238,63 +227,6 @@ TEST(Blending, AddsDrawToDraw) {
     ASSERT_TRUE(rasterize(state, kIdentity, quad(0, {100, 255, 0, 255}).arrays(), {}, target).ok());
     // 100 · 128 / 255 = 50.2, 100.4, 5.02; 64.3 for alpha
     for (std::size_t at = 0; at < 70 * 70; ++at) ASSERT_EQ(color_at(surface, at), (ColorBytes{150, 255, 5, 255}));
-  }
-}
-
-// 50,000 triangles, many on each pixel, in several states: the last one stays, whoever draws it.
-struct Drawn {
-  oracle::Picture picture;
-  explicit Drawn(int threads) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-      Random random(61);
-      Mesh mesh;
-      for (std::uint32_t i = 0; i < 50000; ++i) {
-        const glm::vec3 middle(random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-5, -0.05));
-        const double spread = random.one_in(50) ? 2.0 : 0.15;
-        for (int k = 0; k < 3; ++k) {
-          mesh.add(middle + glm::vec3(random.real_f(-spread, spread), random.real_f(-spread, spread),
-                                      random.real_f(-spread, spread)));
-          mesh.vertex_colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
-        }
-        mesh.add_triangle(3 * i, 3 * i + 1, 3 * i + 2);
-      }
-      const int width = 333, height = 257;
-      Canvas canvas(width, height, true, random.pick(kSampleLayouts));
-      const glm::mat4 matrix = perspective(0.9, static_cast<double>(width) / height, 0.1, 10);
-      PipelineState state;
-      state.stencil_test.enabled = true;
-      state.stencil_test.front = {.function = CompareFunction::notequal,
-                                  .mask = 7,
-                                  .fail = StencilOperation::incr_wrap,
-                                  .depth_fail = StencilOperation::decr_wrap,
-                                  .depth_pass = StencilOperation::invert};
-      state.stencil_test.back = StencilFace{.depth_fail = StencilOperation::incr};
-      state.blend = {
-          .enabled = true, .source = BlendFactor::src_alpha, .destination = BlendFactor::one_minus_src_alpha};
-      state.alpha_test = {true, CompareFunction::greater, 60};
-      state.depth_test = {true, CompareFunction::notequal, true};
-      state.program = pass_through(Register::primary, Register::primary);
-      EXPECT_TRUE(rasterize(state, matrix, mesh.arrays(), {}, canvas.target).ok());
-      picture = canvas.picture();
-    });
-  }
-};
-
-TEST(Threads, AnyNumberGivesTheSamePlanes) {
-  if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  const Drawn one(1);
-  std::size_t drawn = 0;
-  for (const std::uint32_t primitive : one.picture.primitive) drawn += primitive < 50000 ? 1 : 0;
-  EXPECT_GE(drawn, one.picture.primitive.size() * 3 / 4);
-  for (const int threads : {2, 7}) {
-    const Drawn many(threads);
-    EXPECT_TRUE(many.picture.color == one.picture.color) << threads;
-    EXPECT_TRUE(many.picture.depth == one.picture.depth) << threads;
-    EXPECT_TRUE(many.picture.stencil == one.picture.stencil) << threads;
-    EXPECT_TRUE(many.picture.primitive == one.picture.primitive) << threads;
-    EXPECT_TRUE(many.picture.captured == one.picture.captured) << threads;
   }
 }
 

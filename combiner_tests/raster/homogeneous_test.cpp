@@ -7,7 +7,6 @@
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/fragment_support.h"
-#include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_scene.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/raster/prepared_draw.h"
@@ -45,41 +44,45 @@ std::vector<glm::vec4> at_random_distances(Random& random, const RandomScene& sc
 
 // Every plane to the bit: on every SIMD target, directly and prepared.
 TEST(Homogeneous, RandomScenesAreDrawnAsTheOracleDoes) {
-  for (const std::int64_t simd : simd_targets()) {
-    const OnTarget on(simd);
-    int infinite = 0, changed = 0;
-    PreparedDraw prepared;
-    constexpr std::uint64_t kScenes = kSlowBuild ? 100 : 2500;
-    for (std::uint64_t index = 0; index < kScenes; ++index) {
-      Random random(0x40406E, index);
-      RandomScene scene = random_scene(random, false);
+  int infinite = 0, changed = 0;
+  PreparedDraw prepared;
+  constexpr std::uint64_t kScenes = kSlowBuild ? 100 : 2500;
+  for (std::uint64_t index = 0; index < kScenes; ++index) {
+    Random random(0x40406E, index);
+    RandomScene scene = random_scene(random, false);
+    oracle::Picture expected = scene.start;
+    std::vector<std::vector<glm::vec4>> positions;
+    for (RandomDraw& draw : scene.draws) {
+      if (!draw.exact_color) draw.state.shade_model = ShadeModel::flat;
+      draw.state.depth_near = 0.0F;
+      draw.state.depth_far = 1.0F;
+      positions.push_back(at_random_distances(random, scene, draw, infinite));
+      oracle::Tally tally;
+      oracle::draw(draw.state, for_oracle(draw), expected, tally);
+    }
+    expected.captured = scene.start.captured;
+    changed += same_samples(expected, scene.start) ? 0 : 1;
+    for (const std::int64_t simd : simd_targets()) {
+      const OnTarget on(simd);
       PicturePlanes planes(scene.start, false), again(scene.start, false);
-      oracle::Picture expected = scene.start;
-      for (RandomDraw& draw : scene.draws) {
-        if (!draw.exact_color) draw.state.shade_model = ShadeModel::flat;
-        draw.state.depth_near = 0.0F;
-        draw.state.depth_far = 1.0F;
-        const std::vector<glm::vec4> positions = at_random_distances(random, scene, draw, infinite);
-        oracle::Tally tally;
-        oracle::draw(draw.state, for_oracle(draw), expected, tally);
+      for (std::size_t i = 0; i < scene.draws.size(); ++i) {
+        const RandomDraw& draw = scene.draws[i];
         const LibraryDraw library = for_library(draw, scene.width, scene.height);
         VertexArrays arrays = library.arrays;
         arrays.positions = {};
-        arrays.homogeneous_positions = positions;
+        arrays.homogeneous_positions = positions[i];
         Status status = rasterize(draw.state, infinite_view(), arrays, {}, planes.target);
         ASSERT_TRUE(status.ok()) << status.error().message;
         status = prepare(draw.state, infinite_view(), arrays, again.target, prepared);
         if (status) status = rasterize(draw.state, prepared, arrays, {}, again.target);
         ASSERT_TRUE(status.ok()) << status.error().message;
       }
-      expected.captured = scene.start.captured;
       ASSERT_TRUE(same_samples(planes.picture(), expected)) << "scene " << index << '\n' << describe(scene);
       ASSERT_TRUE(same_samples(again.picture(), expected)) << "scene " << index << ", prepared\n" << describe(scene);
-      changed += same_samples(expected, scene.start) ? 0 : 1;
     }
-    EXPECT_GT(changed, static_cast<int>(kScenes * 2 / 5));
-    EXPECT_GT(infinite, static_cast<int>(kScenes));
   }
+  EXPECT_GT(changed, static_cast<int>(kScenes * 2 / 5));
+  EXPECT_GT(infinite, static_cast<int>(kScenes));
 }
 
 // The whole plane y = -1, four triangles of one point below the eye and two directions each: all that is below the
@@ -99,14 +102,10 @@ TEST(Homogeneous, APlaneReachesTheHorizon) {
       positions.emplace_back(std::cos(a), 0, std::sin(a), 0);
     }
     const PlaneSamples<std::uint32_t> indices{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
-    Surface surface = Surface::make(width, height).value();
-    RenderTarget target = surface.target();
     PipelineState state = counting_state();
     state.depth_test = {true, CompareFunction::always, true};
-    VertexArrays arrays;
-    arrays.homogeneous_positions = positions;
-    arrays.indices = indices;
-    ASSERT_TRUE(rasterize(state, matrix, arrays, {}, target).ok());
+    const Surface surface =
+        drawn_surface(width, height, state, {.homogeneous_positions = positions, .indices = indices}, {}, {}, matrix);
     for (int y = 0; y < height; ++y) {
       const double slope = ((y + 0.5) / height * 2 - 1) * tangent;
       if (std::fabs(y + 0.5 - height * 0.5) < 0.75) continue;
@@ -159,28 +158,6 @@ TEST(Homogeneous, InfinityHasTheDepthOne) {
     }
   }
   EXPECT_GT(drawn, 50000);
-}
-
-TEST(Homogeneous, TheSameForAnyNumberOfThreads) {
-  if (kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  Random random(0x404071);
-  std::vector<glm::vec4> positions;
-  for (int i = 0; i < 30000; ++i) {
-    positions.emplace_back(random.real(-4, 4), random.real(-4, 4), random.real(-1, 9), random.one_in(3) ? 0 : 1);
-  }
-  VertexArrays arrays;
-  arrays.homogeneous_positions = positions;
-  PipelineState state = counting_state();
-  state.stencil_test.front.depth_pass = StencilOperation::incr_wrap;
-  PlaneSamples<std::uint8_t> first;
-  for (const int threads : {1, 2, 5}) {
-    Surface surface = Surface::make(150, 90).value();
-    RenderTarget target = surface.target();
-    with_threads(threads, [&] { ASSERT_TRUE(rasterize(state, infinite_view(), arrays, {}, target).ok()); });
-    if (first.empty()) first = surface.stencil();
-    EXPECT_EQ(surface.stencil(), first) << threads;
-  }
-  EXPECT_GT(std::count_if(first.begin(), first.end(), [](std::uint8_t n) { return n != 0; }), 10000);
 }
 
 TEST(Homogeneous, BadPositions) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "combiner_tests/raster/support.h"
-#include "combiner_tests/support/slow_build.h"
+#include "combiner_tests/raster/texture_support.h"
 
 namespace ninebit::test {
 namespace {
@@ -20,11 +20,7 @@ struct Input {
 
   // Weights of the vertices where the ray through a window position meets the triangle's plane.
   [[nodiscard]] glm::dvec3 in_space(double x, double y) const {
-    const glm::dvec3 ray((x / kInputsSize * 2 - 1) * kTangent, (y / kInputsSize * 2 - 1) * kTangent, -1);
-    const glm::dvec3 a(positions[0]), b(positions[1]), c(positions[2]);
-    const glm::dvec3 w(glm::dot(ray, glm::cross(b, c)), glm::dot(ray, glm::cross(c, a)),
-                       glm::dot(ray, glm::cross(a, b)));
-    return w / (w.x + w.y + w.z);
+    return weights_at(positions, x, y, kInputsSize, kInputsSize, kTangent);
   }
   [[nodiscard]] glm::dvec2 window(std::size_t i) const {
     const glm::dvec3 p(positions[i]);
@@ -49,6 +45,11 @@ Input random_case(Random& random) {
   return c;
 }
 
+Surface drawn_with_primitive(const PipelineState& state, const VertexArrays& arrays, const Input& c,
+                             std::span<const TextureUnit> units) {
+  return drawn_surface(kInputsSize, kInputsSize, state, arrays, units, {.with_primitive = true}, c.matrix);
+}
+
 double mix(const glm::dvec3& w, double a, double b, double c) {
   return w.x * a + w.y * b + w.z * c;
 }
@@ -64,16 +65,13 @@ void expect_secondary_and_fog(ColorInterpolation interpolation, std::uint64_t se
       colors[i] = {random.byte(), random.byte(), random.byte(), random.byte()};
       fog[i] = random.real_f(-0.2, 1.2);
     }
-    Surface surface = Surface::make(kInputsSize, kInputsSize, {.with_primitive = true}).value();
-    RenderTarget target = surface.target();
     PipelineState state;
     state.profile.color_interpolation.value = interpolation;
     state.profile.color_weights.value = ColorWeights::exact;
     state.fog.enabled = true;
     state.program = pass_through(Register::secondary, Register::fog);
-    ASSERT_TRUE(rasterize(state, c.matrix, {.positions = c.positions, .secondary_colors = colors, .fog_factors = fog},
-                          {}, target)
-                    .ok());
+    const Surface surface =
+        drawn_with_primitive(state, {.positions = c.positions, .secondary_colors = colors, .fog_factors = fog}, c, {});
     const bool affine = interpolation == ColorInterpolation::affine;
     for (int y = 0; y < kInputsSize; ++y) {
       for (int x = 0; x < kInputsSize; ++x) {
@@ -116,26 +114,23 @@ TEST(InterpolatedInputs, SecondaryColorLinearInTheWindow) {
 
 // The registers' values where the arrays have none.
 TEST(InterpolatedInputs, DefaultsOfSecondaryColorAndFog) {
-  const std::array<glm::vec3, 3> positions{glm::vec3(-3, -3, 0), glm::vec3(5, -3, 0), glm::vec3(-3, 5, 0)};
   const std::array<ColorBytes, 3> secondary{{{9, 8, 7, 6}, {9, 8, 7, 6}, {9, 8, 7, 6}}};
   for (const HardwareProfile& profile : {profiles::geforce2, profiles::nv2a}) {
     for (const bool given : {false, true}) {
-      Surface surface = Surface::make(1, 1).value();
-      RenderTarget target = surface.target();
       PipelineState state;
       state.profile = profile;
       state.fog.color = {20, 40, 60};
       state.program = pass_through(Register::secondary, Register::secondary, profile);
-      VertexArrays arrays{.positions = positions};
+      VertexArrays arrays{.positions = kWholeTarget};
       if (given) arrays.secondary_colors = secondary;
-      ASSERT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok());
-      EXPECT_EQ(surface.color(kRed)[0], given ? 9 : 0);
+      const Surface colors = drawn_surface(1, 1, state, arrays);
+      EXPECT_EQ(colors.color(kRed)[0], given ? 9 : 0);
       const bool as_given = profile.secondary_alpha.value == SecondaryAlpha::as_given;
-      EXPECT_EQ(surface.color(kAlpha)[0], given && as_given ? 6 : 255);
+      EXPECT_EQ(colors.color(kAlpha)[0], given && as_given ? 6 : 255);
       state.program = pass_through(Register::fog, Register::fog, profile);
-      ASSERT_TRUE(rasterize(state, kIdentity, arrays, {}, target).ok());
-      EXPECT_EQ(surface.color(kGreen)[0], 40);
-      EXPECT_EQ(surface.color(kAlpha)[0], 255);
+      const Surface fog = drawn_surface(1, 1, state, arrays);
+      EXPECT_EQ(fog.color(kGreen)[0], 40);
+      EXPECT_EQ(fog.color(kAlpha)[0], 255);
     }
   }
 }
@@ -181,25 +176,29 @@ TEST(InterpolatedInputs, AttributesInPerspective) {
 }
 
 // A texture whose levels say which they are.
-Texture level_texture() {
-  std::vector<TextureSamples> levels;
-  for (int level = 0; level <= 8; ++level) {
-    const int size = 256 >> level;
-    levels.push_back({size, size,
-                      std::vector<std::uint8_t>(static_cast<std::size_t>(size) * static_cast<std::size_t>(size),
-                                                static_cast<std::uint8_t>(20 * level + 10))});
-  }
-  return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {levels}).value();
+const Texture& level_texture() {
+  static const Texture texture = texture_of_levels(256, {10, 30, 50, 70, 90, 110, 130, 150, 170});
+  return texture;
+}
+const Sampler kByLevel{.min_filter = MinFilter::nearest_mipmap_nearest, .mag_filter = MagFilter::nearest};
+
+// The level that a pixel takes, by differences over a tiny step of texel(x, y) in exact perspective
+// (OpenGL 1.3, 3.8.8); none near the border between two.
+template <class Texel>
+std::optional<int> level_at(int x, int y, const Texel& texel) {
+  const auto [low, high] = range_around(x, y, [&](double px, double py) {
+    constexpr double h = 1e-4;
+    const double along_x = glm::length(texel(px + h, py) - texel(px - h, py)) / (2 * h);
+    const double along_y = glm::length(texel(px, py + h) - texel(px, py - h)) / (2 * h);
+    return std::log2(std::max(along_x, along_y));
+  });
+  const auto level = [](double lambda) { return std::clamp(static_cast<int>(std::ceil(lambda + 0.5)) - 1, 0, 8); };
+  if (level(low - 0.15) != level(high + 0.15)) return std::nullopt;
+  return level(low);
 }
 
-// Level of detail from differences over a tiny step in exact perspective (OpenGL 1.3, 3.8.8): the level that
-// NEAREST_MIPMAP_NEAREST takes, where it is not near the border between two.
 TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
-  const Texture texture = level_texture();
-  Sampler sampler;
-  sampler.min_filter = MinFilter::nearest_mipmap_nearest;
-  sampler.mag_filter = MagFilter::nearest;
-  const std::array<TextureUnit, 1> units{TextureUnit{&texture, sampler}};
+  const std::array<TextureUnit, 1> units{TextureUnit{&level_texture(), kByLevel}};
   std::int64_t checked = 0;
   std::array<int, 9> reached{};
   for (std::uint64_t index = 0; index < cases_here(200U); ++index) {
@@ -208,13 +207,11 @@ TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
     const float spread = static_cast<float>(std::exp2(random.real(-3, 5)));
     std::array<glm::vec3, 3> coordinates{};
     for (glm::vec3& t : coordinates) t = {random.real_f(-spread, spread), random.real_f(-spread, spread), 0};
-    Surface surface = Surface::make(kInputsSize, kInputsSize, {.with_primitive = true}).value();
-    RenderTarget target = surface.target();
     PipelineState state;
     state.program = pass_through(Register::texture0, Register::texture0);
     VertexArrays arrays{.positions = c.positions};
     arrays.texture_coordinates[0] = coordinates;
-    ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, target).ok());
+    const Surface surface = drawn_with_primitive(state, arrays, c, units);
     const auto texel = [&](double x, double y) {
       const glm::dvec3 w = c.in_space(x, y);
       return 256.0 * glm::dvec2(mix(w, coordinates[0].x, coordinates[1].x, coordinates[2].x),
@@ -225,19 +222,11 @@ TEST(InterpolatedInputs, ChangesOfTextureCoordinatesGiveTheLevelOfDetail) {
         const auto at = static_cast<std::size_t>(y * kInputsSize + x);
         const glm::dvec3 w = c.in_space(x + 0.5, y + 0.5);
         if (surface.primitive()[at] != 0 || std::min({w.x, w.y, w.z}) < 0.05) continue;
-        const auto [low, high] = range_around(x, y, [&](double px, double py) {
-          constexpr double h = 1e-4;
-          const double along_x = glm::length(texel(px + h, py) - texel(px - h, py)) / (2 * h);
-          const double along_y = glm::length(texel(px, py + h) - texel(px, py - h)) / (2 * h);
-          return std::log2(std::max(along_x, along_y));
-        });
-        const auto level = [](double lambda) {
-          return std::clamp(static_cast<int>(std::ceil(lambda + 0.5)) - 1, 0, 8);
-        };
-        if (level(low - 0.15) != level(high + 0.15)) continue;
+        const std::optional<int> level = level_at(x, y, texel);
+        if (!level) continue;
         ++checked;
-        ++reached[static_cast<std::size_t>(level(low))];
-        ASSERT_EQ(surface.color(kRed)[at], 20 * level(low) + 10) << index << ' ' << x << ' ' << y << ' ' << low;
+        ++reached[static_cast<std::size_t>(*level)];
+        ASSERT_EQ(surface.color(kRed)[at], 20 * *level + 10) << index << ' ' << x << ' ' << y;
       }
     }
   }
@@ -251,11 +240,7 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint8_t>(i);
   const Texture ramp =
       make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {{{256, 1, numbers}}}).value();
-  const Texture levels = level_texture();
-  Sampler by_level = kNearestSampler;
-  by_level.min_filter = MinFilter::nearest_mipmap_nearest;
-  by_level.wrap_s = by_level.wrap_t = Wrap::repeat;
-  const std::array<TextureUnit, 2> units{TextureUnit{&ramp, kNearestSampler}, TextureUnit{&levels, by_level}};
+  const std::array<TextureUnit, 2> units{TextureUnit{&ramp, kNearestSampler}, TextureUnit{&level_texture(), kByLevel}};
   std::int64_t checked = 0, told = 0, levels_checked = 0;
   for (std::uint64_t index = 0; index < cases_here(200U); ++index) {
     Random random(95, index);
@@ -268,18 +253,14 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
       coordinates[i] = glm::vec3(random.real_f(0, 1) * q[i], 0.3F * q[i], 0);
       fine[i] = glm::vec3(random.real_f(-scale, scale), random.real_f(-scale, scale), 0);
     }
-    Surface surface = Surface::make(kInputsSize, kInputsSize, {.with_primitive = true}).value();
-    RenderTarget target = surface.target();
     PipelineState state;
     state.program = pass_through(Register::texture0, Register::texture1);
     VertexArrays arrays{.positions = c.positions};
     arrays.texture_coordinates = {coordinates, fine};
     arrays.texture_q = {q, q};
-    ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, target).ok());
+    const Surface surface = drawn_with_primitive(state, arrays, c, units);
     state.program = pass_through(Register::texture1, Register::texture1);
-    Surface second = Surface::make(kInputsSize, kInputsSize).value();
-    RenderTarget second_target = second.target();
-    ASSERT_TRUE(rasterize(state, c.matrix, arrays, units, second_target).ok());
+    const Surface second = drawn_with_primitive(state, arrays, c, units);
     const auto over_q = [&](const glm::dvec3& w, double s0, double s1, double s2) {
       return mix(w, s0, s1, s2) / mix(w, q[0], q[1], q[2]);
     };
@@ -308,18 +289,10 @@ TEST(InterpolatedInputs, ProjectiveCoordinatesAreDividedByQ) {
         })
                     ? 0
                     : 1;
-        const auto [low, high] = range_around(x, y, [&](double px, double py) {
-          constexpr double h = 1e-4;
-          const double along_x = glm::length(texel(px + h, py) - texel(px - h, py)) / (2 * h);
-          const double along_y = glm::length(texel(px, py + h) - texel(px, py - h)) / (2 * h);
-          return std::log2(std::max(along_x, along_y));
-        });
-        const auto level = [](double lambda) {
-          return std::clamp(static_cast<int>(std::ceil(lambda + 0.5)) - 1, 0, 8);
-        };
-        if (level(low - 0.15) != level(high + 0.15)) continue;
+        const std::optional<int> level = level_at(x, y, texel);
+        if (!level) continue;
         ++levels_checked;
-        ASSERT_EQ(second.color(kRed)[at], 20 * level(low) + 10) << index << ' ' << x << ' ' << y << ' ' << low;
+        ASSERT_EQ(second.color(kRed)[at], 20 * *level + 10) << index << ' ' << x << ' ' << y;
       }
     }
   }
@@ -335,20 +308,16 @@ TEST(InterpolatedInputs, CubeMapsDoNotLookAtQ) {
   }
   const Texture cube = make_texture(TextureTarget::cube_map, InternalFormat::luminance8, faces).value();
   const std::array<TextureUnit, 1> units{TextureUnit{&cube, kNearestSampler}};
-  const std::array<glm::vec3, 3> positions{glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
   const std::array<glm::vec3, 3> directions{glm::vec3(-2, 0.1F, 1), glm::vec3(2, 0.1F, 1), glm::vec3(0.3F, 2, -3)};
   const std::array<float, 3> q{-2.0F, -0.5F, -1.0F};
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
   std::array<PlaneSamples<std::uint8_t>, 2> drawn;
   for (const bool with_q : {false, true}) {
-    Surface surface = Surface::make(32, 32).value();
-    RenderTarget target = surface.target();
-    VertexArrays arrays{.positions = positions};
+    VertexArrays arrays{.positions = kWholeTarget};
     arrays.texture_coordinates[0] = directions;
     if (with_q) arrays.texture_q[0] = q;
-    ASSERT_TRUE(rasterize(state, kIdentity, arrays, units, target).ok());
-    drawn[with_q ? 1 : 0] = surface.color(kRed);
+    drawn[with_q ? 1 : 0] = drawn_surface(32, 32, state, arrays, units).color(kRed);
   }
   EXPECT_EQ(drawn[0], drawn[1]);
   EXPECT_NE(*std::min_element(drawn[0].begin(), drawn[0].end()), *std::max_element(drawn[0].begin(), drawn[0].end()));

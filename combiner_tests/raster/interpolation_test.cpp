@@ -3,19 +3,10 @@
 
 #include <cmath>
 
-#include "combiner_tests/raster/support.h"
-#include "combiner_tests/support/slow_build.h"
+#include "combiner_tests/raster/texture_support.h"
 
 namespace ninebit::test {
 namespace {
-
-// Where the ray through a window position meets the plane of a triangle, in barycentric coordinates.
-glm::dvec3 barycentric(const Mesh& mesh, double x, double y, int width, int height, double tangent) {
-  const glm::dvec3 ray((x / width * 2 - 1) * tangent * width / height, (y / height * 2 - 1) * tangent, -1);
-  const glm::dvec3 a(mesh.positions[0]), b(mesh.positions[1]), c(mesh.positions[2]);
-  const glm::dvec3 w(glm::dot(ray, glm::cross(b, c)), glm::dot(ray, glm::cross(c, a)), glm::dot(ray, glm::cross(a, b)));
-  return w / (w.x + w.y + w.z);
-}
 
 struct Slope {
   Mesh mesh;
@@ -45,21 +36,20 @@ void expect_colors(bool clipped, std::uint64_t seed) {
   for (std::uint64_t index = 0; index < cases_here(150U); ++index) {
     Random random(seed, index);
     const Slope c = random_case(random, clipped);
-    Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
-    RenderTarget target = surface.target();
     PipelineState state;
     state.profile.color_weights.value = ColorWeights::exact;
-    ASSERT_TRUE(rasterize(state, c.matrix, c.mesh.arrays(), {}, target).ok());
+    const Surface surface =
+        drawn_surface(c.width, c.height, state, c.mesh.arrays(), {}, {.with_primitive = true}, c.matrix);
     for (int y = 0; y < c.height; ++y) {
       for (int x = 0; x < c.width; ++x) {
         const auto at = static_cast<std::size_t>(y * c.width + x);
         if (surface.primitive()[at] != 0) continue;
-        const glm::dvec3 w = barycentric(c.mesh, x + 0.5, y + 0.5, c.width, c.height, c.tangent);
+        const glm::dvec3 w = weights_at(c.mesh.positions, x + 0.5, y + 0.5, c.width, c.height, c.tangent);
         if (std::min({w.x, w.y, w.z}) < 0.02) continue;  // rims, slivers
         for (int k = 0; k < 4; ++k) {
           const auto i = static_cast<std::size_t>(k);
           const auto [low, high] = range_around(x, y, [&](double px, double py) {
-            const glm::dvec3 b = barycentric(c.mesh, px, py, c.width, c.height, c.tangent);
+            const glm::dvec3 b = weights_at(c.mesh.positions, px, py, c.width, c.height, c.tangent);
             return b.x * c.mesh.vertex_colors[0][i] + b.y * c.mesh.vertex_colors[1][i] +
                    b.z * c.mesh.vertex_colors[2][i];
           });
@@ -81,52 +71,28 @@ TEST(Interpolation, ClippedTrianglesInterpolateLikeWholeOnes) {
   expect_colors(true, 52);
 }
 
-// A cube map whose texels say where they are: red and green the place, blue the face.
-struct PlaceMap {
-  static constexpr int kSize = 256;
-  std::array<std::array<std::vector<std::uint8_t>, 3>, 6> samples;
-  Texture map;
-  PlaceMap() {
-    std::vector<TextureImage> faces;
-    for (std::size_t f = 0; f < 6; ++f) {
-      for (int y = 0; y < kSize; ++y) {
-        for (int x = 0; x < kSize; ++x) {
-          samples[f][0].push_back(static_cast<std::uint8_t>(x));
-          samples[f][1].push_back(static_cast<std::uint8_t>(y));
-          samples[f][2].push_back(static_cast<std::uint8_t>(f * 40));
-        }
-      }
-      std::array<Plane<const std::uint8_t>, 4> planes{};
-      for (std::size_t k = 0; k < 3; ++k) planes[k] = {samples[f][k].data(), kSize};
-      faces.push_back({kSize, kSize, planes});
-    }
-    map = texture_view(InternalFormat::rgb8, faces);
-  }
-};
-
 void expect_texels(bool clipped, std::uint64_t seed) {
-  const PlaceMap place;
-  const std::array<TextureUnit, 1> textures{TextureUnit{&place.map, kNearestSampler}};
+  const Texture place = cube_of_places(256);
+  const std::array<TextureUnit, 1> textures{TextureUnit{&place, kNearestSampler}};
   PipelineState state;
   state.program = pass_through(Register::texture0, Register::texture0);
   std::int64_t checked = 0;
   for (std::uint64_t index = 0; index < cases_here(100U); ++index) {
     Random random(seed, index);
     const Slope c = random_case(random, clipped);
-    Surface surface = Surface::make(c.width, c.height, {.with_primitive = true}).value();
-    RenderTarget target = surface.target();
-    ASSERT_TRUE(rasterize(state, c.matrix, c.mesh.arrays(), textures, target).ok());
+    const Surface surface =
+        drawn_surface(c.width, c.height, state, c.mesh.arrays(), textures, {.with_primitive = true}, c.matrix);
     for (int y = 0; y < c.height; ++y) {
       for (int x = 0; x < c.width; ++x) {
         const auto at = static_cast<std::size_t>(y * c.width + x);
         if (surface.primitive()[at] != 0) continue;
-        const glm::dvec3 w = barycentric(c.mesh, x + 0.5, y + 0.5, c.width, c.height, c.tangent);
+        const glm::dvec3 w = weights_at(c.mesh.positions, x + 0.5, y + 0.5, c.width, c.height, c.tangent);
         if (std::min({w.x, w.y, w.z}) < 0.02) continue;
         EXPECT_EQ(surface.color(kAlpha)[at], 255);
-        const auto face = static_cast<CubeFace>(surface.color(kBlue)[at] / 40);
+        const auto face = static_cast<CubeFace>(surface.color(kBlue)[at]);
         bool same_face = true;
         const auto coordinate = [&](double px, double py) {
-          const glm::dvec3 b = barycentric(c.mesh, px, py, c.width, c.height, c.tangent);
+          const glm::dvec3 b = weights_at(c.mesh.positions, px, py, c.width, c.height, c.tangent);
           glm::dvec3 r(0);
           const double weight[] = {b.x, b.y, b.z};
           for (std::size_t k = 0; k < 3; ++k) r += weight[k] * glm::dvec3(c.mesh.texture_coordinates[k]);

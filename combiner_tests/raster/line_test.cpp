@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
-#include "combiner_tests/raster/support.h"
+#include "combiner_tests/raster/texture_support.h"
 
 namespace ninebit::test {
 namespace {
@@ -17,14 +18,10 @@ PlaneSamples<std::uint8_t> counts(PrimitiveType type, const std::vector<oracle::
                                   float line_width = 1.0F, LineShape shape = LineShape::diamonds) {
   std::vector<glm::vec3> positions;
   for (const oracle::WindowVertex& v : vertices) positions.push_back(clip_position(v, size, size));
-  Surface surface = Surface::make(size, size).value();
-  RenderTarget target = surface.target();
   PipelineState state = counting_state();
   state.line_width = line_width;
   state.profile.line_shape.value = shape;
-  const Status status = rasterize(state, kIdentity, {.type = type, .positions = positions}, {}, target);
-  EXPECT_TRUE(status.ok()) << status.error().message;
-  return surface.stencil();
+  return drawn_surface(size, size, state, {.type = type, .positions = positions}).stencil();
 }
 
 Pixels drawn_pixels(const PlaneSamples<std::uint8_t>& count, int size) {
@@ -115,55 +112,46 @@ TEST(Line, CentresOnSlantedSidesFallToTheRight) {
   EXPECT_EQ(has(right_of), 0);
 }
 
-// Every line between points on a coarse grid, in widths of which many have centres on sides.
-TEST(Line, EveryRectangleOnACoarseGridIsTheOracles) {
+// Every line between points on a grid of so many places a side, `step` sixteenths apart.
+void expect_grid(int places, int step, float width, LineShape shape,
+                 const std::function<bool(const oracle::WindowLine&, int x, int y)>& is_drawn, std::int64_t& drawn) {
   const int size = 4;
-  std::int64_t drawn = 0;
-  for (const int eighths : {1, 3, 4, 8, 11, 16}) {
-    for (int start = 0; start < 81; ++start) {
-      const oracle::WindowVertex a{start % 9 * 6 + 8, start / 9 * 6 + 8, 0};
-      std::vector<oracle::WindowVertex> vertices;
-      std::vector<int> expected(size * size);
-      for (int end = 0; end < 81; ++end) {
-        const oracle::WindowVertex b{end % 9 * 6 + 8, end / 9 * 6 + 8, 0};
-        vertices.insert(vertices.end(), {a, b});
-        for (int i = 0; i < size * size; ++i) {
-          const bool is_drawn = oracle::rectangle_covers({a, b}, eighths, i % size, i / size);
-          expected[static_cast<std::size_t>(i)] += is_drawn ? 1 : 0;
-        }
-      }
-      const auto count =
-          counts(PrimitiveType::lines, vertices, size, static_cast<float>(eighths) / 8.0F, LineShape::rectangles);
-      for (std::size_t i = 0; i < count.size(); ++i) {
-        ASSERT_EQ(count[i], expected[i]) << eighths << ": from " << a.x_q4 << ' ' << a.y_q4 << " pixel " << i;
-        drawn += count[i];
+  const auto place = [&](int i) { return oracle::WindowVertex{i % places * step + 8, i / places * step + 8, 0}; };
+  for (int start = 0; start < places * places; ++start) {
+    std::vector<oracle::WindowVertex> vertices;
+    std::vector<int> expected(size * size);
+    for (int end = 0; end < places * places; ++end) {
+      const oracle::WindowLine line{place(start), place(end)};
+      vertices.insert(vertices.end(), line.begin(), line.end());
+      for (int i = 0; i < size * size; ++i) {
+        expected[static_cast<std::size_t>(i)] += is_drawn(line, i % size, i / size) ? 1 : 0;
       }
     }
+    const auto count = counts(PrimitiveType::lines, vertices, size, width, shape);
+    for (std::size_t i = 0; i < count.size(); ++i) {
+      ASSERT_EQ(count[i], expected[i]) << width << ": from place " << start << " pixel " << i;
+      drawn += count[i];
+    }
+  }
+}
+
+// In widths of which many have centres on sides.
+TEST(Line, EveryRectangleOnACoarseGridIsTheOracles) {
+  std::int64_t drawn = 0;
+  for (const int eighths : {1, 3, 4, 8, 11, 16}) {
+    const auto covers = [&](const oracle::WindowLine& line, int x, int y) {
+      return oracle::rectangle_covers(line, eighths, x, y);
+    };
+    ASSERT_NO_FATAL_FAILURE(
+        expect_grid(9, 6, static_cast<float>(eighths) / 8.0F, LineShape::rectangles, covers, drawn));
   }
   EXPECT_GE(drawn, 40000);
 }
 
-// Every line between points on a grid of quarters of a pixel, where all ties lie.
+// On quarters of a pixel, where all ties lie.
 TEST(Line, EveryLineOnACoarseGridExitsTheDiamondsThatTheSpecificationNames) {
-  const int size = 4;
   std::int64_t drawn = 0;
-  for (int start = 0; start < 169; ++start) {
-    const oracle::WindowVertex a{start % 13 * 4 + 8, start / 13 * 4 + 8, 0};
-    std::vector<oracle::WindowVertex> vertices;
-    std::vector<int> expected(size * size);
-    for (int end = 0; end < 169; ++end) {
-      const oracle::WindowVertex b{end % 13 * 4 + 8, end / 13 * 4 + 8, 0};
-      vertices.insert(vertices.end(), {a, b});
-      for (int i = 0; i < size * size; ++i) {
-        expected[static_cast<std::size_t>(i)] += oracle::exits_diamond({a, b}, i % size, i / size) ? 1 : 0;
-      }
-    }
-    const auto count = counts(PrimitiveType::lines, vertices, size);
-    for (std::size_t i = 0; i < count.size(); ++i) {
-      ASSERT_EQ(count[i], expected[i]) << "from " << a.x_q4 << ' ' << a.y_q4 << " pixel " << i;
-      drawn += count[i];
-    }
-  }
+  expect_grid(13, 4, 1.0F, LineShape::diamonds, oracle::exits_diamond, drawn);
   EXPECT_GE(drawn, 40000);
 }
 
@@ -211,10 +199,6 @@ TEST(Line, ALoopDrawsTheCornersOnceAndIsAStripWithOneMoreLine) {
     EXPECT_EQ(*std::max_element(loop.begin(), loop.end()), 1);
     for (const auto& c : corners) EXPECT_EQ(loop[static_cast<std::size_t>((c.y_q4 >> 4) * size + (c.x_q4 >> 4))], 1);
   }
-}
-
-std::uint8_t level_color(int level) {
-  return static_cast<std::uint8_t>(10 * (level + 1));
 }
 
 // A line seen in perspective, also through the near plane: an attribute that is the place along it in space.
@@ -273,12 +257,7 @@ TEST(Line, ClippedLinesInterpolateLikeWholeOnes) {
 // OpenGL 1.3, 3.8.8: what counts for a line is how many texels a pixel along it spans, whatever its direction.
 TEST(Line, MipmapsFollowTheTexelsPerPixelAlongIt) {
   constexpr int kTexels = 64, kLevels = 7;
-  std::vector<TextureSamples> levels;
-  for (int k = 0; k < kLevels; ++k) {
-    const int side = kTexels >> k;
-    levels.push_back({side, side, std::vector<std::uint8_t>(static_cast<std::size_t>(side * side), level_color(k))});
-  }
-  const Texture texture = make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {levels}).value();
+  const Texture texture = texture_of_levels(kTexels, {10, 20, 30, 40, 50, 60, 70});
   const std::array<TextureUnit, 1> units{
       TextureUnit{&texture, {.min_filter = MinFilter::nearest_mipmap_nearest, .mag_filter = MagFilter::nearest}}};
   PipelineState state;
@@ -298,12 +277,9 @@ TEST(Line, MipmapsFollowTheTexelsPerPixelAlongIt) {
           const std::vector<glm::vec3> coordinates{{0, 0, 0}, along_t ? glm::vec3(0, end, 0) : glm::vec3(end, 0, 0)};
           VertexArrays arrays{.type = PrimitiveType::lines, .positions = positions};
           arrays.texture_coordinates[0] = coordinates;
-          Surface surface = Surface::make(kTexels, kTexels).value();
-          RenderTarget target = surface.target();
-          ASSERT_TRUE(rasterize(state, kIdentity, arrays, units, target).ok());
-          const PlaneSamples<std::uint8_t>& red = surface.color(kRed);
+          const PlaneSamples<std::uint8_t> red = drawn_surface(kTexels, kTexels, state, arrays, units).color(kRed);
           const auto drawn = std::max(std::abs(dx), std::abs(dy));
-          EXPECT_EQ(std::count(red.begin(), red.end(), level_color(k)), drawn)
+          EXPECT_EQ(std::count(red.begin(), red.end(), 10 * (k + 1)), drawn)
               << dx << ' ' << dy << ", level " << k << ", " << factor;
           EXPECT_EQ(std::count(red.begin(), red.end(), 0), kTexels * kTexels - drawn);
         }
@@ -322,15 +298,13 @@ TEST(Line, DepthIsExactAlongTheLine) {
     };
     const oracle::WindowLine l{vertex(), vertex()};
     const std::array<glm::vec3, 2> positions{clip_position(l[0], size, size), clip_position(l[1], size, size)};
-    Surface surface = Surface::make(size, size).value();
-    RenderTarget target = surface.target();
     PipelineState state = counting_state();
     state.depth_test = {true, CompareFunction::always, true};
     const bool is_rectangle = random.one_in(2);
     if (!is_rectangle) state.profile.line_shape.value = LineShape::diamonds;
     const int eighths = is_rectangle ? random.between(1, 80) : 8;
     state.line_width = static_cast<float>(eighths) / 8.0F;
-    ASSERT_TRUE(rasterize(state, kIdentity, {.type = PrimitiveType::lines, .positions = positions}, {}, target).ok());
+    const Surface surface = drawn_surface(size, size, state, {.type = PrimitiveType::lines, .positions = positions});
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
         const auto at = static_cast<std::size_t>(y * size + x);

@@ -13,18 +13,9 @@ namespace {
 constexpr int kModeWindow = 48;
 constexpr std::array<std::uint32_t, 4> kZigzag{0, 1, 3, 2};  // a quad's corners as a quad strip has them
 
-struct DrawnInMode {
-  PlaneSamples<std::uint8_t> count;
-  PlaneSamples<std::uint8_t> red;
-};
-
-DrawnInMode draw(PipelineState state, const VertexArrays& arrays, const glm::mat4& matrix = kIdentity) {
-  Surface surface = Surface::make(kModeWindow, kModeWindow).value();
-  RenderTarget target = surface.target();
+PlaneSamples<std::uint8_t> draw(PipelineState state, const VertexArrays& arrays, const glm::mat4& matrix = kIdentity) {
   state.stencil_test = counting_state().stencil_test;
-  const Status status = rasterize(state, matrix, arrays, {}, target);
-  EXPECT_TRUE(status.ok()) << status.error().message;
-  return {surface.stencil(), surface.color(kRed)};
+  return drawn_surface(kModeWindow, kModeWindow, state, arrays, {}, {}, matrix).stencil();
 }
 
 std::vector<glm::vec3> clip_positions(const std::vector<oracle::WindowVertex>& vertices) {
@@ -46,7 +37,7 @@ TEST(Point, SquaresOfEverySizeStandWhereTheSpecificationPutsThem) {
       state.profile.point_shape.value = PointShape::whole_pixels;
       state.point_size = static_cast<float>(size);
       const auto positions = clip_positions({{q4, q4 + 16, 0}});
-      const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions}).count;
+      const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions});
       // Odd: around the pixel. Even: around its nearest corner.
       const int left = size % 2 == 1 ? 20 - size / 2 : (q4 < 328 ? 20 : 21) - size / 2;
       for (int y = 0; y < kModeWindow; ++y) {
@@ -68,7 +59,7 @@ TEST(Point, SquaresByHand) {
     PipelineState state;
     state.point_size = static_cast<float>(eighths) / 8.0F;
     const auto positions = clip_positions({{320 + q4, 320 + 16 - q4, 0}});
-    const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions}).count;
+    const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions});
     Extent columns{99, -99}, rows{99, -99};
     for (int y = 0; y < kModeWindow; ++y) {
       for (int x = 0; x < kModeWindow; ++x) {
@@ -107,7 +98,7 @@ TEST(Point, OutsideTheViewVolumeNothingIsDrawn) {
       glm::vec3 p(0.0F);
       p[axis] = place;
       const std::array<glm::vec3, 1> positions{p};
-      const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions}).count;
+      const auto count = draw(state, {.type = PrimitiveType::points, .positions = positions});
       EXPECT_EQ(total(count) > 0, std::fabs(place) <= 1.0F) << axis << ' ' << place;
     }
   }
@@ -126,42 +117,40 @@ TEST(PolygonMode, LinesAreALoopAndPointsAreTheCorners) {
           {std::llround(16 * 24 + radius * std::cos(angle)), std::llround(16 * 24 + radius * std::sin(angle)), 0});
     }
     const auto positions = clip_positions(ring);
-    VertexArrays arrays{.positions = positions};
-    arrays.type = corners == 3   ? PrimitiveType::triangles
-                  : corners == 4 ? PrimitiveType::quads
-                                 : PrimitiveType::polygon;
+    const PrimitiveType type = corners == 3   ? PrimitiveType::triangles
+                               : corners == 4 ? PrimitiveType::quads
+                                              : PrimitiveType::polygon;
+    VertexArrays arrays{.type = type, .positions = positions};
     PipelineState state;
     state.line_width = static_cast<float>(random.between(1, 40)) / 8.0F;
     state.point_size = static_cast<float>(random.between(0, 40)) / 8.0F;
     for (const PolygonMode mode : {PolygonMode::line, PolygonMode::point}) {
       state.front_mode = mode;
       state.back_mode = PolygonMode::fill;
-      const auto outline = draw(state, arrays).count;
+      const auto outline = draw(state, arrays);
       if (corners == 4) {
         const VertexArrays strip{.type = PrimitiveType::quad_strip, .positions = positions, .indices = kZigzag};
-        ASSERT_EQ(draw(state, strip).count, outline) << index;
+        ASSERT_EQ(draw(state, strip), outline) << index;
       }
       arrays.type = mode == PolygonMode::line ? PrimitiveType::line_loop : PrimitiveType::points;
-      ASSERT_EQ(outline, draw(state, arrays).count) << index;
-      arrays.type = corners == 3   ? PrimitiveType::triangles
-                    : corners == 4 ? PrimitiveType::quads
-                                   : PrimitiveType::polygon;
+      ASSERT_EQ(outline, draw(state, arrays)) << index;
+      arrays.type = type;
       drawn += total(outline);
       // Seen from behind, it is filled.
       state.front_face = FrontFace::clockwise;
-      const auto filled = draw(state, arrays).count;
+      const auto filled = draw(state, arrays);
       state.front_mode = PolygonMode::fill;
       state.front_face = FrontFace::counter_clockwise;
-      ASSERT_EQ(filled, draw(state, arrays).count) << index;
+      ASSERT_EQ(filled, draw(state, arrays)) << index;
       ASSERT_LE(*std::max_element(filled.begin(), filled.end()), 1);
       // Each face is culled as the whole.
       state.front_mode = mode;
       state.cull_face = CullFace::front;
-      EXPECT_EQ(total(draw(state, arrays).count), 0);
+      EXPECT_EQ(total(draw(state, arrays)), 0);
       state.cull_face = CullFace::back;
-      EXPECT_EQ(draw(state, arrays).count, outline);
+      EXPECT_EQ(draw(state, arrays), outline);
       state.cull_face = CullFace::front_and_back;
-      EXPECT_EQ(total(draw(state, arrays).count), 0);
+      EXPECT_EQ(total(draw(state, arrays)), 0);
       state.cull_face = CullFace::none;
     }
   }
@@ -178,9 +167,9 @@ TEST(PolygonMode, ClippingAddsEdgesAndCorners) {
   state.profile.line_shape.value = LineShape::diamonds;
   state.front_mode = state.back_mode = PolygonMode::point;
   state.point_size = 3;
-  EXPECT_EQ(total(draw(state, mesh.arrays()).count), 4 * 9);
+  EXPECT_EQ(total(draw(state, mesh.arrays())), 4 * 9);
   state.front_mode = state.back_mode = PolygonMode::line;
-  const auto outline = draw(state, mesh.arrays()).count;
+  const auto outline = draw(state, mesh.arrays());
   // z = -1 is halfway up, at y = 0: row 24, between x = -0.375 and 0.375.
   for (int x = 16; x < 32; ++x) {
     EXPECT_EQ(outline[static_cast<std::size_t>(23 * kModeWindow + x)] +
@@ -201,7 +190,7 @@ TEST(PolygonMode, CutsThroughAPolygonAreNotDrawnAsEdges) {
   for (const PrimitiveType type : {PrimitiveType::quads, PrimitiveType::polygon, PrimitiveType::quad_strip}) {
     VertexArrays arrays{.type = type, .positions = positions};
     if (type == PrimitiveType::quad_strip) arrays.indices = kZigzag;
-    const auto count = draw(state, arrays).count;
+    const auto count = draw(state, arrays);
     for (int i = 6; i < 38; ++i) {
       EXPECT_EQ(count[static_cast<std::size_t>(i * kModeWindow + i)], 0) << i;
       EXPECT_EQ(count[static_cast<std::size_t>(i * kModeWindow + 43 - i)], 0) << i;
@@ -234,15 +223,12 @@ TEST(ShadeModel, FlatColorsComeFromTheProvokingVertex) {
     colors.push_back({static_cast<std::uint8_t>(10 + i), 0, 0, 255});
   }
   for (const Row& row : rows) {
-    PlaneSamples<std::uint32_t> number(kModeWindow * kModeWindow, 0xFFFFFFFF);
-    Surface surface = Surface::make(kModeWindow, kModeWindow).value();
-    RenderTarget target = surface.target();
-    target.outputs = {{.source = OutputSource::primitive, .plane = Plane<std::uint32_t>{number.data(), kModeWindow}}};
     PipelineState state;
     state.shade_model = ShadeModel::flat;
-    ASSERT_TRUE(
-        rasterize(state, kIdentity, {.type = row.type, .positions = positions, .vertex_colors = colors}, {}, target)
-            .ok());
+    const Surface surface = drawn_surface(kModeWindow, kModeWindow, state,
+                                          {.type = row.type, .positions = positions, .vertex_colors = colors}, {},
+                                          {.with_primitive = true});
+    const PlaneSamples<std::uint32_t>& number = surface.primitive();
     std::vector<bool> seen(row.provoking.size());
     for (std::size_t i = 0; i < number.size(); ++i) {
       if (number[i] == 0xFFFFFFFF) continue;

@@ -28,13 +28,10 @@ PlaneSamples<std::uint32_t> plane_depth(int dx_16, int dy_16, const PipelineStat
     const std::int64_t z = 1000000 + (dx_16 * x + dy_16 * y) / 16;
     positions.push_back(clip_position({16 * x, 16 * y, z}, kOffsetWindow, kOffsetWindow));
   }
-  Surface surface = Surface::make(kOffsetWindow, kOffsetWindow).value();
-  RenderTarget target = surface.target();
   PipelineState state = base;
   state.depth_test = {true, CompareFunction::always, true};
-  const Status status = rasterize(state, kIdentity, {.type = PrimitiveType::quads, .positions = positions}, {}, target);
-  EXPECT_TRUE(status.ok()) << status.error().message;
-  return surface.depth();
+  return drawn_surface(kOffsetWindow, kOffsetWindow, state, {.type = PrimitiveType::quads, .positions = positions})
+      .depth();
 }
 
 // The slope of a row is an offset of sixteen times the gradient, which the histograms of both gradients bound.
@@ -102,10 +99,9 @@ TEST(PolygonOffset, IsOneForAllTrianglesOfAPolygon) {
     std::array<PlaneSamples<std::uint32_t>, 2> depth;
     for (int moved = 0; moved < 2; ++moved) {
       state.polygon_offset = {.fill = true, .factor = static_cast<float>(moved)};
-      Surface surface = Surface::make(kOffsetWindow, kOffsetWindow).value();
-      RenderTarget target = surface.target();
-      ASSERT_TRUE(rasterize(state, kIdentity, {.type = PrimitiveType::quads, .positions = positions}, {}, target).ok());
-      depth[static_cast<std::size_t>(moved)] = surface.depth();
+      depth[static_cast<std::size_t>(moved)] =
+          drawn_surface(kOffsetWindow, kOffsetWindow, state, {.type = PrimitiveType::quads, .positions = positions})
+              .depth();
     }
     // The triangles' slopes are 100 and 200; the first one's area grows with `middle`.
     const std::uint32_t expected = middle >= kOffsetWindow ? 100 : 200;
@@ -157,20 +153,15 @@ TEST(PolygonOffset, RoundedIsRoundedOnceHalvesUpAndClamped) {
 // r is one step of the target's format; fraction bits stay until the sum is rounded.
 TEST(PolygonOffset, UnitsAreStepsOfTheFormat) {
   for (const DepthStencilFormat format : {DepthStencilFormat::d16, DepthStencilFormat::d15s1}) {
-    Surface surface = Surface::make(1, 1, {.depth_stencil = format}).value();
-    RenderTarget target = surface.target();
-    const std::array<glm::vec3, 3> positions{glm::vec3(-3, -3, 0), glm::vec3(5, -3, 0), glm::vec3(-3, 5, 0)};
     PipelineState state;
     state.depth_test = {true, CompareFunction::always, true};
-    state.polygon_offset = {.fill = true, .units = 7};
-    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = positions}, {}, target).ok());
-    EXPECT_EQ(surface.depth()[0], max_depth(format) / 2 + 7);
-    state.polygon_offset.units = 7.25F;
-    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = positions}, {}, target).ok());
-    EXPECT_EQ(surface.depth()[0], max_depth(format) / 2 + 7);
-    state.polygon_offset.units = -0.75F;  // 0.5 - 0.75 steps above the lower code
-    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = positions}, {}, target).ok());
-    EXPECT_EQ(surface.depth()[0], max_depth(format) / 2 - 1);
+    const auto depth_with = [&](float units) {
+      state.polygon_offset = {.fill = true, .units = units};
+      return drawn_surface(1, 1, state, {.positions = kWholeTarget}, {}, {.depth_stencil = format}).depth()[0];
+    };
+    EXPECT_EQ(depth_with(7), max_depth(format) / 2 + 7);
+    EXPECT_EQ(depth_with(7.25F), max_depth(format) / 2 + 7);
+    EXPECT_EQ(depth_with(-0.75F), max_depth(format) / 2 - 1);  // 0.5 - 0.75 steps above the lower code
   }
 }
 
@@ -183,9 +174,8 @@ TEST(PolygonOffset, EachModeHasItsEnableAndRealLinesAndPointsNone) {
         state.depth_test = {true, CompareFunction::always, true};
         state.front_mode = static_cast<PolygonMode>(mode);
         state.polygon_offset = {(enables & 4) != 0, (enables & 2) != 0, (enables & 1) != 0, 0, 5};
-        Surface surface = Surface::make(kOffsetWindow, kOffsetWindow).value();
-        RenderTarget target = surface.target();
-        ASSERT_TRUE(rasterize(state, kIdentity, {.type = type, .positions = positions}, {}, target).ok());
+        const Surface surface =
+            drawn_surface(kOffsetWindow, kOffsetWindow, state, {.type = type, .positions = positions});
         const bool moved = type == PrimitiveType::triangles && (enables & (1 << mode)) != 0;
         int drawn = 0;
         for (const std::uint32_t z : surface.depth()) {

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "combiner_tests/raster/fragment_support.h"
-#include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_scene.h"
 #include "combiner_tests/support/slow_build.h"
 
@@ -45,81 +44,6 @@ TEST(PreparedDraw, RandomScenesAreDrawnAsWithoutIt) {
     changed += same_samples(with.picture(), scene.start) ? 0U : 1U;
   }
   EXPECT_GT(changed, kScenes / 2);
-}
-
-struct Mixture {
-  PipelineState state;
-  std::vector<glm::vec3> positions;
-  PlaneSamples<std::uint32_t> indices;
-  std::vector<ColorBytes> colors;
-  VertexArrays arrays;
-};
-
-// Small and large, clipped and offset primitives of a type, more than one block holds, in perspective.
-Mixture mixture(int i) {
-  Mixture m;
-  Random random(93, static_cast<std::uint64_t>(i));
-  m.arrays.type = static_cast<PrimitiveType>(i % 10);
-  const int vertices = m.arrays.type == PrimitiveType::polygon ? 60 : 9000;
-  for (int v = 0; v < vertices; ++v) {
-    m.positions.emplace_back(random.real_f(-3, 3), random.real_f(-3, 3), random.real_f(-6, 0.1));
-    if (v % 4 != 0) m.positions.back() = m.positions[m.positions.size() - 2] + m.positions.back() * 0.02F;
-    m.colors.push_back({random.byte(), random.byte(), random.byte(), random.byte()});
-    m.indices.push_back(static_cast<std::uint32_t>(random.one_in(5) ? random.below(v + 1) : v));
-  }
-  if (i >= 10) {
-    m.state.front_mode = static_cast<PolygonMode>(random.below(3));
-    m.state.back_mode = static_cast<PolygonMode>(random.below(3));
-    m.state.polygon_offset = {true, true, true, 1.5F, -3.0F};
-  }
-  m.state.line_width = static_cast<float>(random.between(1, 24)) / 8.0F;
-  m.state.point_size = static_cast<float>(random.between(0, 32)) / 8.0F;
-  m.state.depth_test = {true, CompareFunction::lequal, true};
-  m.state.stencil_test = {.enabled = true, .front = {.depth_pass = StencilOperation::incr_wrap}};
-  return m;
-}
-
-struct DrawnPlanes {
-  PlaneSamples<std::uint8_t> red, stencil;
-  PlaneSamples<std::uint32_t> depth, primitive;
-  friend bool operator==(const DrawnPlanes&, const DrawnPlanes&) = default;
-};
-
-template <class Draw>
-DrawnPlanes drawn_by(Draw draw) {
-  Surface surface = Surface::make(300, 200, {.with_primitive = true}).value();
-  RenderTarget target = surface.target();
-  const Status status = draw(target);
-  EXPECT_TRUE(status.ok()) << status.error().message;
-  return {surface.color(kRed), surface.stencil(), surface.depth(), surface.primitive()};
-}
-
-TEST(PreparedDraw, AnyThreadsDrawTheSameOfAnyPrimitives) {
-  if (kSanitized && !kThreadSanitizer)
-    GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const glm::mat4 matrix = perspective(0.8, 1.5, 0.1, 10);
-  for (int i = 0; i < 20; i += kSlowBuild ? 4 : 1) {
-    Mixture m = mixture(i);
-    m.arrays.positions = m.positions;
-    m.arrays.vertex_colors = m.colors;
-    if (i % 3 != 0) m.arrays.indices = m.indices;
-    DrawnPlanes direct;
-    with_threads(1, [&] {
-      direct = drawn_by([&](RenderTarget& target) { return rasterize(m.state, matrix, m.arrays, {}, target); });
-    });
-    EXPECT_GT(std::count_if(direct.stencil.begin(), direct.stencil.end(), [](auto s) { return s != 0; }), 300) << i;
-    for (const int threads : {1, 2, 7}) {
-      if (kSlowBuild && threads < 7) continue;
-      with_threads(threads, [&] {
-        const DrawnPlanes prepared = drawn_by([&](RenderTarget& target) {
-          PreparedDraw draw;
-          if (Status s = prepare(m.state, matrix, m.arrays, target, draw); !s) return s;
-          return rasterize(m.state, draw, m.arrays, {}, target);
-        });
-        EXPECT_TRUE(prepared == direct) << i << ", " << threads << " threads";
-      });
-    }
-  }
 }
 
 struct PreparedCase {

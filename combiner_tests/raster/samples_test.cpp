@@ -8,7 +8,7 @@
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/fragment_support.h"
 #include "combiner_tests/raster/in_threads.h"
-#include "combiner_tests/raster/support.h"
+#include "combiner_tests/raster/texture_support.h"
 #include "ninebit/raster/fragment_probe.h"
 #include "ninebit/raster/prepared_draw.h"
 #include "src/raster/lanes/tile_planes.h"
@@ -156,8 +156,7 @@ TEST(Samples, AreClearedWithinTheScissorAndOfOtherPlanesToo) {
     state.profile = profiles::nv2a;
     state.scissor = PixelRect{1, 0, 1, 2};
     ASSERT_TRUE(clear(state, {}, {.color = {7, 7, 7, 7}, .depth = 0.0, .stencil = 3}, target).ok());
-    const std::array<glm::vec3, 3> whole{glm::vec3(-1, -1, 0), glm::vec3(5, -1, 0), glm::vec3(-1, 5, 0)};
-    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = whole}, {}, target).ok());
+    ASSERT_TRUE(rasterize(state, kIdentity, {.positions = kWholeTarget}, {}, target).ok());
     const int columns = sample_columns(mode), rows = sample_rows(mode);
     for (int y = 0; y < 2 * rows; ++y) {
       for (int x = 0; x < 3 * columns; ++x) {
@@ -190,13 +189,7 @@ TEST(Samples, ChipsWithoutThemAndProbesAreRefused) {
 
 // A sprite as large as the texture reads its level 0, one of half the size the next.
 TEST(PointSprites, HaveALevelOfDetail) {
-  std::vector<TextureSamples> levels;
-  for (int side = 32, value = 10; side > 0; side /= 2, value += 10) {
-    levels.push_back(
-        {side, side,
-         std::vector<std::uint8_t>(static_cast<std::size_t>(side * side), static_cast<std::uint8_t>(value))});
-  }
-  const Texture texture = make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {levels}).value();
+  const Texture texture = texture_of_levels(32, {10, 20, 30, 40, 50, 60});
   Sampler sampler = kNearestSampler;
   sampler.min_filter = MinFilter::nearest_mipmap_nearest;
   const TextureUnit unit{&texture, sampler};
@@ -209,10 +202,7 @@ TEST(PointSprites, HaveALevelOfDetail) {
     state.point_size = static_cast<float>(size);
     state.program = pass_through(Register::texture0, Register::texture0, state.profile);
     state.point_sprite = {.enabled = true, .coord_replace = {true}};
-    Surface surface = Surface::make(64, 64).value();
-    RenderTarget target = surface.target();
-    ASSERT_TRUE(rasterize(state, kIdentity, arrays, {&unit, 1}, target).ok());
-    EXPECT_EQ(target.color[0].at(32, 32), value) << size;
+    EXPECT_EQ(drawn_surface(64, 64, state, arrays, {&unit, 1}).color(0)[32 * 64 + 32], value) << size;
   }
 }
 
@@ -229,14 +219,11 @@ TEST(PointSprites, ChipsWithoutThemAreNamed) {
 
 // Lines, points and the outlines of polygons are not stippled.
 TEST(Stipple, IsOfFilledPolygons) {
-  const std::array<glm::vec3, 3> whole{glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
   PipelineState state;
   state.polygon_stipple.emplace();
   state.point_size = 3.0F;
   const auto count = [&](PrimitiveType type) {
-    Surface surface = Surface::make(40, 40).value();
-    RenderTarget target = surface.target();
-    EXPECT_TRUE(rasterize(state, kIdentity, {.type = type, .positions = whole}, {}, target).ok());
+    const Surface surface = drawn_surface(40, 40, state, {.type = type, .positions = kWholeTarget});
     return std::count(surface.color(0).begin(), surface.color(0).end(), 255);
   };
   EXPECT_EQ(count(PrimitiveType::triangles), 0);

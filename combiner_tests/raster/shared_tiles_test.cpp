@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/random_passes.h"
+#include "combiner_tests/support/environment.h"
 #include "combiner_tests/support/slow_build.h"
 #include "src/raster/draw/tile.h"
 #include "src/raster/lanes/tile_planes.h"
@@ -89,17 +89,9 @@ Kind kind_of(const PassScene& scene) {
   return kind;
 }
 
-// The indices of a run, or the one that is asked for.
-struct Range {
-  explicit Range(std::uint64_t count) {
-    const char* const only = std::getenv("NINEBIT_RASTER_INDEX");
-    first = only != nullptr ? std::strtoull(only, nullptr, 10) : 0;
-    end = only != nullptr ? first + 1 : count;
-    is_whole = only == nullptr;
-  }
-  std::uint64_t first, end;
-  bool is_whole;
-};
+CaseRange cases_of(std::uint64_t count) {
+  return {"NINEBIT_RASTER_INDEX", count};
+}
 
 // The kinds of many scenes.
 struct Counts {
@@ -107,7 +99,7 @@ struct Counts {
 };
 
 template <class MakeScene>
-void draw_on_every_target(const Range& range, std::uint64_t seed, const MakeScene& make, Counts& counts) {
+void draw_on_every_target(const CaseRange& range, std::uint64_t seed, const MakeScene& make, Counts& counts) {
   for (std::uint64_t index = range.first; index < range.end; ++index) {
     Random random(seed, index);
     const PassScene scene = make(random);
@@ -134,7 +126,7 @@ void draw_on_every_target(const Range& range, std::uint64_t seed, const MakeScen
 
 TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
   if (kSanitized) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
-  const Range range(kSlowBuild ? 30 : 300);
+  const CaseRange range = cases_of(kSlowBuild ? 30 : 300);
   Counts counts;
   draw_on_every_target(
       range, 0x54A9ED, [](Random& random) { return random_passes(random, random.between(2, 4)); }, counts);
@@ -148,7 +140,7 @@ TEST(SharedTiles, PassesDrawWhatTheyDrawAloneOnEveryTarget) {
 // Passes that draw the fragments of another again.
 TEST(SharedTiles, PassesOfEqualDepthDrawWhatTheyDrawAloneOnEveryTarget) {
   if (kSanitized) GTEST_SKIP() << "a build with sanitizers has one SIMD target";
-  const Range range(kSlowBuild ? 30 : 300);
+  const CaseRange range = cases_of(kSlowBuild ? 30 : 300);
   Counts counts;
   draw_on_every_target(
       range, 0x54A9EF, [](Random& random) { return random_equal_passes(random, random.between(3, 4)); }, counts);
@@ -159,7 +151,7 @@ TEST(SharedTiles, PassesOfEqualDepthDrawWhatTheyDrawAloneOnEveryTarget) {
 }
 
 TEST(SharedTiles, OutputsOrAProbeChangeNothing) {
-  const Range range(kSlowBuild ? 20 : 150);
+  const CaseRange range = cases_of(kSlowBuild ? 20 : 150);
   for (std::uint64_t index = range.first; index < range.end; ++index) {
     Random random(0x54A9EE, index);
     const PassScene scene = random_passes(random, random.between(1, 3));
@@ -174,7 +166,7 @@ TEST(SharedTiles, OutputsOrAProbeChangeNothing) {
 
 // One pass, by vectors and a fragment at a time.
 TEST(Lanes, DrawWhatSingleFragmentsDraw) {
-  const Range range(kSlowBuild ? 200 : 2000);
+  const CaseRange range = cases_of(kSlowBuild ? 200 : 1200);
   const std::vector<std::int64_t>& targets = simd_targets();
   std::uint64_t by_lanes = 0, changed = 0;
   for (std::uint64_t index = range.first; index < range.end; ++index) {

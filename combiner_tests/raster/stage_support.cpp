@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "combiner_tests/support/random_stages.h"
 #include "combiner_tests/support/special_floats.h"
 
 namespace ninebit::test {
@@ -16,20 +17,12 @@ TextureTarget target_for(Random& random, TextureOperation operation) {
                                          : kStageTargets[place - 1];
 }
 
-// An operation that may stand on a stage; the later ones find what they need before them.
-TextureOperation random_operation(Random& random, int place) {
-  while (true) {
-    const auto operation = static_cast<TextureOperation>(random.below(static_cast<int>(TextureOperation::brdf)));
-    if (place >= info_of(operation).first && place <= info_of(operation).last) return operation;
-  }
-}
-
 void choose_operations(Random& random, TextureOperation wanted, StageCase& c) {
   const TextureOperationInfo& info = info_of(wanted);
   const int place = random.between(info.first, info.last);
   for (int i = 0; i < kTextureStages; ++i) {
     TextureStage& stage = c.state.stage[static_cast<std::size_t>(i)];
-    stage.operation = random_operation(random, i);
+    stage.operation = random_stage_operation(random, i);
     if (i == 0 && random.one_in(2)) stage.operation = TextureOperation::texture_2d;
     if (i < place && i >= place - info.dots_before) stage.operation = TextureOperation::dot_product;
     if (i == place) stage.operation = wanted;
@@ -117,6 +110,30 @@ std::unique_ptr<StageCase> random_stages(Random& random, TextureOperation operat
   choose_operations(random, operation, c);
   for (std::size_t unit = 0; unit < kTextureStages; ++unit) choose_texture(random, unit, c);
   return made;
+}
+
+oracle::StageQuestion stage_question(const StageCase& c) {
+  using Samplers = std::array<std::optional<TextureSampler>, kTextureStages>;
+  const auto samplers = std::make_shared<Samplers>();
+  oracle::StageQuestion question;
+  question.state = c.state;
+  question.profile = c.profile;
+  for (std::size_t u = 0; u < kTextureStages; ++u) {
+    if (c.units.texture[u] == nullptr) continue;
+    question.textures[u] = stage_texture(c.textures[u], c.units.sampler[u]);
+    (*samplers)[u] = TextureSampler::make(c.profile, c.textures[u], c.units.sampler[u], TexelUse::stages);
+  }
+  question.fetch = [samplers](int unit, std::array<float, 3> at) {
+    TextureCoordinates coordinates;
+    const float zero = 0.0F;
+    for (std::size_t k = 0; k < 3; ++k) {
+      coordinates.value[k] = &at[k];
+      coordinates.dx[k] = coordinates.dy[k] = &zero;
+    }
+    const Bytes4 bytes = (*samplers)[static_cast<std::size_t>(unit)]->bytes(coordinates, 0);
+    return std::array<int, 4>{bytes[0], bytes[1], bytes[2], bytes[3]};
+  };
+  return question;
 }
 
 }  // namespace ninebit::test

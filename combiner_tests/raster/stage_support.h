@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "combiner_tests/oracle/stage_oracle.h"
 #include "combiner_tests/raster/texture_support.h"
 #include "ninebit/raster/texture_stages.h"
 
@@ -46,6 +47,9 @@ struct StageCase {
 
 // Valid stages, one of them with this operation, most often consistent; without coordinates.
 std::unique_ptr<StageCase> random_stages(Random& random, TextureOperation operation, bool has_mipmaps);
+
+// The question for the oracle, without coordinates. It reads the case's own textures without a filter.
+oracle::StageQuestion stage_question(const StageCase& c);
 
 // A coordinate: most often from -2 to 2.
 float random_stage_number(Random& random);

@@ -130,6 +130,13 @@ VertexArrays Mesh::arrays() const {
   return arrays;
 }
 
+Mesh level_triangle(float z) {
+  Mesh mesh;
+  for (const glm::vec2 p : {glm::vec2(-3, -3), glm::vec2(5, -3), glm::vec2(-3, 5)}) mesh.add({p, z});
+  mesh.add_triangle(0, 1, 2);
+  return mesh;
+}
+
 PipelineState counting_state() {
   PipelineState state;
   state.color_mask = {false, false, false, false};
@@ -138,14 +145,26 @@ PipelineState counting_state() {
   return state;
 }
 
-PlaneSamples<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height, CullFace cull) {
-  Surface surface = Surface::make(width, height).value();
+Surface drawn_surface(int width, int height, const PipelineState& state, const VertexArrays& arrays,
+                      std::span<const TextureUnit> units, const SurfaceFormat& format, const glm::mat4& matrix) {
+  Surface surface = Surface::make(width, height, format).value();
   RenderTarget target = surface.target();
+  const Status status = rasterize(state, matrix, arrays, units, target);
+  EXPECT_TRUE(status.ok()) << status.error().message;
+  return surface;
+}
+
+PlaneSamples<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height, CullFace cull) {
   PipelineState state = counting_state();
   state.cull_face = cull;
-  const Status status = rasterize(state, matrix, mesh.arrays(), {}, target);
-  EXPECT_TRUE(status.ok()) << status.error().message;
-  return surface.stencil();
+  return drawn_surface(width, height, state, mesh.arrays(), {}, {}, matrix).stencil();
+}
+
+glm::dvec3 weights_at(std::span<const glm::vec3> corners, double x, double y, int width, int height, double tangent) {
+  const glm::dvec3 ray((x / width * 2 - 1) * tangent * width / height, (y / height * 2 - 1) * tangent, -1);
+  const glm::dvec3 a(corners[0]), b(corners[1]), c(corners[2]);
+  const glm::dvec3 w(glm::dot(ray, glm::cross(b, c)), glm::dot(ray, glm::cross(c, a)), glm::dot(ray, glm::cross(a, b)));
+  return w / (w.x + w.y + w.z);
 }
 
 Program pass_through(Register rgb, Register alpha, const HardwareProfile& profile) {

@@ -68,8 +68,21 @@ struct Mesh {
   VertexArrays arrays() const;
 };
 
+// One triangle over the whole target and more, at one depth.
+Mesh level_triangle(float z);
+
 // Stencil INCR for every fragment, no colour.
 PipelineState counting_state();
+
+// A triangle over the whole target, whose depth is its middle, and a quad.
+inline const std::array<glm::vec3, 3> kWholeTarget{glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
+inline const std::array<glm::vec3, 4> kWholeQuad{glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0),
+                                                 glm::vec3(-1, 1, 0)};
+
+// A new surface with what a draw leaves on it.
+Surface drawn_surface(int width, int height, const PipelineState& state, const VertexArrays& arrays,
+                      std::span<const TextureUnit> units = {}, const SurfaceFormat& format = {},
+                      const glm::mat4& matrix = kIdentity);
 
 // Draws the mesh with counting_state() onto a cleared surface and returns the stencil: how often each pixel was drawn.
 PlaneSamples<std::uint8_t> coverage(const Mesh& mesh, const glm::mat4& matrix, int width, int height,
@@ -88,6 +101,10 @@ std::pair<double, double> range_around(int x, int y, Function value) {
   }
   return {low, high};
 }
+
+// Weights of a triangle's corners where the ray through a window position meets its plane, seen by a camera at the
+// origin that looks along -z.
+glm::dvec3 weights_at(std::span<const glm::vec3> corners, double x, double y, int width, int height, double tangent);
 
 // A program of one silent stage whose output is register `rgb` with the alpha of `alpha`.
 Program pass_through(Register rgb, Register alpha, const HardwareProfile& profile = profiles::geforce2);

@@ -18,16 +18,6 @@ Texture luminance(int width, int height, std::vector<std::uint8_t> bytes) {
       .value();
 }
 
-// Levels of one value each, from size × size down to 1 × 1.
-Texture steps(int size, const std::vector<std::uint8_t>& values) {
-  std::vector<TextureSamples> levels;
-  for (const std::uint8_t value : values) {
-    levels.push_back({size, size, std::vector<std::uint8_t>(static_cast<std::size_t>(size * size), value)});
-    size /= 2;
-  }
-  return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {std::move(levels)}).value();
-}
-
 int red(const Texture& texture, const Sampler& sampler, const std::array<float, 3>& at, float change = 0.0F) {
   const auto made = TextureSampler::make(profiles::geforce2, texture, sampler);
   return made ? int{texel_at(*made, at, {change, 0, 0}).value[0]} : -1;
@@ -55,7 +45,7 @@ TEST(TextureFilter, RoundsEachBlendAsTheNv2a) {
       const auto level = static_cast<std::uint8_t>(drawn), next = static_cast<std::uint8_t>(blended(row, "2"));
       Sampler sampler{.min_filter = MinFilter::linear_mipmap_linear};
       sampler.lod_bias = static_cast<float>(f) / 256.0F;
-      drawn = red(steps(2, {level, next}), sampler, {0.5F, 0.5F, 0}, 0.5F);  // lambda is the bias
+      drawn = red(texture_of_levels(2, {level, next}), sampler, {0.5F, 0.5F, 0}, 0.5F);  // lambda is the bias
     }
     ASSERT_EQ(drawn, std::stoi(row.at("hw")));
     const auto at = [&](const char* column) { return std::stod(row.at(column)); };
@@ -117,7 +107,7 @@ TEST(TextureFilter, RepeatAndMirrorGoOnForEver) {
 }
 
 TEST(TextureFilter, NearestMipmapsSwitchHalfwayAndHalvesGoToTheFinerLevel) {
-  const Texture texture = steps(8, {10, 20, 30, 40});
+  const Texture texture = texture_of_levels(8, {10, 20, 30, 40});
   Sampler sampler{.min_filter = MinFilter::nearest_mipmap_nearest, .mag_filter = MagFilter::nearest};
   const auto level_at = [&](double texels) {
     return red(texture, sampler, {0.5F, 0.5F, 0}, static_cast<float>(texels / 8)) / 10 - 1;
@@ -162,7 +152,7 @@ TEST(TextureFilter, TheSwitchPointIsOneHalfForSharpMinification) {
 
 // Levels of 0 and 255 make the weight between them visible.
 TEST(TextureFilter, LinearMipmapsWeighLevelsByTheLogarithm) {
-  const Texture texture = steps(4, {0, 255, 255});
+  const Texture texture = texture_of_levels(4, {0, 255, 255});
   Random random(71);
   const Sampler sampler{.min_filter = MinFilter::linear_mipmap_linear};
   for (int i = 0; i < 20000; ++i) {
@@ -175,7 +165,7 @@ TEST(TextureFilter, LinearMipmapsWeighLevelsByTheLogarithm) {
 }
 
 TEST(TextureFilter, TheLargerOfBothDirectionsCounts) {
-  const Texture texture = steps(4, {10, 20, 30});
+  const Texture texture = texture_of_levels(4, {10, 20, 30});
   const auto made =
       TextureSampler::make(profiles::geforce2, texture, {.min_filter = MinFilter::nearest_mipmap_nearest});
   EXPECT_EQ(texel_at(*made, {}, {0.25F, 0, 0}, {0, 1, 0}).value[0], 30);
@@ -272,7 +262,7 @@ TEST(TextureFilter, DepthComparesAsTheNv2a) {
 
 // The bias is cut to 1/256 on the NV2A: a level of detail of half a level keeps the finer one.
 TEST(TextureFilter, TheBiasIsCut) {
-  const Texture texture = steps(8, {10, 20, 30, 40});
+  const Texture texture = texture_of_levels(8, {10, 20, 30, 40});
   Sampler sampler{.min_filter = MinFilter::nearest_mipmap_nearest, .mag_filter = MagFilter::nearest};
   HardwareProfile nearest = profiles::nv2a;
   nearest.texture_bias_narrowing.value = Narrowing::nearest_halves_up;

@@ -21,13 +21,11 @@ KeyRow draw_row(const Texture& texture, const Sampler& sampler, int width, const
   Surface surface = Surface::make(width, 1).value();
   surface.fill({.color = {9, 9, 9, 9}});
   RenderTarget target = surface.target();
-  const std::array<glm::vec3, 4> positions{glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(1, 1, 0),
-                                           glm::vec3(-1, 1, 0)};
   const std::array<glm::vec3, 4> coordinates{glm::vec3(s_left, 0.5, 0), glm::vec3(s_right, 0.5, 0),
                                              glm::vec3(s_right, 0.5, 0), glm::vec3(s_left, 0.5, 0)};
   PipelineState state = base;
   state.depth_test = {true, CompareFunction::always, true};
-  VertexArrays arrays{.type = PrimitiveType::quads, .positions = positions};
+  VertexArrays arrays{.type = PrimitiveType::quads, .positions = kWholeQuad};
   arrays.texture_coordinates[0] = coordinates;
   const std::array<TextureUnit, 1> units{TextureUnit{&texture, sampler}};
   const Status status = rasterize(state, kIdentity, arrays, units, target);

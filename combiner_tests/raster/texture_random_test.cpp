@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <set>
 #include <string>
 
 #include "combiner_tests/combiner/simd_targets.h"
 #include "combiner_tests/raster/texture_support.h"
+#include "combiner_tests/support/environment.h"
 #include "ninebit/numerics/fixed9.h"
 #include "ninebit/raster/texture_stages.h"
 
@@ -169,8 +169,8 @@ void run(std::uint64_t index, TexturesSeen& seen) {
   const auto sampler = TextureSampler::make(c.profile, c.texture, c.sampler);
   CodeArrays codes(c.fragments.size());
   if (sampler) sampler->sample(c.fragments.view(), c.fragments.size(), codes.at());
+  oracle::TextureQuestion question = texture_question(c.profile, c.texture, c.sampler);
   for (std::size_t i = 0; i < c.fragments.size(); ++i) {
-    oracle::TextureQuestion question = texture_question(c.profile, c.texture, c.sampler);
     for (std::size_t k = 0; k < 3; ++k) {
       question.coordinate[k] = c.fragments.value[k][i];
       question.dx[k] = c.fragments.dx[k][i];
@@ -204,14 +204,12 @@ void run(std::uint64_t index, TexturesSeen& seen) {
 
 TEST(RandomTextures, EveryFilterAndWrapIsAsTheOracleHasIt) {
   TexturesSeen seen;
-  if (const char* const only = std::getenv("NINEBIT_TEXTURE_INDEX")) {
-    run(std::strtoull(only, nullptr, 10), seen);
-    return;
-  }
-  for (std::uint64_t index = 0; index < kTextureCases; ++index) {
+  const CaseRange range("NINEBIT_TEXTURE_INDEX", kTextureCases);
+  for (std::uint64_t index = range.first; index < range.end; ++index) {
     run(index, seen);
     if (HasFatalFailure()) return;
   }
+  if (!range.is_whole) return;
   // Rectangles have no mip-maps.
   EXPECT_EQ(seen.incomplete, static_cast<int>(kTextureCases / kAllTargets.size() * 4 / 6) * kTextureFragments);
   EXPECT_GE(seen.fragments, (static_cast<int>(kTextureCases) - 1) * kTextureFragments - seen.incomplete);

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "combiner_tests/combiner/simd_targets.h"
@@ -13,17 +12,13 @@
 #include "combiner_tests/raster/fragment_support.h"
 #include "combiner_tests/raster/in_threads.h"
 #include "combiner_tests/raster/stage_support.h"
+#include "combiner_tests/support/environment.h"
 #include "ninebit/raster/prepared_draw.h"
 
 namespace ninebit::test {
 namespace {
 
 constexpr int kDrawWidth = 40, kDrawHeight = 32, kDrawPrimitives = 5;
-
-std::uint64_t stage_draws_number(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 0);
-}
 
 struct StageDraw {
   std::unique_ptr<StageCase> stages;
@@ -153,30 +148,6 @@ struct PixelCoordinates {
   }
 };
 
-oracle::StageQuestion stage_question_of(const StageDraw& d,
-                                        std::array<std::optional<TextureSampler>, kTextureStages>& samplers) {
-  const StageCase& c = *d.stages;
-  oracle::StageQuestion question;
-  question.state = c.state;
-  question.profile = c.profile;
-  for (std::size_t u = 0; u < kTextureStages; ++u) {
-    if (c.units.texture[u] == nullptr) continue;
-    question.textures[u] = stage_texture(c.textures[u], c.units.sampler[u]);
-    samplers[u] = TextureSampler::make(c.profile, c.textures[u], c.units.sampler[u], TexelUse::stages);
-  }
-  question.fetch = [&samplers](int unit, std::array<float, 3> at) {
-    TextureCoordinates coordinates;
-    const float zero = 0.0F;
-    for (std::size_t k = 0; k < 3; ++k) {
-      coordinates.value[k] = &at[k];
-      coordinates.dx[k] = coordinates.dy[k] = &zero;
-    }
-    const Bytes4 bytes = samplers[static_cast<std::size_t>(unit)]->bytes(coordinates, 0);
-    return std::array<int, 4>{bytes[0], bytes[1], bytes[2], bytes[3]};
-  };
-  return question;
-}
-
 // Rule 39, with doubles.
 std::uint32_t depth_code_of(const StageDraw& d, float depth, std::uint32_t largest) {
   double code = static_cast<double>(depth);
@@ -199,8 +170,7 @@ struct StageDrawsSeen {
 
 ExpectedDraw expected_draw(const StageDraw& d, std::size_t probe, StageDrawsSeen& seen) {
   ExpectedDraw e{.picture = d.start, .probed = {}, .probed_depth = {}};
-  std::array<std::optional<TextureSampler>, kTextureStages> samplers;
-  oracle::StageQuestion question = stage_question_of(d, samplers);
+  oracle::StageQuestion question = stage_question(*d.stages);
   const std::uint32_t largest = max_depth(d.start.format);
   for (std::size_t p = 0; p < kDrawPrimitives; ++p) {
     const PixelCoordinates coordinates(d, p);
@@ -292,8 +262,8 @@ void run_draw(std::uint64_t seed, TextureOperation operation, std::uint64_t inde
 }
 
 TEST(TextureShaderDraws, EveryPlaneIsAsTheOraclesDrawIt) {
-  const std::uint64_t seed = stage_draws_number("NINEBIT_STAGE_DRAWS_SEED", 4210);
-  const std::uint64_t count = stage_draws_number("NINEBIT_STAGE_DRAWS_COUNT", kSlowBuild ? 2 : 10);
+  const std::uint64_t seed = number_from_environment("NINEBIT_STAGE_DRAWS_SEED", 4210);
+  const std::uint64_t count = number_from_environment("NINEBIT_STAGE_DRAWS_COUNT", kSlowBuild ? 2 : 10);
   StageDrawsSeen all;
   for (int n = 0; n < static_cast<int>(TextureOperation::brdf); ++n) {
     const auto operation = static_cast<TextureOperation>(n);
@@ -366,21 +336,11 @@ struct StageQuad {
   PicturePlanes planes;
   PipelineState state;
 
-  StageQuad() : planes(black()) {
+  StageQuad() : planes(empty_picture(8, 8)) {
     state.profile = profiles::nv2a;
     state.texture_shader.enabled = true;
     state.texture_shader.stage[0].operation = TextureOperation::pass_through;
     state.program = pass_through(Register::texture0, Register::texture0, profiles::nv2a);
-  }
-  static oracle::Picture black() {
-    oracle::Picture picture{
-        .width = 8, .height = 8, .color = {}, .depth = {}, .stencil = {}, .primitive = {}, .captured = {}};
-    picture.color.resize(64);
-    picture.depth.resize(64);
-    picture.stencil.resize(64);
-    picture.primitive.resize(64);
-    picture.captured.resize(64);
-    return picture;
   }
   [[nodiscard]] VertexArrays arrays() const {
     VertexArrays a{.type = PrimitiveType::quads, .positions = positions};

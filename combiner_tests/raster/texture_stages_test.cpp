@@ -66,41 +66,21 @@ std::string stage_place(TextureOperation operation, std::uint64_t index, std::si
 }
 
 // One fragment against the oracle, which reads the same textures.
-void expect_oracle(const StageCase& c, const TextureStages& stages, const TextureShaderResult& result, std::size_t i,
-                   const std::string& place, StagesSeen& seen) {
-  oracle::StageQuestion question;
-  question.state = c.state;
-  question.profile = c.profile;
-  std::array<std::optional<TextureSampler>, kTextureStages> samplers;
-  for (std::size_t u = 0; u < kTextureStages; ++u) {
-    if (c.units.texture[u] == nullptr) continue;
-    question.textures[u] = stage_texture(c.textures[u], c.units.sampler[u]);
-    samplers[u] = TextureSampler::make(c.profile, c.textures[u], c.units.sampler[u], TexelUse::stages);
-  }
+void expect_oracle(const StageCase& c, oracle::StageQuestion& question, const TextureStages& stages,
+                   const TextureShaderResult& result, std::size_t i, const std::string& place, StagesSeen& seen) {
   question.coordinate = c.inputs(i).at;
-  question.fetch = [&](int unit, std::array<float, 3> at) {
-    TextureCoordinates coordinates;
-    const float zero = 0.0F;
-    for (std::size_t k = 0; k < 3; ++k) {
-      coordinates.value[k] = &at[k];
-      coordinates.dx[k] = coordinates.dy[k] = &zero;
-    }
-    const Bytes4 bytes = samplers[static_cast<std::size_t>(unit)]->bytes(coordinates, 0);
-    return std::array<int, 4>{bytes[0], bytes[1], bytes[2], bytes[3]};
-  };
   const oracle::StageAnswer answer = oracle::run_stages(question);
   for (std::size_t u = 0; u < kTextureStages; ++u) {
-    const std::string at = place + " " + std::to_string(u);
     const auto operation = static_cast<std::size_t>(c.state.stage[u].operation);
     ++(answer.consistent[u] ? seen.consistent : seen.inconsistent)[operation];
     ASSERT_EQ(stages.program().stage[u].inconsistent.empty(), answer.consistent[u])
-        << at << ": " << stages.program().stage[u].inconsistent;
+        << place << ' ' << u << ": " << stages.program().stage[u].inconsistent;
     for (std::size_t k = 0; k < 4; ++k) {
-      ASSERT_EQ(int{result.stage[u].texel[k]}, answer.texel[u][k]) << at << ", component " << k;
-      ASSERT_EQ(int{result.stage[u].codes[k]}, answer.code[u][k]) << at << ", component " << k;
+      ASSERT_EQ(int{result.stage[u].texel[k]}, answer.texel[u][k]) << place << ' ' << u << ", component " << k;
+      ASSERT_EQ(int{result.stage[u].codes[k]}, answer.code[u][k]) << place << ' ' << u << ", component " << k;
     }
     if (answer.dot[u]) {
-      ASSERT_TRUE(result.stage[u].dot && same_number(*result.stage[u].dot, *answer.dot[u])) << at;
+      ASSERT_TRUE(result.stage[u].dot && same_number(*result.stage[u].dot, *answer.dot[u])) << place << ' ' << u;
     }
   }
   ASSERT_EQ(result.is_culled, answer.culled) << place;
@@ -116,8 +96,9 @@ void run(TextureOperation operation, std::uint64_t index, bool has_mipmaps, Stag
   ASSERT_TRUE(stages.ok()) << stages.error().text();
   std::vector<TextureShaderResult> results;
   for (std::size_t i = 0; i < kStageFragments; ++i) results.push_back(stages->evaluate(c->inputs(i)));
+  oracle::StageQuestion question = stage_question(*c);
   for (std::size_t i = 0; i < kStageFragments && !has_mipmaps; ++i) {
-    expect_oracle(*c, *stages, results[i], i, stage_place(operation, index, i, 0), seen);
+    expect_oracle(*c, question, *stages, results[i], i, stage_place(operation, index, i, 0), seen);
     if (testing::Test::HasFatalFailure()) return;
   }
   for (const std::int64_t target : simd_targets()) {

@@ -60,6 +60,29 @@ Texture random_texture(Random& random, TextureTarget target, InternalFormat form
   return make_texture(target, format, std::move(faces)).value();
 }
 
+Texture texture_of_levels(int size, const std::vector<std::uint8_t>& values) {
+  std::vector<TextureSamples> levels;
+  for (const std::uint8_t value : values) {
+    levels.push_back({size, size, std::vector<std::uint8_t>(static_cast<std::size_t>(size * size), value)});
+    size /= 2;
+  }
+  return make_texture(TextureTarget::texture_2d, InternalFormat::luminance8, {std::move(levels)}).value();
+}
+
+Texture cube_of_places(int size) {
+  std::vector<std::vector<TextureSamples>> faces;
+  for (int face = 0; face < 6; ++face) {
+    std::vector<std::uint8_t> bytes;
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < size * size; ++i) {
+        bytes.push_back(static_cast<std::uint8_t>(k == 0 ? i % size : k == 1 ? i / size : face));
+      }
+    }
+    faces.push_back({{size, size, std::move(bytes)}});
+  }
+  return make_texture(TextureTarget::cube_map, InternalFormat::rgb8, std::move(faces)).value();
+}
+
 float random_coordinate(Random& random, int size) {
   switch (random.below(8)) {
     case 0:

@@ -41,6 +41,12 @@ inline constexpr std::array kWraps{Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edg
 [[nodiscard]] Texture random_texture(Random& random, TextureTarget target, InternalFormat format, int width, int height,
                                      bool with_levels);
 
+// Levels of one luminance each, from size × size texels on.
+[[nodiscard]] Texture texture_of_levels(int size, const std::vector<std::uint8_t>& values);
+
+// A cube map whose texels say where they are: x, y, face.
+[[nodiscard]] Texture cube_of_places(int size);
+
 // One float on, beside or far from the edges and middles of texels.
 [[nodiscard]] float random_coordinate(Random& random, int size);
 

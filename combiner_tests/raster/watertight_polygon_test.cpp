@@ -14,12 +14,9 @@ constexpr int kWindow = 64;
 
 PlaneSamples<std::uint8_t> counts(PrimitiveType type, const std::vector<glm::vec3>& positions,
                                   const std::vector<std::uint32_t>& indices, const glm::mat4& matrix = kIdentity) {
-  Surface surface = Surface::make(kWindow, kWindow).value();
-  RenderTarget target = surface.target();
-  const Status status =
-      rasterize(counting_state(), matrix, {.type = type, .positions = positions, .indices = indices}, {}, target);
-  EXPECT_TRUE(status.ok()) << status.error().message;
-  return surface.stencil();
+  return drawn_surface(kWindow, kWindow, counting_state(), {.type = type, .positions = positions, .indices = indices},
+                       {}, {}, matrix)
+      .stencil();
 }
 
 // A grid of cells over more than the target, its corners jittered or moved onto pixel centres.
