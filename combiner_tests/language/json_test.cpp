@@ -1,4 +1,4 @@
-// The JSON form of a program: round trips, defaults, faults with their places, damaged texts.
+// The JSON form of a program: round trips, defaults, faults with their places.
 #include "ninebit/language/json.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/slow_build.h"
-#include "ninebit/combiner/validate.h"
 
 namespace ninebit::test {
 namespace {
@@ -232,63 +231,6 @@ TEST(JsonProgram, LargeTextsAreBounded) {
   EXPECT_EQ(parse_json_program({std::string(kMaxSourceBytes + 1, '['), ""}, kCard).faults().size(), 1U);
   const auto brackets = parse_json_program({std::string(kMaxSourceBytes, '['), ""}, kCard);
   EXPECT_EQ(brackets.faults().size(), 1U);
-}
-
-// One random edit: a byte, or a word that the form knows put where another stood.
-void damage(std::string& text, Random& random) {
-  constexpr std::string_view kBytes = "{}[]\",:.0123456789eE+-\\u tnr\n\x01\x80\xff";
-  constexpr std::string_view kTokens[] = {
-      "\"zero\"",         "\"fog\"",  "\"e_times_f\"", "\"rgb\"", "\"alpha\"", "\"blue\"",
-      "\"texture3\"",     "true",     "false",         "null",    "0.5",       "-1",
-      "\"spare0\"",       "\"none\"", "\"discard\"",   "1e-50",   "[]",        "{}",
-      "\"scale_by_four\""};
-  const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size()) + 1));
-  switch (random.below(4)) {
-    case 0:
-      text.insert(at, 1, kBytes[static_cast<std::size_t>(random.below(static_cast<int>(kBytes.size())))]);
-      break;
-    case 1:
-      if (at < text.size()) text.erase(at, 1 + static_cast<std::size_t>(random.below(4)));
-      break;
-    default: {
-      const std::size_t start = text.find(": ", at);
-      const std::size_t end = start == std::string::npos ? start : text.find_first_of(",}\n", start);
-      if (end == std::string::npos) break;
-      text.replace(start + 2, end - start - 2, kTokens[static_cast<std::size_t>(random.below(std::size(kTokens)))]);
-    }
-  }
-}
-
-TEST(JsonProgram, DamagedTextsAreRefusedOrMeanAValidState) {
-  if (kSanitized || kCoverage) GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
-  int accepted = 0, refused = 0;
-  std::string text;
-  for (int i = 0; i < 20'000; ++i) {
-    Random random(22, static_cast<std::uint64_t>(i));
-    const HardwareProfile& profile = i / 2 % 2 == 0 ? kCard : kXbox;
-    if (i % 2 == 0) {
-      CombinerState state = random_state(random, profile);
-      for (std::size_t stage = 2; stage < state.general.size(); ++stage) state.general[stage] = {};
-      text = print_json_program(state);
-    }
-    damage(text, random);
-    const auto parsed = parse_json_program({text, ""}, profile);
-    ASSERT_NE(parsed.ok(), !parsed.faults().empty()) << "case " << i;
-    ASSERT_LE(parsed.faults().size(), kMaxTextFaults);
-    const int lines = 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-    for (const TextFault& fault : parsed.faults()) {
-      ASSERT_TRUE(fault.line >= 1 && fault.line <= lines && fault.column >= 1) << fault.text();
-    }
-    if (parsed) {
-      ASSERT_TRUE(validate(*parsed, profile).empty()) << "case " << i;
-      const auto again = parse_json_program({print_json_program(*parsed), ""}, profile);
-      ASSERT_TRUE(again) << all_faults(again);
-      ASSERT_EQ(*again, *parsed) << "case " << i;
-    }
-    ++(parsed ? accepted : refused);
-  }
-  EXPECT_GT(accepted, 500);
-  EXPECT_GT(refused, 5000);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-// The faults of sources that cannot be read, and of choices that mean nothing; any bytes.
+// The faults of sources that cannot be read, and of choices that mean nothing.
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
 #include "combiner_tests/language/all_faults.h"
-#include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -149,41 +148,6 @@ TEST(SourceFaults, DeepNestingIsRefusedNotFollowed) {
     for (std::size_t i = 0; i < kDeep; ++i) outside += open;
     (void)find_source_functions({outside + "\nvoid a() { " + kSetCount + "2); }", "s"}, {}, profiles::nv2a);
   }
-}
-
-// Pieces of sources in random order, damaged: no crash, no hang, faults at places of the text.
-TEST(SourceFaults, RandomDamage) {
-  if (ninebit::test::kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
-  const std::vector<std::string> pieces{
-      "void f(int a, float *b = c) { glCombinerInputNV(GL_COMBINER0_NV + a, GL_RGB, GL_VARIABLE_A_NV, t[a].r, m, "
-      "GL_RGB); }\n",
-      "#define M(a, b) a ## b # a\n#if defined(X) && Y > 2\nM(gl, Enable)(1);\n#else\n#endif\n",
-      "class A : public B { enum { x = 1, y }; static const float k[4] = { 1, .5f, 0x2, 1e3 }; void g() const { f(x, "
-      "k); } };\n",
-      "switch (m) { case A::x: for (int i = 0; i < 3; ++i) v[i++] = i * 2; break; default: { nvparse(\"!!RC1.0\\n\" "
-      "\"out.rgb=tex0;\"); } }\n",
-      "if (p->q(3)[1].z != NULL) return; else while (--n) ;\n",
-      "float[] a = new float[] { 1f, 2d }; R\"x(!!RC1.0)x\" // c\n"};
-  const test::Damage damage{.seed = 24,
-                            .texts = 4000,
-                            .whole =
-                                [&](test::Random& random) {
-                                  std::string text;
-                                  for (int i = 0; i < 4; ++i)
-                                    text +=
-                                        pieces[static_cast<std::size_t>(random.below(static_cast<int>(pieces.size())))];
-                                  return text;
-                                },
-                            .bytes = "(){}[];,#=+-*/&|!?:.'\"\\ \naglNV0"};
-  const auto found =
-      test::parse_damaged(damage, profiles::nv2a, [](const SourceText& text, const HardwareProfile& profile) {
-        for (const SourceFunction& f : find_source_functions(text, {{"m", "A::x"}, {"a", "1"}}, profile)) {
-          EXPECT_GE(f.line, 1);
-        }
-        (void)is_source_code(text.text);
-        return parse_source_code(text, {}, profile);
-      });
-  EXPECT_GT(found.refused, 1000);
 }
 
 }  // namespace

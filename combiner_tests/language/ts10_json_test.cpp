@@ -3,7 +3,6 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
-#include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/random_stages.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
@@ -169,30 +168,6 @@ TEST(Ts10, FaultsHaveTheirPlaces) {
   EXPECT_EQ(ts10_faults("texture_2d();", profiles::geforce2),
             "1:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader); expected a profile "
             "that has, such as nv2a\n");
-}
-
-TEST(Ts10, BrokenTextsEndInStagesOrInFaults) {
-  const auto found = parse_damaged({.seed = 63,
-                                    .texts = 6000,
-                                    .whole =
-                                        [](Random&) {
-                                          return std::string(
-                                                     "!!TS1.0\ntexture_2d();\ndot_product_reflect_cube_map_const_eye_"
-                                                     "1of3(expand(tex0), 1, .5, -2);\n"
-                                                     "dot_product_reflect_cube_map_const_eye_2of3(tex0);\n"
-                                                     "dot_product_reflect_cube_map_const_eye_3of3(expand(tex0));\n") +
-                                                 kPlainCombiner;
-                                        },
-                                    .kept = 7,
-                                    .bytes = "!RCTS0123456789abcdefoxt_(){},;.-+= \n"},
-                                   profiles::nv2a, [](const SourceText& source, const HardwareProfile& profile) {
-                                     TextureShaderState stages;
-                                     auto parsed = parse_rc10(source, profile, &stages);
-                                     EXPECT_TRUE(!parsed || validate(stages, profile).empty());
-                                     return parsed;
-                                   });
-  EXPECT_GT(found.states, 20);
-  EXPECT_GT(found.refused, 3000);
 }
 
 TEST(Ts10, WhatItCannotExpressIsNamed) {
