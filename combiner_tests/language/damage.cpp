@@ -48,7 +48,8 @@ void expect_states_or_faults(const Damage& damage) {
     const auto parsed = damage.parse({text, fuzz::kFile});
     std::string wrong = fuzz::wrong_with_answer(parsed, text);
     if (wrong.empty() && parsed && !validate(*parsed, damage.profile).empty()) wrong = "GL refuses the state";
-    if (wrong.empty() && parsed && states % kAskedOfOthers == 0) wrong = fuzz::wrong_with_state(*parsed, damage.profile);
+    if (wrong.empty() && parsed && states % kAskedOfOthers == 0)
+      wrong = fuzz::wrong_with_state(*parsed, damage.profile);
     ASSERT_EQ(wrong, "") << "seed " << damage.seed << " case " << i << '\n' << text;
     (parsed ? states : refused) += kStep;
   }

@@ -27,8 +27,8 @@ struct Damage {
 
 // Makes random edits in each text (in a slow build in every eighth, which then counts eight times) and parses it. Fails
 // the test at the first answer that is neither a state that GL accepts nor faults as fuzz/common.h wants them, or at a
-// state that does not come back from the other forms, which every sixteenth one is asked. Skips where the fuzzers do the
-// same.
+// state that does not come back from the other forms, which every sixteenth one is asked. Skips where the fuzzers do
+// the same.
 void expect_states_or_faults(const Damage& damage);
 
 }  // namespace ninebit::test

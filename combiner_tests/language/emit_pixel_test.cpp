@@ -15,6 +15,7 @@
 
 #include "combiner_tests/language/compiled_c.h"
 #include "combiner_tests/language/emit_cases.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/support/temp_folder.h"
 #include "ninebit/combiner/normalize.h"
@@ -175,7 +176,7 @@ TEST(EmitPixel, ConstantsAreNoPartOfTheText) {
     return emit_pixel_shader(compile(of, profiles::nv2a).value(), PixelLanguage::glsl_130).value();
   };
   EXPECT_EQ(text_of(state), text_of(other));
-  EXPECT_NE(text_of(state).find("ninebit_combine_constants[0].rgb"), std::string::npos);
+  EXPECT_TRUE(has(text_of(state), "ninebit_combine_constants[0].rgb"));
 }
 
 // Operations in a text: operators between values, and calls of functions.

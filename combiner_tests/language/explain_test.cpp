@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "combiner_tests/language/index_comparison.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/numerics/hardware_profile.h"
 
@@ -51,9 +52,9 @@ TEST(Explain, TheArticle) {
   const std::string text = print_explanation(e);
   for (const Equation& equation : e.equations) {
     EXPECT_TRUE(equation.used);
-    EXPECT_NE(text.find("  " + equation.target + " = " + equation.expression + "\n"), std::string::npos) << text;
+    EXPECT_TRUE(has(text, "  " + equation.target + " = " + equation.expression + "\n"));
   }
-  EXPECT_EQ(text.find("unused"), std::string::npos);
+  EXPECT_FALSE(has(text, "unused"));
 }
 
 TEST(Explain, GlDefaults) {
@@ -277,8 +278,8 @@ TEST(Explain, WhatNothingReadsIsTold) {
   EXPECT_FALSE(e.equations[3].used);
   EXPECT_TRUE(e.equations[0].used && e.equations[2].used);
   ASSERT_EQ(e.dead.size(), 2U);
-  EXPECT_NE(e.dead[0].reason.find("GL's default"), std::string::npos);
-  EXPECT_NE(print_explanation(e).find("unused: nothing reads it"), std::string::npos);
+  EXPECT_TRUE(has(e.dead[0].reason, "GL's default"));
+  EXPECT_TRUE(has(print_explanation(e), "unused: nothing reads it"));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/register_log_shapes.h"
 #include "combiner_tests/language/xbox_shapes.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
@@ -83,8 +84,7 @@ TEST(ProgramForms, CxbxPrintsNumbersForZeroOneAndAHalf) {
   same("-0.500000f, t1, v0", "zero_bias, t1, v0");
   const auto faulty = read_as(ProgramForm::ps, "xps.1.1\nxmma r0,discard,discard, t0,0.25f,zero,zero\n");
   ASSERT_EQ(faulty.faults().size(), 1U);
-  EXPECT_NE(faulty.faults()[0].message.find("one of the numbers 0.0, 0.5 and 1.0, found '0.25f'"), std::string::npos)
-      << all_faults(faulty);
+  EXPECT_TRUE(has(faulty.faults()[0].message, "one of the numbers 0.0, 0.5 and 1.0, found '0.25f'"));
 }
 
 TEST(ProgramForms, WordsAreReadByRegistersAddressesAndMembers) {
@@ -200,7 +200,7 @@ TEST(ProgramForms, AssembledShadersAreRead) {
       {"ffff0101 00000001 800f0000 80e40001 0000ffff", "'r1' is read before it is written"}};
   for (const auto& [text, words_of_fault] : refused) {
     const auto program = read_as(ProgramForm::tokens, text);
-    EXPECT_NE(all_faults(program).find(words_of_fault), std::string::npos) << text << '\n' << all_faults(program);
+    EXPECT_TRUE(has(all_faults(program), words_of_fault)) << text;
   }
 }
 
@@ -210,9 +210,9 @@ TEST(ProgramForms, AreInTheManual) {
   const std::string manual{std::istreambuf_iterator<char>(file), {}};
   std::string from;
   for (const std::string& name : read_form_names()) from += (from.empty() ? "" : "|") + name;
-  EXPECT_NE(manual.find("`--from " + from + "`"), std::string::npos) << from;
+  EXPECT_TRUE(has(manual, "`--from " + from + "`")) << from;
   for (const std::string& name : written_form_names()) {
-    EXPECT_NE(manual.find("`" + name + "`"), std::string::npos) << name;
+    EXPECT_TRUE(has(manual, "`" + name + "`")) << name;
   }
 }
 
@@ -287,7 +287,7 @@ TEST(ProgramForms, OtherWordsGoThroughWordsAndJson) {
       ASSERT_EQ(text_of(back->other_words), text_of(words)) << text;
       ASSERT_EQ(normalize(back->state, kFormsProfile), normalize(state, kFormsProfile)) << text;
     }
-    EXPECT_EQ(print_register_words(state, ChipClass::nv20, kFormsProfile)->find("PSTextureModes"), std::string::npos);
+    EXPECT_FALSE(has(*print_register_words(state, ChipClass::nv20, kFormsProfile), "PSTextureModes"));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::test {
@@ -62,8 +63,8 @@ TEST(JsonProgram, WhatGlDoesNotHaveIsThereWhereItIsAskedForAlone) {
     const std::string keys = '"' + name + "\": true";
     CombinerState state;
     state.*flag = true;
-    EXPECT_EQ(print_json_program({}).find(name), std::string::npos);
-    EXPECT_NE(print_json_program(state).find(keys), std::string::npos);
+    EXPECT_FALSE(has(print_json_program({}), name));
+    EXPECT_TRUE(has(print_json_program(state), keys));
     EXPECT_EQ(*parse_json_program({with(keys), ""}, kXbox), state);
     const auto refused = parse_json_program({with(keys), "f.json"}, kCard);
     EXPECT_EQ(all_faults(refused), "f.json:2:" + std::to_string(name.size() + 5) +
@@ -76,11 +77,10 @@ TEST(JsonProgram, BlueToAlpha) {
   CombinerState state;
   state.general[0].rgb.out.ab = Register::spare1;
   state.general[0].rgb.out.ab_blue_to_alpha = true;
-  EXPECT_EQ(print_json_program({}).find("blue_to_alpha"), std::string::npos);
-  EXPECT_NE(print_json_program(state).find(R"("mux_sum": false, "ab_blue_to_alpha": true})"), std::string::npos);
+  EXPECT_FALSE(has(print_json_program({}), "blue_to_alpha"));
+  EXPECT_TRUE(has(print_json_program(state), R"("mux_sum": false, "ab_blue_to_alpha": true})"));
   EXPECT_EQ(*parse_json_program({with(keys), ""}, kXbox), state);
-  EXPECT_NE(all_faults(parse_json_program({with(keys), "f.json"}, kCard)).find("f.json:2:42: GL_INVALID_ENUM: "),
-            std::string::npos);
+  EXPECT_TRUE(has(all_faults(parse_json_program({with(keys), "f.json"}, kCard)), "f.json:2:42: GL_INVALID_ENUM: "));
 }
 
 TEST(JsonProgram, MissingKeysAreTheDefaults) {
@@ -224,7 +224,7 @@ TEST(JsonProgram, AllFaultsAreReportedInTheOrderOfTheText) {
 TEST(JsonProgram, LargeTextsAreBounded) {
   std::string many = "[0";
   while (many.size() < kMaxSourceBytes - 4) many += ",0";
-  EXPECT_NE(all_faults(parse_json_program({many + "]", ""}, kCard)).find("values"), std::string::npos);
+  EXPECT_TRUE(has(all_faults(parse_json_program({many + "]", ""}, kCard)), "values"));
   std::string same = "{";
   for (int i = 0; i < 4000; ++i) same += "\"a\": 0,\n";
   EXPECT_EQ(parse_json_program({same + "\"a\": 0}", ""}, kCard).faults().size(), kMaxTextFaults);

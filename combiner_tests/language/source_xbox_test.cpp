@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -79,7 +80,7 @@ TEST(SourceXbox, FunctionsAreListedWithWhatTheyNeed) {
   EXPECT_EQ(found[2].needs, (std::vector<std::string>{"quality"}));
   const ReadWords missing = read_words(text, {{"BuildGlow"}, {}});
   ASSERT_FALSE(missing.program);
-  EXPECT_NE(test::all_faults(missing.program).find("quality"), std::string::npos);
+  EXPECT_TRUE(test::has(test::all_faults(missing.program), "quality"));
 }
 
 TEST(SourceXbox, APieceOfAFunction) {
@@ -104,7 +105,7 @@ TEST(SourceXbox, WhatWasClearedIsZero) {
 void expect_fault(const std::string& text, const std::string& expected) {
   const ReadWords found = read_words(text);
   ASSERT_FALSE(found.program) << text;
-  EXPECT_NE(test::all_faults(found.program).find(expected), std::string::npos) << test::all_faults(found.program);
+  EXPECT_TRUE(test::has(test::all_faults(found.program), expected));
 }
 
 TEST(SourceXbox, FaultsNameTheirPlace) {

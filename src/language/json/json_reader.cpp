@@ -235,7 +235,8 @@ std::optional<std::size_t> Reader::choice(const Value& value, std::span<const st
     if (names[i] == value.text) return i;
     all += (all.empty() ? "" : ", ") + std::string(names[i]);
   }
-  fault(value.offset, in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + all, error);
+  fault(value.offset, in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + all,
+        error);
   return std::nullopt;
 }
 

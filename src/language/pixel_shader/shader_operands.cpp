@@ -305,7 +305,8 @@ bool ShaderOperandReader::apply_selector(ShaderOperand& out, const Register& fro
   const NamedSelector* const found = find_row(kSelectors, &NamedSelector::name, from.suffix);
   const bool replicated = from.suffix.size() > 1 && found == nullptr &&
                           from.suffix.find_first_not_of(from.suffix.front()) == std::string::npos;
-  const NamedSelector* const one = replicated ? find_row(kSelectors, &NamedSelector::name, from.suffix.substr(0, 1)) : found;
+  const NamedSelector* const one =
+      replicated ? find_row(kSelectors, &NamedSelector::name, from.suffix.substr(0, 1)) : found;
   if (one == nullptr) {
     faults_.add(from.offset,
                 quoted("." + from.suffix) + " are not components that a combiner reads; expected .rgb, .a or .b");

@@ -309,8 +309,8 @@ Parsed<CombinerState> program_of(const RegisterLog& log, std::size_t number, std
   const int line = static_cast<int>(std::min<std::uint64_t>(std::max<std::uint64_t>(setup.first_line, 1), 0x7fffffff));
   for (const std::string& name : setup.unknown) {
     faults.add(find_row(setup.words, &RegisterWord::name, name)->place,
-               "the log has no data for " + name + ", which set-up " +
-                                std::to_string(number == 0 ? 1 : number) + " depends on");
+               "the log has no data for " + name + ", which set-up " + std::to_string(number == 0 ? 1 : number) +
+                   " depends on");
   }
   const std::string control = log.chip == ChipClass::nv10 ? "RC_OUT_RGB[1]" : "RC_ENABLE";
   if (std::find(setup.unwritten.begin(), setup.unwritten.end(), control) != setup.unwritten.end()) {

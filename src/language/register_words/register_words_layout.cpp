@@ -1,8 +1,9 @@
 #include "src/language/register_words/register_words_layout.h"
-#include "src/system/find_row.h"
 
 #include <algorithm>
 #include <charconv>
+
+#include "src/system/find_row.h"
 
 namespace ninebit {
 
