@@ -20,7 +20,7 @@ struct Damage {
   std::function<Parsed<CombinerState>(const SourceText&)> parse;
   int states = 0, refused = 0;  // the least of texts that are a state, and of those that are refused
   std::size_t kept = 0;         // bytes at the beginning that stay as they are
-  int texts = 20'000;
+  int texts = 8000;
   int edits = 3;  // at most, in a text; 0: `whole` damages its texts itself
   const HardwareProfile& profile = profiles::nv2a;
 };

@@ -35,7 +35,7 @@ TEST(DamagedJson, Programs) {
                                .parse = [&](const SourceText& text) { return parse_json_program(text, *profile); },
                                .states = 250,
                                .refused = 1000,
-                               .texts = 5000,
+                               .texts = 2000,
                                .edits = edits,
                                .profile = *profile});
     }

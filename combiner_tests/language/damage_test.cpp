@@ -80,8 +80,7 @@ TEST(Damaged, Ts10) {
                            .parse = parse,
                            .states = 20,
                            .refused = 3000,
-                           .kept = 7,
-                           .texts = 6000});
+                           .kept = 7});
 }
 
 TEST(Damaged, PixelShaders) {
@@ -108,7 +107,7 @@ TEST(Damaged, RegisterWords) {
          .parse = [&](const SourceText& text) { return parse_register_words(text, chip, profile); },
          .states = 250,
          .refused = 2500,
-         .texts = 10'000,
+         .texts = 4000,
          .profile = profile});
   }
 }
@@ -139,7 +138,7 @@ TEST(Damaged, DefinitionsInMacros) {
                            .parse = parse_definition,
                            .states = 200,
                            .refused = 1000,
-                           .texts = 10'000});
+                           .texts = 4000});
 }
 
 TEST(Damaged, RegisterLogs) {
@@ -159,7 +158,7 @@ TEST(Damaged, RegisterLogs) {
                            .parse = parse,
                            .states = 2000,
                            .refused = 50,
-                           .texts = 6000,
+                           .texts = 2500,
                            .edits = 40});
 }
 
@@ -191,7 +190,7 @@ TEST(Damaged, Sources) {
                            .bytes = "(){}[],;#=+-*/&|!?:.'\"\\ \naglNV0",
                            .parse = parse,
                            .refused = 1000,
-                           .texts = 4000});
+                           .texts = 2000});
 }
 
 }  // namespace

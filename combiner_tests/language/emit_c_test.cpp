@@ -14,8 +14,8 @@ namespace ninebit::test {
 namespace {
 
 constexpr std::uint64_t kCSeed = 0x632D736F75726365U;
-constexpr int kCCases = 600;
-constexpr std::size_t kCFragments = 64;
+constexpr int kCCases = 300;
+constexpr std::size_t kCFragments = 128;
 
 void compare(const std::vector<EmitCase>& cases, std::size_t fragments, Outputs& outputs) {
   std::string source;

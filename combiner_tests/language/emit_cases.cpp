@@ -3,10 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/index_comparison.h"
+#include "combiner_tests/support/temp_folder.h"
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/language/gl_calls.h"
+#include "ninebit/language/rc10.h"
 
 namespace ninebit::test {
 namespace {
@@ -85,6 +90,18 @@ std::vector<EmitCase> random_cases(std::uint64_t seed, int count) {
              random_state(random, profile));
   }
   return cases;
+}
+
+std::vector<std::pair<std::string, Program>> gallery_programs(const HardwareProfile& profile) {
+  std::vector<std::pair<std::string, Program>> programs;
+  for (const auto& entry : std::filesystem::directory_iterator(NINEBIT_SOURCE_DIR "/scenes/effects/programs")) {
+    const std::string text = read_bytes(entry.path()), name = entry.path().filename().string();
+    const bool is_gl = entry.path().extension() == ".gl";
+    const auto state = is_gl ? parse_gl_calls({text, name}, profile) : parse_rc10({text, name}, profile);
+    if (state) programs.emplace_back(name, normalize(*state, profile));
+  }
+  std::sort(programs.begin(), programs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return programs;
 }
 
 std::vector<RegisterFile> emit_inputs(const HardwareProfile& profile, std::uint64_t seed, std::size_t count) {

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,10 +16,7 @@
 #include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/support/temp_folder.h"
-#include "ninebit/combiner/normalize.h"
-#include "ninebit/language/gl_calls.h"
 #include "ninebit/language/glsl.h"
-#include "ninebit/language/rc10.h"
 
 namespace ninebit::test {
 namespace {
@@ -252,32 +247,22 @@ class Needed {
 };
 
 TEST(EmitPixel, TextsHaveAtMostHalfMoreOperationsThanProgramsNeed) {
-  std::size_t programs = 0, before = 0, now = 0, needed = 0;
+  std::size_t before = 0, now = 0, needed = 0;
   std::string rows;
-  const std::filesystem::path folder = std::filesystem::path(NINEBIT_SOURCE_DIR) / "scenes/effects/programs";
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    std::ifstream file(entry.path());
-    std::ostringstream text;
-    text << file.rdbuf();
-    const std::string words = text.str(), name = entry.path().filename().string();
-    const SourceText source{words, name};
-    const auto state =
-        entry.path().extension() == ".gl" ? parse_gl_calls(source, profiles::nv2a) : parse_rc10(source, profiles::nv2a);
-    ASSERT_TRUE(state) << entry.path();
-    const Program program = normalize(*state, profiles::nv2a);
+  const auto programs = gallery_programs(profiles::nv2a);
+  for (const auto& [name, program] : programs) {
     const std::size_t own = operations_in(emit_pixel_shader(program, PixelLanguage::glsl_330).value());
     const std::size_t need = Needed(program).count;
     before += operations_in(emit_glsl_with_uniform_constants(program, GlslVersion::glsl_330).value());
     now += own;
     needed += need;
-    ++programs;
     rows += name + ' ' + std::to_string(own) + " of " + std::to_string(need) + '\n';
     EXPECT_LE(2 * own, 3 * need + 2) << name << '\n' << emit_pixel_shader(program, PixelLanguage::glsl_330).value();
   }
-  EXPECT_GT(programs, 30U);
+  EXPECT_GT(programs.size(), 30U);
   EXPECT_LE(2 * now, 3 * needed) << rows;
-  std::cout << programs << " programs: " << needed << " operations needed, " << now << " in texts by stages, " << before
-            << " in texts without\n";
+  std::cout << programs.size() << " programs: " << needed << " operations needed, " << now << " in texts by stages, "
+            << before << " in texts without\n";
 }
 
 }  // namespace

@@ -37,6 +37,15 @@ TEST(EmitText, HoldsNoFloatAndDividesByConstantsOnly) {
   }
 }
 
+TEST(EmitText, VersionsOfGlslDifferInTheirHeadsAlone) {
+  for (const EmitCase& c : random_cases(0x68656164U, 40)) {
+    const std::string text = emit_glsl(c.program, GlslVersion::glsl_330).value();
+    const std::string body = text.substr(text.find('\n'));
+    EXPECT_TRUE(emit_glsl(c.program, GlslVersion::es_300).value().ends_with("precision highp int;" + body)) << text;
+    EXPECT_TRUE(emit_glsl(c.program, GlslVersion::glsl_130).value().ends_with("#version 130" + body)) << text;
+  }
+}
+
 TEST(EmitText, TheArticlesProgramReadsAsItIs) {
   const std::string text = emit_glsl(known_cases()[0].program, GlslVersion::glsl_330).value();
   EXPECT_EQ(text.rfind("#version 330 core\n", 0), 0U);

@@ -159,7 +159,7 @@ TEST(GlCallsFaults, HaveAnEnd) {
 TEST(GlCallsFaults, AreOneForMegabytesOfNonsense) {
   if (ninebit::test::kSanitized || ninebit::test::kCoverage) GTEST_SKIP() << "shows how long a text takes";
   for (const char c : {'(', '{', '[', '+', '\0', '\xFF', '0', '.', 'x', '/', ','}) {
-    const std::string text(c == '(' ? kMaxSourceBytes : kMaxSourceBytes / 8, c);
+    const std::string text(c == '(' ? kMaxSourceBytes : kMaxSourceBytes / 64, c);
     const auto result = parse_gl_calls({text, ""}, profiles::geforce2);
     if (c == '/') {
       EXPECT_TRUE(result) << "a comment";

@@ -30,7 +30,7 @@ CombinerState reachable_state(Random& random, const HardwareProfile& profile) {
 
 TEST(GlCallsRoundTrip, GivesTheStateAgain) {
   constexpr std::uint64_t kSeed = 20010607;
-  for (std::uint64_t i = 0; i < (test::kSlowBuild ? 400U : 4000U); ++i) {
+  for (std::uint64_t i = 0; i < (test::kSlowBuild ? 400U : 1500U); ++i) {
     Random random(kSeed, i);
     const HardwareProfile profile = test::random_profile(random);
     const CombinerState state = reachable_state(random, profile);

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
@@ -11,6 +9,7 @@
 #include "combiner_tests/language/xbox_shapes.h"
 #include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
+#include "combiner_tests/support/temp_folder.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
@@ -206,8 +205,7 @@ TEST(ProgramForms, AssembledShadersAreRead) {
 
 // docs/languages.md lists every form.
 TEST(ProgramForms, AreInTheManual) {
-  std::ifstream file(NINEBIT_SOURCE_DIR "/docs/languages.md");
-  const std::string manual{std::istreambuf_iterator<char>(file), {}};
+  const std::string manual = read_bytes(NINEBIT_SOURCE_DIR "/docs/languages.md");
   std::string from;
   for (const std::string& name : read_form_names()) from += (from.empty() ? "" : "|") + name;
   EXPECT_TRUE(has(manual, "`--from " + from + "`")) << from;
@@ -268,7 +266,7 @@ TEST(ProgramForms, OtherFormsAreDetectedAsBefore) {
 }
 
 TEST(ProgramForms, OtherWordsGoThroughWordsAndJson) {
-  for (int i = 0; i < (kSlowBuild ? 200 : 2000); ++i) {
+  for (int i = 0; i < (kSlowBuild ? 100 : 600); ++i) {
     Random random(122, static_cast<std::uint64_t>(i));
     const auto first = parse_program({as_bytes(random_words(random)), ""}, ProgramForm::xbox, kFormsProfile);
     ASSERT_TRUE(first) << all_faults(first);

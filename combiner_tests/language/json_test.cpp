@@ -28,7 +28,7 @@ TEST(JsonProgram, RandomStatesComeBackTheSame) {
   if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   int more_than_used = 0;
   for (const HardwareProfile* profile : {&kCard, &kXbox}) {
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 1500; ++i) {
       Random random(21, static_cast<std::uint64_t>(i));
       CombinerState state = random_state(random, *profile);
       // From some stage on the defaults, so that texts of every length come up.
@@ -46,7 +46,7 @@ TEST(JsonProgram, RandomStatesComeBackTheSame) {
       more_than_used += state.general[7] != GeneralCombiner{} && state.num_general_combiners < 8 ? 1 : 0;
     }
   }
-  EXPECT_GT(more_than_used, 100);
+  EXPECT_GT(more_than_used, 40);
 }
 
 TEST(JsonProgram, WhatGlDoesNotHaveIsThereWhereItIsAskedForAlone) {

@@ -37,7 +37,7 @@ std::string stage_fault(const std::string& value, const HardwareProfile& profile
 }
 
 TEST(TextureShaderJson, RandomStagesComeBackTheSame) {
-  for (int i = 0; i < (kSlowBuild ? 200 : 3000); ++i) {
+  for (int i = 0; i < (kSlowBuild ? 200 : 1500); ++i) {
     Random random(61, static_cast<std::uint64_t>(i));
     const TextureShaderState stages = random_stages(random);
     const CombinerState state = random_state(random, profiles::nv2a);
@@ -48,7 +48,7 @@ TEST(TextureShaderJson, RandomStagesComeBackTheSame) {
     ASSERT_EQ(*parsed, state);
     ASSERT_EQ(back, stages) << text;
     ASSERT_EQ(print_json_program(*parsed, {}, back), text);
-    ASSERT_EQ(stage_complaint(Json::parse(text)), "") << text;
+    if (i % 8 == 0) ASSERT_EQ(stage_complaint(Json::parse(text)), "") << text;
     const auto program = parse_program({text, "f"}, ProgramForm::json, profiles::nv2a);
     ASSERT_TRUE(program);
     ASSERT_EQ(program->texture_shader, stages);

@@ -37,7 +37,7 @@ TextureShaderState word_stages(Random& random) {
 }
 
 TEST(StageWords, RandomStagesComeBackFromEveryForm) {
-  for (int i = 0; i < (kSlowBuild ? 200 : 2000); ++i) {
+  for (int i = 0; i < (kSlowBuild ? 100 : 800); ++i) {
     Random random(66, static_cast<std::uint64_t>(i));
     TextProgram program;
     program.texture_shader = word_stages(random);

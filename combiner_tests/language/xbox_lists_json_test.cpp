@@ -20,17 +20,6 @@ void expect_list_fault(int line, int column, const char* message, const std::str
   EXPECT_TRUE(has(parsed.faults()[0].message, message)) << parsed.faults()[0].text();
 }
 
-TEST(XboxLists, EveryShapeIsFoundByItself) {
-  for (int i = 0; i < 20; ++i) {
-    Random random(88, static_cast<std::uint64_t>(i));
-    const Words words = random_words(random);
-    for (const Shape& shape : all_shapes()) {
-      const std::string text = shape.text(words);
-      EXPECT_EQ(form_of(text), ProgramForm::xbox) << shape.name << '\n' << text;
-    }
-  }
-}
-
 TEST(XboxLists, ArraysHaveOneDefinitionAndNothingElse) {
   Random random(87);
   const Words words = random_words(random);

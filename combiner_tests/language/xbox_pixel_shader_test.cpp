@@ -37,7 +37,7 @@ std::uint32_t value_of(const std::string& expression) {
 }
 
 TEST(XboxPixelShader, EveryShapeGivesTheStateOfItsRegisterWords) {
-  for (int i = 0; i < (kSlowBuild ? 15 : 500); ++i) {
+  for (int i = 0; i < (kSlowBuild ? 15 : 100); ++i) {
     Random random(81, static_cast<std::uint64_t>(i));
     const Words words = random_words(random);
     const auto expected = parse_register_words({as_register_words(words), ""}, ChipClass::nv20, kShaderProfile);
@@ -62,7 +62,7 @@ TEST(XboxPixelShader, EveryShapeGivesTheStateOfItsRegisterWords) {
 }
 
 TEST(XboxPixelShader, PrintedInitializersGiveTheSameProgramAndWords) {
-  for (int i = 0; i < (kSlowBuild ? 60 : 3000); ++i) {
+  for (int i = 0; i < (kSlowBuild ? 60 : 1000); ++i) {
     Random random(82, static_cast<std::uint64_t>(i));
     std::vector<RegisterWord> words, again;
     const auto first = parse_xbox_pixel_shader({as_bytes(random_words(random)), ""}, kShaderProfile, &words);
@@ -446,7 +446,7 @@ TEST(XboxPixelShader, HostileSourcesTakeLinearTime) {
                                   "00-00 ",
                                   "DWORD a[] = {1, 2};",
                                   "0  00 "};
-  constexpr std::size_t kBytes = std::size_t{1} << (kSlowBuild ? 14 : 18);
+  constexpr std::size_t kBytes = std::size_t{1} << (kSlowBuild ? 14 : 17);
   for (const std::string& beginning : beginnings) {
     for (const std::string& piece : repeated) {
       std::string text = beginning;
