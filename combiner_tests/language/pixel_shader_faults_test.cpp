@@ -12,17 +12,9 @@
 namespace ninebit {
 namespace {
 
-struct ShaderFault {
-  std::string text;
-  std::string faults;
-};
-
-void expect_shader_faults(const std::vector<ShaderFault>& cases, const HardwareProfile& profile = profiles::nv2a) {
-  for (const ShaderFault& c : cases) {
-    const auto result = parse_pixel_shader({c.text, ""}, profile);
-    EXPECT_NE(result.ok(), !result.faults().empty());
-    EXPECT_EQ(test::all_faults(result), c.faults) << c.text;
-  }
+void expect_shader_faults(const std::vector<test::TextAndFaults>& cases,
+                          const HardwareProfile& profile = profiles::nv2a) {
+  test::expect_faults(cases, [&](const std::string& text) { return parse_pixel_shader({text, ""}, profile); });
 }
 
 TEST(PixelShaderFaults, OfTheHeader) {

@@ -48,7 +48,9 @@ TEST(TextureShaderJson, RandomStagesComeBackTheSame) {
     ASSERT_EQ(*parsed, state);
     ASSERT_EQ(back, stages) << text;
     ASSERT_EQ(print_json_program(*parsed, {}, back), text);
-    if (i % 8 == 0) ASSERT_EQ(stage_complaint(Json::parse(text)), "") << text;
+    if (i % 8 == 0) {
+      ASSERT_EQ(stage_complaint(Json::parse(text)), "") << text;
+    }
     const auto program = parse_program({text, "f"}, ProgramForm::json, profiles::nv2a);
     ASSERT_TRUE(program);
     ASSERT_EQ(program->texture_shader, stages);
