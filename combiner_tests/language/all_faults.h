@@ -30,6 +30,7 @@ void expect_faults(const std::vector<TextAndFaults>& cases, const Parse& parse) 
     const auto parsed = parse(text);
     EXPECT_NE(parsed.ok(), !parsed.faults().empty());
     EXPECT_EQ(all_faults(parsed), faults) << text;
+    for (const TextFault& fault : parsed.faults()) EXPECT_FALSE(fault.message.starts_with("GL_")) << fault.message;
   }
 }
 

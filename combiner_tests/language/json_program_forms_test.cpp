@@ -218,24 +218,14 @@ TEST(ProgramForms, EveryShapeOfADefinitionAndEveryLogIsDetected) {
   for (int i = 0; i < cases_here(50); ++i) {
     Random random(121, static_cast<std::uint64_t>(i));
     const Words words = random_words(random);
-    const auto expected = parse_register_words({as_register_words(words), ""}, ChipClass::nv20, kFormsProfile);
-    ASSERT_TRUE(expected);
     for (const Shape& shape : all_shapes()) {
       const std::string text = shape.text(words);
       ASSERT_EQ(form_of(text), ProgramForm::xbox) << shape.name << '\n' << text;
-      const auto program = parse_program({text, ""}, ProgramForm::xbox, kFormsProfile);
-      ASSERT_TRUE(program) << shape.name << all_faults(program);
-      ASSERT_EQ(program->state, *expected) << shape.name;
-      ASSERT_EQ(program->other_words.size(), kOtherWordNames.size());
     }
-    Trace trace = writes_of(*encode_register_words(*expected, ChipClass::nv20, kFormsProfile), random);
-    add_draw(trace, 5);
+    const Trace trace = random_trace(random);
     for (const TraceStyle& style : all_styles()) {
       const std::string text = style.text(trace);
       ASSERT_EQ(form_of(text), ProgramForm::log) << style.name << '\n' << text;
-      const auto program = parse_program({text, ""}, ProgramForm::log, kFormsProfile);
-      ASSERT_TRUE(program) << style.name << all_faults(program);
-      ASSERT_EQ(normalize(program->state, kFormsProfile), normalize(*expected, kFormsProfile)) << style.name;
     }
   }
 }

@@ -13,7 +13,6 @@
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
-#include "ninebit/language/gl_nv.h"
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/texture_shader/validate_stages.h"
@@ -134,26 +133,6 @@ TEST(StageCalls, AreReadInDumps) {
       profiles::nv2a, &stages);
   ASSERT_TRUE(parsed) << all_faults(parsed);
   EXPECT_EQ(stages.stage[0].operation, TextureOperation::texture_2d);
-}
-
-TEST(StageFunctions, HaveGlsNames) {
-  using namespace gl;  // NOLINT(google-build-using-namespace): as in a program for GL
-  Context context(profiles::nv2a);
-  const CurrentContext current(context);
-  glEnable(GL_TEXTURE_SHADER_NV);
-  glActiveTextureARB(GL_TEXTURE2_ARB);
-  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, 0x86ED);
-  EXPECT_EQ(glGetError(), GL_NO_ERROR);
-  EXPECT_EQ(context.texture_shader().stage[2].operation, TextureOperation::dot_product_depth_replace);
-  EXPECT_EQ(glIsEnabled(GL_TEXTURE_SHADER_NV), GL_TRUE);
-  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, 0x86EF);
-  EXPECT_EQ(glGetError(), GL_INVALID_OPERATION);
-  glTexEnviv(GL_TEXTURE_SHADER_NV, GL_CULL_MODES_NV, nullptr);
-  EXPECT_EQ(glGetError(), GL_INVALID_VALUE);
-  glTexEnvf(GL_ONE, GL_SHADER_OPERATION_NV, 0);
-  EXPECT_EQ(glGetError(), GL_INVALID_ENUM);
-  glActiveTexture(GL_TEXTURE3 + 1);
-  EXPECT_EQ(glGetError(), GL_INVALID_ENUM);
 }
 
 // Pixel shaders.
