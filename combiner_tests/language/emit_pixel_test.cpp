@@ -81,10 +81,15 @@ std::string caller(const Program& program, const std::string& name) {
          ", spare0_alpha);\n  to[0] = result.rgb.r; to[1] = result.rgb.g; to[2] = result.rgb.b; to[3] = result.a;\n}\n";
 }
 
-TEST(EmitPixel, HlslGivesTheBitsOfTheReference) {
-  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
+std::vector<EmitCase> hlsl_cases() {
   std::vector<EmitCase> cases = random_cases(0x686C736CU, 50);
   for (const EmitCase& c : known_cases()) cases.push_back(c);
+  return cases;
+}
+
+TEST(EmitPixel, HlslGivesTheBitsOfTheReference) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
+  const std::vector<EmitCase> cases = hlsl_cases();
   std::string source = kVectors;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string name = "program" + std::to_string(i);
@@ -95,16 +100,8 @@ TEST(EmitPixel, HlslGivesTheBitsOfTheReference) {
   const CompiledC compiled(source, CompiledC::Runs::seldom, "-x c++ -std=c++17 -Wno-unused-parameter");
   ASSERT_FALSE(::testing::Test::HasFailure());
   Outputs outputs;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const EmittedFunction function = compiled.find("program" + std::to_string(i));
-    ASSERT_NE(function, nullptr);
-    for (const RegisterFile& input : emit_inputs(cases[i].profile, 0x68U + i, 64)) {
-      const Rgba9 expected = evaluate(cases[i].program, input), actual = call(function, input);
-      ASSERT_EQ(expected, actual) << mismatch(cases[i], input, expected, actual)
-                                  << emit_pixel_shader(cases[i].program, PixelLanguage::hlsl).value();
-      outputs.add(expected);
-    }
-  }
+  const auto text_of = [](const Program& p) { return emit_pixel_shader(p, PixelLanguage::hlsl).value(); };
+  compare(compiled, cases, 0x68U, 64, text_of, outputs);
   outputs.expect_meaning(cases.size() * 64);
 }
 
@@ -124,8 +121,7 @@ TEST(EmitPixel, ACompilerOfHlslTakesTheTexts) {
   if (std::system("glslangValidator --version >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "no compiler of HLSL is here (install glslang-tools)";
   }
-  std::vector<EmitCase> cases = random_cases(0x686C736CU, 50);
-  for (const EmitCase& c : known_cases()) cases.push_back(c);
+  const std::vector<EmitCase> cases = hlsl_cases();
   std::string text, body;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string name = "program" + std::to_string(i);

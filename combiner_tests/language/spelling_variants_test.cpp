@@ -44,6 +44,11 @@ const std::vector<Variants> kInputs{
          "All.ExpandNormalNv, All.Rgb);",
          "Gl.CombinerInputNV(Gl.COMBINER0_NV, Gl.RGB, Gl.VARIABLE_B_NV, Gl.TEXTURE1, Gl.EXPAND_NORMAL_NV, Gl.RGB);",
          "glCombinerInputNV(COMBINER0_NV, GL_RGB, VARIABLE_B_NV, TEXTURE1_ARB, EXPAND_NORMAL_NV, RGB_EXT);",
+         "glCombinerInputNV(GL_COMBINER0, GL_RGB, GL_VARIABLE_B, GL_TEXTURE1_EXT, GL_EXPAND_NORMAL, GL_RGB);",
+         "glCombinerInputNV(GL_COMBINER0_ARB, GL_RGB_EXT, GL_VARIABLE_B_EXT, GL_TEXTURE1_NV, GL_EXPAND_NORMAL_ARB, "
+         "GL_RGB);",
+         "glCombinerInputNV(NV.Combiner0Nv, All.Rgb, NV.VariableBNv, TextureUnit.Texture1, NV.ExpandNormalNv, "
+         "All.Rgb);",
          "glCombinerInputNV(0x8550, 0x1907, 0x8524, 0x84C1, 0x8538, 0x1907);",
          "glCombinerInputNV(34128u, 6407u, 34084u, 33985u, 34104u, 6407u);",
          "glCombinerInputNV(GL_COMBINER0_NV + 0, GL_RGB, GL_VARIABLE_A_NV + 1, GL_TEXTURE0_ARB + 1, "
