@@ -159,10 +159,10 @@ class Comparison {
 std::vector<std::pair<std::string, Program>> gallery() {
   std::vector<std::pair<std::string, Program>> programs;
   for (const HardwareProfile* const profile : {&profiles::geforce2, &profiles::nv2a}) {
-    for (auto& [name, program] : gallery_programs(*profile)) {
-      const auto same = [&](const auto& other) { return other.second == program; };
+    for (const auto& one : gallery_programs(*profile)) {
+      const auto same = [&](const auto& other) { return other.second == one.second; };
       if (std::any_of(programs.begin(), programs.end(), same)) continue;
-      programs.emplace_back(name + ", " + std::string(profile->name), program);
+      programs.emplace_back(one.first + ", " + std::string(profile->name), one.second);
     }
   }
   return programs;
