@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "ninebit/language/source_text.h"
 
@@ -16,6 +17,21 @@ std::string all_faults(const Parsed<Value>& parsed) {
   std::string text;
   for (const TextFault& fault : parsed.faults()) text += fault.text() + '\n';
   return text;
+}
+
+// A text with all faults that it is refused with; "": it is read.
+struct TextAndFaults {
+  std::string text, faults;
+};
+// Fails the test unless each text has its faults. `parse`: what reads a text.
+template <class Parse>
+void expect_faults(const std::vector<TextAndFaults>& cases, const Parse& parse) {
+  for (const auto& [text, faults] : cases) {
+    const auto parsed = parse(text);
+    EXPECT_NE(parsed.ok(), !parsed.faults().empty());
+    EXPECT_EQ(all_faults(parsed), faults) << text;
+    for (const TextFault& fault : parsed.faults()) EXPECT_FALSE(fault.message.starts_with("GL_")) << fault.message;
+  }
 }
 
 // A fault of the file "f" at its place, with a part of its text.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "combiner_tests/language/index_comparison.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
@@ -52,48 +53,14 @@ void set_up_index_comparison() {
   glEnable(GL_REGISTER_COMBINERS_NV);
 }
 
-using ninebit::CombinerInput;
 using ninebit::CombinerState;
-using ninebit::ComponentUsage;
 using ninebit::HardwareProfile;
-using ninebit::InputMapping;
-using ninebit::PortionOutput;
 using ninebit::Program;
 using ninebit::Register;
 using ninebit::RegisterFile;
 using ninebit::Rgba9;
 using ninebit::Scale;
 namespace profiles = ninebit::profiles;
-
-constexpr CombinerInput kZero{Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
-constexpr PortionOutput kNothing{.ab = Register::discard, .cd = Register::discard, .sum = Register::discard};
-
-// The state after the calls above, starting from GL's defaults.
-constexpr CombinerState index_comparison() {
-  CombinerState state;
-  state.num_general_combiners = 2;
-  auto& difference = state.general[0];
-  difference.rgb.a = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  difference.rgb.b = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::rgb};
-  difference.rgb.c = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  difference.rgb.d = {Register::zero, InputMapping::expand_normal, ComponentUsage::rgb};
-  difference.rgb.out = kNothing;
-  difference.rgb.out.sum = Register::spare0;
-  difference.rgb.out.scale = Scale::by_four;
-  difference.alpha.out = kNothing;
-  auto& square = state.general[1];
-  square.rgb.a = square.rgb.b = {Register::spare0, InputMapping::signed_identity, ComponentUsage::rgb};
-  square.rgb.c = square.rgb.d = kZero;
-  square.rgb.out = kNothing;
-  square.rgb.out.ab = Register::spare1;
-  square.rgb.out.scale = Scale::by_four;
-  square.rgb.out.ab_dot_product = true;
-  square.alpha.out = kNothing;
-  auto& last = state.final_combiner;
-  last.a = last.b = last.c = last.d = kZero;
-  last.g = {Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue};
-  return state;
-}
 
 constexpr int shadow_alpha(const Program& program, const HardwareProfile& profile,
                            const std::array<std::uint8_t, 3>& polygon, const std::array<std::uint8_t, 3>& map) {
@@ -105,7 +72,7 @@ constexpr int shadow_alpha(const Program& program, const HardwareProfile& profil
   return evaluate(program, registers)[ninebit::kAlpha];
 }
 
-constexpr Program kProgram = normalize(index_comparison(), profiles::geforce2);
+constexpr Program kProgram = normalize(ninebit::test::index_comparison(), profiles::geforce2);
 
 // A difference of 2 becomes 8, squared and times four 256/255: just enough. One of 1 stays below: 64/255.
 constexpr bool seen(std::array<std::uint8_t, 3> polygon, std::array<std::uint8_t, 3> map) {
@@ -140,7 +107,7 @@ TEST_F(ArticleCalls, RaiseNoErrorAndEnableTheCombiners) {
 }
 
 TEST_F(ArticleCalls, SetEveryField) {
-  EXPECT_EQ(state(), index_comparison());
+  EXPECT_EQ(state(), ninebit::test::index_comparison());
 }
 
 TEST_F(ArticleCalls, CompileToTheProgramKnownAtCompileTime) {

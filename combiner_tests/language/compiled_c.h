@@ -9,7 +9,9 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <vector>
 
+#include "combiner_tests/language/emit_cases.h"
 #include "combiner_tests/support/temp_folder.h"
 #include "ninebit/combiner/evaluate.h"
 
@@ -68,6 +70,21 @@ inline Rgba9 call(EmittedFunction function, const RegisterFile& registers) {
            argument(Register::texture3), registers[Register::spare0][kAlpha], result.data());
   return {static_cast<s9>(result[0]), static_cast<s9>(result[1]), static_cast<s9>(result[2]),
           static_cast<s9>(result[3])};
+}
+
+// The functions "program0" and so on against the reference. `text_of`: what a failure shows.
+template <class TextOf>
+void compare(const CompiledC& compiled, const std::vector<EmitCase>& cases, std::uint64_t seed, std::size_t fragments,
+             const TextOf& text_of, Outputs& outputs) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const EmittedFunction function = compiled.find("program" + std::to_string(i));
+    ASSERT_NE(function, nullptr);
+    for (const RegisterFile& input : emit_inputs(cases[i].profile, seed + i, fragments)) {
+      const Rgba9 expected = evaluate(cases[i].program, input), actual = call(function, input);
+      ASSERT_EQ(expected, actual) << mismatch(cases[i], input, expected, actual) << text_of(cases[i].program);
+      outputs.add(expected);
+    }
+  }
 }
 
 }  // namespace ninebit::test

@@ -2,23 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <random>
 
 #include "combiner_tests/language/compiled_c.h"
+#include "combiner_tests/language/emit_cases.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/batch_program.h"
-#include "ninebit/combiner/validate.h"
 #include "ninebit/language/c_source.h"
-#include "ninebit/language/gl_calls.h"
-#include "ninebit/language/rc10.h"
 #include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Input {
   Register reg;
@@ -160,20 +155,16 @@ class Comparison {
   std::unique_ptr<OutputBatch> out_ = std::make_unique<OutputBatch>();
 };
 
-// The programs that a profile runs, by file.
-std::vector<std::pair<std::string, Program>> programs_for(const HardwareProfile& profile) {
+// The gallery's programs, as two profiles run them; those that are the same for both once.
+std::vector<std::pair<std::string, Program>> gallery() {
   std::vector<std::pair<std::string, Program>> programs;
-  for (const auto& entry : fs::directory_iterator(NINEBIT_SOURCE_DIR "/scenes/effects/programs")) {
-    const std::string text = read_bytes(entry.path());
-    const std::string name = entry.path().filename().string();
-    const SourceText source{text, name};
-    const auto parsed =
-        entry.path().extension() == ".gl" ? parse_gl_calls(source, profile) : parse_rc10(source, profile);
-    if (!parsed) continue;
-    const auto program = compile(*parsed, profile);
-    if (program) programs.emplace_back(name, *program);
+  for (const HardwareProfile* const profile : {&profiles::geforce2, &profiles::nv2a}) {
+    for (const auto& one : gallery_programs(*profile)) {
+      const auto same = [&](const auto& other) { return other.second == one.second; };
+      if (std::any_of(programs.begin(), programs.end(), same)) continue;
+      programs.emplace_back(one.first + ", " + std::string(profile->name), one.second);
+    }
   }
-  std::sort(programs.begin(), programs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return programs;
 }
 
@@ -181,38 +172,37 @@ TEST(EmitC, TheGallerysProgramsForAllBytes) {
   if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
   int whole = 0;
   std::uint64_t cases = 0;
-  for (const HardwareProfile* profile : {&profiles::geforce2, &profiles::nv2a}) {
-    const auto programs = programs_for(*profile);
-    std::string source;
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      const auto text = emit_c(programs[i].second, "program" + std::to_string(i));
-      ASSERT_TRUE(text) << programs[i].first << ": " << text.error().text();
-      source += *text + '\n';
+  const auto programs = gallery();
+  std::string source;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const auto text = emit_c(programs[i].second, "program" + std::to_string(i));
+    ASSERT_TRUE(text) << programs[i].first << ": " << text.error().text();
+    source += *text + '\n';
+  }
+  const CompiledC compiled(source);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const auto& [name, program] = programs[i];
+    const EmittedFunction function = compiled.find("program" + std::to_string(i));
+    ASSERT_NE(function, nullptr);
+    Together together;
+    for (int c = 0; c < 4; ++c) {
+      Components one{};
+      one[static_cast<std::size_t>(c)] = true;
+      together.add(c, inputs_of(program, one));
     }
-    const CompiledC compiled(source);
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      const EmittedFunction function = compiled.find("program" + std::to_string(i));
-      ASSERT_NE(function, nullptr);
-      Together together;
-      for (int c = 0; c < 4; ++c) {
-        Components one{};
-        one[static_cast<std::size_t>(c)] = true;
-        together.add(c, inputs_of(programs[i].second, one));
-      }
-      if (together.any()) {
-        Comparison all(programs[i].second, function, together);
-        EXPECT_TRUE(all.agrees()) << programs[i].first << ", " << profile->name;
-        const auto components = std::count(together.components.begin(), together.components.end(), true);
-        whole += static_cast<int>(components);
-        cases += static_cast<std::uint64_t>(components) * all.cases();
-      }
-      for (int c = 0; c < 4; ++c) {
-        if (together.components[static_cast<std::size_t>(c)]) continue;
-        Comparison component(programs[i].second, function, c);
-        EXPECT_TRUE(component.agrees()) << programs[i].first << ", component " << c << ", " << profile->name;
-        whole += component.is_small() ? 1 : 0;
-        cases += component.cases();
-      }
+    if (together.any()) {
+      Comparison all(program, function, together);
+      EXPECT_TRUE(all.agrees()) << name;
+      const auto components = std::count(together.components.begin(), together.components.end(), true);
+      whole += static_cast<int>(components);
+      cases += static_cast<std::uint64_t>(components) * all.cases();
+    }
+    for (int c = 0; c < 4; ++c) {
+      if (together.components[static_cast<std::size_t>(c)]) continue;
+      Comparison component(program, function, c);
+      EXPECT_TRUE(component.agrees()) << name << ", component " << c;
+      whole += component.is_small() ? 1 : 0;
+      cases += component.cases();
     }
   }
   RecordProperty("cases", std::to_string(cases));

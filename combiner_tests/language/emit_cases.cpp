@@ -3,25 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/language/index_comparison.h"
+#include "combiner_tests/support/temp_folder.h"
+#include "ninebit/combiner/normalize.h"
+#include "ninebit/language/gl_calls.h"
+#include "ninebit/language/rc10.h"
 
 namespace ninebit::test {
 namespace {
-
-constexpr CombinerInput input(Register r, InputMapping m = InputMapping::unsigned_identity,
-                              ComponentUsage usage = ComponentUsage::rgb) {
-  return {r, m, usage};
-}
-
-CombinerState silent(int stages) {
-  CombinerState state;
-  state.num_general_combiners = stages;
-  for (GeneralCombiner& stage : state.general) stage.rgb.out.sum = stage.alpha.out.sum = Register::discard;
-  state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = CombinerInput{};
-  return state;
-}
 
 void add_case(std::vector<EmitCase>& cases, std::string name, const HardwareProfile& profile,
               const CombinerState& state) {
@@ -33,39 +26,23 @@ void add_case(std::vector<EmitCase>& cases, std::string name, const HardwareProf
   cases.push_back({std::move(name), profile, *program});
 }
 
-CombinerState index_comparison() {
-  CombinerState state = silent(2);
-  Portion& difference = state.general[0].rgb;
-  difference.a = input(Register::primary);
-  difference.b = input(Register::zero, InputMapping::unsigned_invert);
-  difference.c = input(Register::texture0);
-  difference.d = input(Register::zero, InputMapping::expand_normal);
-  difference.out.sum = Register::spare0;
-  Portion& square = state.general[1].rgb;
-  square.a = square.b = input(Register::spare0, InputMapping::signed_identity);
-  square.out.ab = Register::spare1;
-  square.out.ab_dot_product = true;
-  difference.out.scale = square.out.scale = Scale::by_four;
-  state.final_combiner.g = input(Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue);
-  return state;
-}
-
 // spare0 = m(primary) · texture0; then spare1 = -spare0, so that RGB shows what is positive, alpha what is negative.
 CombinerState row(InputMapping mapping, Scale scale, Bias bias, bool dot) {
-  CombinerState state = silent(2);
-  Portion& product = state.general[0].rgb;
-  product.a = input(Register::primary, mapping);
-  product.b = input(Register::texture0, InputMapping::signed_identity);
-  product.out.ab = Register::spare0;
-  product.out.ab_dot_product = dot;
-  product.out.scale = scale;
-  product.out.bias = bias;
-  Portion& negation = state.general[1].rgb;
-  negation.a = input(Register::spare0, InputMapping::signed_negate);
-  negation.b = input(Register::zero, InputMapping::unsigned_invert);
-  negation.out.ab = Register::spare1;
-  state.final_combiner.d = input(Register::spare0);
-  state.final_combiner.g = input(Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue);
+  CombinerState state = silent_state(2);
+  const CombinerInput zero = rgb_of(Register::zero);
+  state.general[0].rgb = {
+      rgb_of(Register::primary, mapping),
+      rgb_of(Register::texture0, InputMapping::signed_identity),
+      zero,
+      zero,
+      {.ab = Register::spare0, .sum = Register::discard, .scale = scale, .bias = bias, .ab_dot_product = dot}};
+  state.general[1].rgb = {rgb_of(Register::spare0, InputMapping::signed_negate),
+                          kOne,
+                          zero,
+                          zero,
+                          {.ab = Register::spare1, .sum = Register::discard}};
+  state.final_combiner.d = rgb_of(Register::spare0);
+  state.final_combiner.g = {Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue};
   return state;
 }
 
@@ -113,6 +90,18 @@ std::vector<EmitCase> random_cases(std::uint64_t seed, int count) {
              random_state(random, profile));
   }
   return cases;
+}
+
+std::vector<std::pair<std::string, Program>> gallery_programs(const HardwareProfile& profile) {
+  std::vector<std::pair<std::string, Program>> programs;
+  for (const auto& entry : std::filesystem::directory_iterator(NINEBIT_SOURCE_DIR "/scenes/effects/programs")) {
+    const std::string text = read_bytes(entry.path()), name = entry.path().filename().string();
+    const bool is_gl = entry.path().extension() == ".gl";
+    const auto state = is_gl ? parse_gl_calls({text, name}, profile) : parse_rc10({text, name}, profile);
+    if (state) programs.emplace_back(name, normalize(*state, profile));
+  }
+  std::sort(programs.begin(), programs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return programs;
 }
 
 std::vector<RegisterFile> emit_inputs(const HardwareProfile& profile, std::uint64_t seed, std::size_t count) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ninebit/combiner/evaluate.h"
@@ -24,6 +25,9 @@ std::vector<EmitCase> known_cases();
 std::vector<EmitCase> row_cases();
 // Case i depends on the seed and on i alone; every third one has a profile with rules replaced by their rivals.
 std::vector<EmitCase> random_cases(std::uint64_t seed, int count);
+
+// The programs of scenes/effects/programs that the profile runs, by file.
+std::vector<std::pair<std::string, Program>> gallery_programs(const HardwareProfile& profile);
 
 // Registers as an emitted function takes them: spare0's colour and spare1 are 0. Biased to edges, the extremes first.
 std::vector<RegisterFile> emit_inputs(const HardwareProfile& profile, std::uint64_t seed, std::size_t count);

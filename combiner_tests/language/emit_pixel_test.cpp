@@ -5,22 +5,18 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "combiner_tests/language/compiled_c.h"
 #include "combiner_tests/language/emit_cases.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/support/temp_folder.h"
-#include "ninebit/combiner/normalize.h"
-#include "ninebit/language/gl_calls.h"
 #include "ninebit/language/glsl.h"
-#include "ninebit/language/rc10.h"
 
 namespace ninebit::test {
 namespace {
@@ -85,10 +81,15 @@ std::string caller(const Program& program, const std::string& name) {
          ", spare0_alpha);\n  to[0] = result.rgb.r; to[1] = result.rgb.g; to[2] = result.rgb.b; to[3] = result.a;\n}\n";
 }
 
-TEST(EmitPixel, HlslGivesTheBitsOfTheReference) {
-  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
+std::vector<EmitCase> hlsl_cases() {
   std::vector<EmitCase> cases = random_cases(0x686C736CU, 50);
   for (const EmitCase& c : known_cases()) cases.push_back(c);
+  return cases;
+}
+
+TEST(EmitPixel, HlslGivesTheBitsOfTheReference) {
+  if (kCoverage) GTEST_SKIP() << "too long without optimization, and other tests reach the same lines";
+  const std::vector<EmitCase> cases = hlsl_cases();
   std::string source = kVectors;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string name = "program" + std::to_string(i);
@@ -99,16 +100,8 @@ TEST(EmitPixel, HlslGivesTheBitsOfTheReference) {
   const CompiledC compiled(source, CompiledC::Runs::seldom, "-x c++ -std=c++17 -Wno-unused-parameter");
   ASSERT_FALSE(::testing::Test::HasFailure());
   Outputs outputs;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const EmittedFunction function = compiled.find("program" + std::to_string(i));
-    ASSERT_NE(function, nullptr);
-    for (const RegisterFile& input : emit_inputs(cases[i].profile, 0x68U + i, 64)) {
-      const Rgba9 expected = evaluate(cases[i].program, input), actual = call(function, input);
-      ASSERT_EQ(expected, actual) << mismatch(cases[i], input, expected, actual)
-                                  << emit_pixel_shader(cases[i].program, PixelLanguage::hlsl).value();
-      outputs.add(expected);
-    }
-  }
+  const auto text_of = [](const Program& p) { return emit_pixel_shader(p, PixelLanguage::hlsl).value(); };
+  compare(compiled, cases, 0x68U, 64, text_of, outputs);
   outputs.expect_meaning(cases.size() * 64);
 }
 
@@ -128,8 +121,7 @@ TEST(EmitPixel, ACompilerOfHlslTakesTheTexts) {
   if (std::system("glslangValidator --version >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "no compiler of HLSL is here (install glslang-tools)";
   }
-  std::vector<EmitCase> cases = random_cases(0x686C736CU, 50);
-  for (const EmitCase& c : known_cases()) cases.push_back(c);
+  const std::vector<EmitCase> cases = hlsl_cases();
   std::string text, body;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string name = "program" + std::to_string(i);
@@ -175,7 +167,7 @@ TEST(EmitPixel, ConstantsAreNoPartOfTheText) {
     return emit_pixel_shader(compile(of, profiles::nv2a).value(), PixelLanguage::glsl_130).value();
   };
   EXPECT_EQ(text_of(state), text_of(other));
-  EXPECT_NE(text_of(state).find("ninebit_combine_constants[0].rgb"), std::string::npos);
+  EXPECT_TRUE(has(text_of(state), "ninebit_combine_constants[0].rgb"));
 }
 
 // Operations in a text: operators between values, and calls of functions.
@@ -251,32 +243,22 @@ class Needed {
 };
 
 TEST(EmitPixel, TextsHaveAtMostHalfMoreOperationsThanProgramsNeed) {
-  std::size_t programs = 0, before = 0, now = 0, needed = 0;
+  std::size_t before = 0, now = 0, needed = 0;
   std::string rows;
-  const std::filesystem::path folder = std::filesystem::path(NINEBIT_SOURCE_DIR) / "scenes/effects/programs";
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    std::ifstream file(entry.path());
-    std::ostringstream text;
-    text << file.rdbuf();
-    const std::string words = text.str(), name = entry.path().filename().string();
-    const SourceText source{words, name};
-    const auto state =
-        entry.path().extension() == ".gl" ? parse_gl_calls(source, profiles::nv2a) : parse_rc10(source, profiles::nv2a);
-    ASSERT_TRUE(state) << entry.path();
-    const Program program = normalize(*state, profiles::nv2a);
+  const auto programs = gallery_programs(profiles::nv2a);
+  for (const auto& [name, program] : programs) {
     const std::size_t own = operations_in(emit_pixel_shader(program, PixelLanguage::glsl_330).value());
     const std::size_t need = Needed(program).count;
     before += operations_in(emit_glsl_with_uniform_constants(program, GlslVersion::glsl_330).value());
     now += own;
     needed += need;
-    ++programs;
     rows += name + ' ' + std::to_string(own) + " of " + std::to_string(need) + '\n';
     EXPECT_LE(2 * own, 3 * need + 2) << name << '\n' << emit_pixel_shader(program, PixelLanguage::glsl_330).value();
   }
-  EXPECT_GT(programs, 30U);
+  EXPECT_GT(programs.size(), 30U);
   EXPECT_LE(2 * now, 3 * needed) << rows;
-  std::cout << programs << " programs: " << needed << " operations needed, " << now << " in texts by stages, " << before
-            << " in texts without\n";
+  std::cout << programs.size() << " programs: " << needed << " operations needed, " << now << " in texts by stages, "
+            << before << " in texts without\n";
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(EmitCStages, RandomStagesGiveTheBitsOfTheReference) {
   std::vector<StageCase> cases;
   std::vector<TextureShaderProgram> programs;
   std::string source;
-  for (int n = 0; n < 20 * kStageOperations; ++n) {
+  for (int n = 0; n < 8 * kStageOperations; ++n) {
     StageCase& c = cases.emplace_back(random_stage_case(random, static_cast<TextureOperation>(n % kStageOperations)));
     if (random.one_in(20)) c.state.stage[1].matrix[0] = std::numeric_limits<float>::infinity();
     const auto program = compile(c.state, c.textures, c.profile);
@@ -66,7 +66,7 @@ TEST(EmitCStages, RandomStagesGiveTheBitsOfTheReference) {
   for (std::size_t n = 0; n < cases.size(); ++n) {
     const auto function = compiled.find_as<StageFunction>("stages" + std::to_string(n));
     ASSERT_NE(function, nullptr);
-    for (int fragment = 0; fragment < 100; ++fragment) {
+    for (int fragment = 0; fragment < 250; ++fragment) {
       StageInputs in;
       for (auto& unit : in.at) {
         for (float& c : unit) c = random_coordinate(random);

@@ -8,6 +8,7 @@
 
 #include "combiner_tests/language/emit_gl_runner.h"
 #include "combiner_tests/language/emit_stage_cases.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/random.h"
 #include "ninebit/language/glsl.h"
 #include "ninebit/texture_shader/evaluate_stages.h"
@@ -72,7 +73,7 @@ TEST_P(EmitGlslStages, RandomStagesGiveTheBitsOfTheReference) {
   Random random(kStageGlslSeed);
   std::array<int, 24> seen{};
   int depths = 0, culled = 0;
-  const int rounds = GetParam() == GlslVersion::es_300 ? 1 : 3;
+  const int rounds = GetParam() == GlslVersion::es_300 ? 1 : 2;
   for (int n = 0; n < rounds * kStageOperations; ++n) {
     const auto wanted = static_cast<TextureOperation>(n % kStageOperations);
     const StageCase c = random_stage_case(random, wanted);
@@ -133,11 +134,11 @@ TEST(EmitStages, UniformNumbersAreNotInTheText) {
   const std::string literal = emit_glsl_texture_shader(*program, profiles::nv2a).value();
   const std::string uniform =
       emit_glsl_texture_shader(*program, profiles::nv2a, StageNumbers::uniform, "stages").value();
-  EXPECT_NE(literal.find("vec4(0.1875, 0.3125, 0.4375, 0.5625)"), std::string::npos) << literal;
-  EXPECT_NE(literal.find("vec2(0.6875, 0.0)"), std::string::npos) << literal;
-  EXPECT_EQ(uniform.find("0.1875"), std::string::npos) << uniform;
-  EXPECT_NE(uniform.find("stages_matrix[1]"), std::string::npos) << uniform;
-  EXPECT_NE(uniform.find("uniform vec4 stages_matrix[4];"), std::string::npos) << uniform;
+  EXPECT_TRUE(has(literal, "vec4(0.1875, 0.3125, 0.4375, 0.5625)"));
+  EXPECT_TRUE(has(literal, "vec2(0.6875, 0.0)"));
+  EXPECT_FALSE(has(uniform, "0.1875"));
+  EXPECT_TRUE(has(uniform, "stages_matrix[1]"));
+  EXPECT_TRUE(has(uniform, "uniform vec4 stages_matrix[4];"));
   EXPECT_FALSE(emit_glsl_texture_shader(*program, profiles::nv2a, StageNumbers::literal, "gl_x").ok());
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "combiner_tests/language/emit_cases.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/c_source.h"
 #include "ninebit/language/glsl.h"
@@ -15,10 +16,6 @@ namespace {
 
 std::string without_comments(const std::string& text) {
   return std::regex_replace(text, std::regex("//[^\n]*"), "");
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 Program compiled(const CombinerState& state, const HardwareProfile& profile = profiles::geforce2) {
@@ -40,18 +37,26 @@ TEST(EmitText, HoldsNoFloatAndDividesByConstantsOnly) {
   }
 }
 
+TEST(EmitText, VersionsOfGlslDifferInTheirHeadsAlone) {
+  for (const EmitCase& c : random_cases(0x68656164U, 40)) {
+    const std::string text = emit_glsl(c.program, GlslVersion::glsl_330).value();
+    const std::string body = text.substr(text.find('\n'));
+    EXPECT_TRUE(emit_glsl(c.program, GlslVersion::es_300).value().ends_with("precision highp int;" + body)) << text;
+    EXPECT_TRUE(emit_glsl(c.program, GlslVersion::glsl_130).value().ends_with("#version 130" + body)) << text;
+  }
+}
+
 TEST(EmitText, TheArticlesProgramReadsAsItIs) {
   const std::string text = emit_glsl(known_cases()[0].program, GlslVersion::glsl_330).value();
   EXPECT_EQ(text.rfind("#version 330 core\n", 0), 0U);
-  EXPECT_TRUE(contains(text, "//   spare0.rgb = (A*B + C*D) * 4\n")) << text;
-  EXPECT_TRUE(contains(text,
-                       "  int s0_spare0_r = clamp(clamp(max(primary.r, 0) - max(texture0.r, 0), -64, 64) * 4, "
-                       "-255, 255);\n"))
-      << text;
-  EXPECT_TRUE(contains(text, "//   spare1.rgb = dot(A, B) * 4\n")) << text;
-  EXPECT_TRUE(contains(text, "  return ivec4(0, 0, 0, s1_spare1_b);\n")) << text;
-  EXPECT_FALSE(contains(text, "s1_spare1_r")) << "red is not read:\n" << text;
-  EXPECT_FALSE(contains(text, "alpha portion")) << "the alpha portions write nothing:\n" << text;
+  EXPECT_TRUE(has(text, "//   spare0.rgb = (A*B + C*D) * 4\n"));
+  EXPECT_TRUE(has(text,
+                  "  int s0_spare0_r = clamp(clamp(max(primary.r, 0) - max(texture0.r, 0), -64, 64) * 4, "
+                  "-255, 255);\n"));
+  EXPECT_TRUE(has(text, "//   spare1.rgb = dot(A, B) * 4\n"));
+  EXPECT_TRUE(has(text, "  return ivec4(0, 0, 0, s1_spare1_b);\n"));
+  EXPECT_FALSE(has(text, "s1_spare1_r")) << "red is not read";
+  EXPECT_FALSE(has(text, "alpha portion")) << "the alpha portions write nothing";
 }
 
 TEST(EmitText, UniformConstantsAreNoPartOfTheText) {
@@ -66,10 +71,10 @@ TEST(EmitText, UniformConstantsAreNoPartOfTheText) {
   state.final_combiner.d.reg = Register::constant0;
   const std::string text = text_of(state);
   EXPECT_EQ(text.rfind("#version 130\n", 0), 0U);
-  EXPECT_TRUE(contains(text, "uniform ivec4 mine_constants[18];\n")) << text;
-  EXPECT_TRUE(contains(text, "mine_constants[3].r")) << "constant 1 of general combiner 1:\n" << text;
-  EXPECT_TRUE(contains(text, "mine_constants[16].b")) << "constant 0 of the final combiner:\n" << text;
-  EXPECT_FALSE(contains(text, "mine_constants[2]")) << text;
+  EXPECT_TRUE(has(text, "uniform ivec4 mine_constants[18];\n"));
+  EXPECT_TRUE(has(text, "mine_constants[3].r")) << "constant 1 of general combiner 1";
+  EXPECT_TRUE(has(text, "mine_constants[16].b")) << "constant 0 of the final combiner";
+  EXPECT_FALSE(has(text, "mine_constants[2]"));
   CombinerState other = state;
   other.constant0 = {0.25F, 0.125F, 0.0F, 0.0F};
   other.general[1].constant1 = {1.0F, 1.0F, 0.0F, 0.0F};
@@ -87,16 +92,16 @@ TEST(EmitText, LeavesOutWhatIsOverwrittenAndFoldsConstants) {
   state.final_combiner.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
   const std::string text = emit_glsl(compiled(state), GlslVersion::es_300).value();
   EXPECT_EQ(text.rfind("#version 300 es\nprecision highp int;\n", 0), 0U);
-  EXPECT_TRUE(contains(text, "General combiner 0, RGB portion: none of its outputs is read.")) << text;
-  EXPECT_FALSE(contains(text, "texture1.r")) << text;
-  EXPECT_TRUE(contains(text, "//   spare0.b is 51\n")) << text;
-  EXPECT_TRUE(contains(text, "return ivec4(255, 0, 51, ")) << text;
+  EXPECT_TRUE(has(text, "General combiner 0, RGB portion: none of its outputs is read."));
+  EXPECT_FALSE(has(text, "texture1.r"));
+  EXPECT_TRUE(has(text, "//   spare0.b is 51\n"));
+  EXPECT_TRUE(has(text, "return ivec4(255, 0, 51, "));
 }
 
 TEST(EmitText, NamesOfHelpersBeginWithTheFunctionsName) {
   for (const EmitCase& c : random_cases(0x6E616D65U, 100)) {
     const std::string text = emit_c(c.program, "shade7").value();
-    EXPECT_TRUE(contains(text, "void shade7(const int32_t primary[4]"));
+    EXPECT_TRUE(has(text, "void shade7(const int32_t primary[4]"));
     const std::regex function("static int32_t (\\w+)\\(");
     for (std::sregex_iterator at(text.begin(), text.end(), function), end; at != end; ++at) {
       EXPECT_EQ((*at)[1].str().rfind("shade7_", 0), 0U) << text;
@@ -110,7 +115,7 @@ TEST(EmitText, RefusesUnusableNames) {
   for (const char* name : {"", "7up", "a-b", "a__b", "a_", "_a", "gl_Color", "a b", "f(x)", "caf\xC3\xA9"}) {
     const auto glsl = emit_glsl(program, GlslVersion::glsl_330, name);
     ASSERT_FALSE(glsl.ok()) << name;
-    EXPECT_TRUE(contains(glsl.error().text(), "is not a valid function name")) << glsl.error().text();
+    EXPECT_TRUE(has(glsl.error().text(), "is not a valid function name"));
     EXPECT_FALSE(emit_c(program, name).ok()) << name;
   }
   EXPECT_TRUE(emit_c(program, "a_b7").ok());
@@ -123,7 +128,7 @@ TEST(EmitText, RefusesProfilesThatAreNotInteger) {
     ++refused;
     const auto glsl = emit_glsl(compiled(CombinerState{}, p), GlslVersion::glsl_330);
     ASSERT_FALSE(glsl.ok()) << p.name;
-    EXPECT_TRUE(contains(glsl.error().text(), "only programs of integer profiles")) << glsl.error().text();
+    EXPECT_TRUE(has(glsl.error().text(), "only programs of integer profiles"));
     EXPECT_FALSE(emit_c(compiled(CombinerState{}, p)).ok()) << p.name;
   }
   EXPECT_GE(refused, 2);
@@ -135,9 +140,9 @@ TEST(EmitText, RefusesCodesThatDoNotFit) {
   Program program = compiled(state);
   program.datapath.one = 20000;
   program.datapath.lowest = -20000;
-  EXPECT_TRUE(contains(emit_c(program).error().text(), "too large for 32-bit integers"));
+  EXPECT_TRUE(has(emit_c(program).error().text(), "too large for 32-bit integers"));
   program.datapath.one = 1 << 20;
-  EXPECT_TRUE(contains(emit_c(program).error().text(), "out of the datapath's range"));
+  EXPECT_TRUE(has(emit_c(program).error().text(), "out of the datapath's range"));
   program = compiled(state);
   program.datapath.half = 2000;
   EXPECT_FALSE(emit_glsl(program, GlslVersion::glsl_330).ok());

@@ -5,49 +5,17 @@
 
 #include <algorithm>
 
+#include "combiner_tests/language/index_comparison.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/numerics/hardware_profile.h"
 
 namespace ninebit::test {
 namespace {
 
-constexpr PortionOutput kNothing{.sum = Register::discard};
-
-constexpr CombinerInput rgb_of(Register reg, InputMapping mapping = InputMapping::unsigned_identity) {
-  return {reg, mapping, ComponentUsage::rgb};
-}
 constexpr CombinerInput alpha_of(Register reg, InputMapping mapping = InputMapping::unsigned_identity) {
   return {reg, mapping, ComponentUsage::alpha};
 }
-constexpr CombinerInput kOne = rgb_of(Register::zero, InputMapping::unsigned_invert);
-constexpr CombinerInput kMinusOne = rgb_of(Register::zero, InputMapping::expand_normal);
-
-CombinerState silent_state(int stages) {
-  CombinerState state;
-  state.num_general_combiners = stages;
-  for (GeneralCombiner& stage : state.general) stage.rgb.out = stage.alpha.out = kNothing;
-  FinalCombiner& f = state.final_combiner;
-  f.a = f.b = f.c = f.d = rgb_of(Register::zero);
-  f.g = alpha_of(Register::zero);
-  return state;
-}
-
-CombinerState article() {
-  CombinerState state = silent_state(2);
-  Portion& difference = state.general[0].rgb;
-  difference = {rgb_of(Register::primary),
-                kOne,
-                rgb_of(Register::texture0),
-                kMinusOne,
-                {.sum = Register::spare0, .scale = Scale::by_four}};
-  Portion& square = state.general[1].rgb;
-  square.a = square.b = rgb_of(Register::spare0, InputMapping::signed_identity);
-  square.c = square.d = rgb_of(Register::zero);
-  square.out = {.ab = Register::spare1, .sum = Register::discard, .scale = Scale::by_four, .ab_dot_product = true};
-  state.final_combiner.g = {Register::spare1, InputMapping::unsigned_identity, ComponentUsage::blue};
-  return state;
-}
-
 Explanation explained(const CombinerState& state, const HardwareProfile& profile = profiles::geforce2) {
   const Result<Program> program = compile(state, profile);
   EXPECT_TRUE(program.ok()) << (program ? "" : program.error().message);
@@ -75,7 +43,7 @@ bool mentions(const std::vector<std::string>& sentences, const std::string& word
 }
 
 TEST(Explain, TheArticle) {
-  const Explanation e = explained(article());
+  const Explanation e = explained(index_comparison());
   EXPECT_EQ(lines_of(e),
             (Lines{"spare0 = 4·(primary − tex0)", "spare1 = 4·dot(spare0, spare0)", "rgb = 0", "alpha = spare1.blue"}));
   ASSERT_EQ(e.dead.size(), 2U);
@@ -84,9 +52,9 @@ TEST(Explain, TheArticle) {
   const std::string text = print_explanation(e);
   for (const Equation& equation : e.equations) {
     EXPECT_TRUE(equation.used);
-    EXPECT_NE(text.find("  " + equation.target + " = " + equation.expression + "\n"), std::string::npos) << text;
+    EXPECT_TRUE(has(text, "  " + equation.target + " = " + equation.expression + "\n"));
   }
-  EXPECT_EQ(text.find("unused"), std::string::npos);
+  EXPECT_FALSE(has(text, "unused"));
 }
 
 TEST(Explain, GlDefaults) {
@@ -298,7 +266,7 @@ TEST(Explain, ConstantColors) {
 }
 
 TEST(Explain, WhatNothingReadsIsTold) {
-  CombinerState state = article();
+  CombinerState state = index_comparison();
   state.general[0].alpha = default_portion(PortionName::alpha);
   state.general[1].rgb.out.cd = Register::texture1;
   state.general[1].rgb.c = rgb_of(Register::texture1);
@@ -310,8 +278,8 @@ TEST(Explain, WhatNothingReadsIsTold) {
   EXPECT_FALSE(e.equations[3].used);
   EXPECT_TRUE(e.equations[0].used && e.equations[2].used);
   ASSERT_EQ(e.dead.size(), 2U);
-  EXPECT_NE(e.dead[0].reason.find("GL's default"), std::string::npos);
-  EXPECT_NE(print_explanation(e).find("unused: nothing reads it"), std::string::npos);
+  EXPECT_TRUE(has(e.dead[0].reason, "GL's default"));
+  EXPECT_TRUE(has(print_explanation(e), "unused: nothing reads it"));
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-// Which GL error a fault of a text carries, in each form; and that faults which GL never sees carry none.
+// Which GL error a fault of register words carries, and that faults which GL never sees carry none. Of calls and of
+// !!RC1.0 the tables of their faults say it (gl_calls_faults_test.cpp, rc10_faults_test.cpp).
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "ninebit/language/gl_calls.h"
-#include "ninebit/language/rc10.h"
 #include "ninebit/language/register_words.h"
 #include "ninebit/numerics/hardware_profile.h"
 
@@ -25,18 +24,6 @@ Errors errors_of(const Parsed<CombinerState>& parsed) {
   return errors;
 }
 
-Errors of_gl(const std::string& text) {
-  return errors_of(parse_gl_calls({text, "f"}, profiles::geforce2));
-}
-Errors of_rc10(const std::string& text) {
-  return errors_of(parse_rc10({"!!RC1.0\n" + text, "f"}, profiles::geforce2));
-}
-Errors of_rgb(const std::string& statements) {
-  return of_rc10("{ rgb { " + statements + " } } out.a = zero;");
-}
-Errors of_alpha(const std::string& statements) {
-  return of_rc10("{ alpha { " + statements + " } } out.a = zero;");
-}
 Errors of_words(const std::string& text, ChipClass chip = ChipClass::nv10) {
   return errors_of(
       parse_register_words({text, "f"}, chip, chip == ChipClass::nv10 ? profiles::geforce2 : profiles::nv2a));
@@ -45,55 +32,6 @@ Errors of_words(const std::string& text, ChipClass chip = ChipClass::nv10) {
 TEST(FaultErrors, OfATextAreShownBeforeTheMessage) {
   EXPECT_EQ((TextFault{"f", 1, 2, "m", no_error}.text()), "f:1:2: m");
   EXPECT_EQ((TextFault{"f", 1, 2, "m", invalid_value}.text()), "f:1:2: GL_INVALID_VALUE: m");
-}
-
-TEST(FaultErrors, OfGlCalls) {
-  EXPECT_EQ(of_gl("glEnable(GL_FOG);"), Errors{invalid_enum});
-  EXPECT_EQ(of_gl("glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 3);"), Errors{invalid_value});
-  EXPECT_EQ(of_gl("glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_SPARE0_PLUS_SECONDARY_COLOR_NV, "
-                  "GL_UNSIGNED_IDENTITY_NV, GL_RGB);"),
-            Errors{invalid_operation});
-  // A program that does not compile never reaches GL.
-  EXPECT_EQ(of_gl("glEnable(GL_FOO); glFoo(); glEnable(1, 2); glEnable(1.5);"),
-            (Errors{no_error, no_error, no_error, no_error}));
-}
-
-TEST(FaultErrors, OfGeneralCombinersInRc10) {
-  EXPECT_EQ(of_rgb("zero = tex0;"), Errors{invalid_enum});
-  EXPECT_EQ(of_rgb("tex2 = tex3;"), (Errors{invalid_enum, invalid_enum}));
-  EXPECT_EQ(of_rgb("spare0 = tex0; spare0 = tex1;"), Errors{invalid_operation});
-  EXPECT_EQ(of_rgb("spare0 = discard;"), Errors{invalid_enum});
-  EXPECT_EQ(of_rgb("spare0 = color_sum; final_product = tex0;"), (Errors{invalid_enum, invalid_enum}));
-  EXPECT_EQ(of_rgb("spare0 = tex0.b * fog.a;"), (Errors{invalid_operation, invalid_operation}));
-  EXPECT_EQ(of_alpha("spare0 = tex0.rgb . fog;"), (Errors{invalid_operation, invalid_value, invalid_operation}));
-  // The suffix of what is written is left out of the call.
-  EXPECT_EQ(of_rgb("spare0.b = tex0;"), Errors{no_error});
-  EXPECT_EQ(of_alpha("spare0.rgb = tex0;"), Errors{no_error});
-}
-
-TEST(FaultErrors, OfTheFinalCombinerInRc10) {
-  EXPECT_EQ(of_rc10("out.rgb = discard;"), Errors{invalid_enum});
-  EXPECT_EQ(of_rc10("out.rgb = tex0.b;"), Errors{invalid_operation});
-  EXPECT_EQ(of_rc10("out.a = color_sum;"), Errors{invalid_operation});
-  EXPECT_EQ(of_rc10("out.a = tex0.rgb;"), Errors{invalid_operation});
-  EXPECT_EQ(of_rc10("final_product = color_sum * tex0.b; out.rgb = final_product;"),
-            (Errors{invalid_operation, invalid_operation}));
-  EXPECT_EQ(of_rc10("out.rgb = color_sum * color_sum;"), Errors{invalid_operation});
-  EXPECT_EQ(of_rc10("out.a = expand(tex0);"), Errors{invalid_enum});
-  EXPECT_EQ(of_rc10("out.rgb = -tex0;"), Errors{invalid_enum});
-}
-
-TEST(FaultErrors, OfWhatAProfileLacksInRc10) {
-  EXPECT_EQ(of_rc10("{ rgb { spare0 = tex0; } } { rgb { spare0 = tex0; } } { rgb { spare0 = tex0; } } out.a = zero;"),
-            Errors{invalid_value});
-  EXPECT_EQ(of_rc10("{ const0 = (0, 0, 0, 0); rgb { spare0 = tex0; } } out.a = zero;"), Errors{invalid_enum});
-}
-
-TEST(FaultErrors, NoneOfWhatRc10FindsByItself) {
-  // Grammar, repetitions, and what nvparse leaves out of its calls.
-  EXPECT_EQ(of_rc10("out.rgb = final_product;"), Errors{no_error});
-  EXPECT_EQ(of_rc10("const0 = (0, 0, 0, 0); const0 = (0, 0, 0, 0); out.a = zero;"), Errors{no_error});
-  EXPECT_EQ(of_rgb("spare0 = expand tex0;"), Errors{no_error});
 }
 
 TEST(FaultErrors, OfRegisterWords) {

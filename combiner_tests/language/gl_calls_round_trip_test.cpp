@@ -1,11 +1,9 @@
-// Printed calls give the state again; broken texts give faults and never a state that GL would not hold.
+// Printed calls give the state again.
 #include <gtest/gtest.h>
 
 #include <string>
-#include <string_view>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/validate.h"
 #include "ninebit/language/gl_calls.h"
@@ -32,7 +30,7 @@ CombinerState reachable_state(Random& random, const HardwareProfile& profile) {
 
 TEST(GlCallsRoundTrip, GivesTheStateAgain) {
   constexpr std::uint64_t kSeed = 20010607;
-  for (std::uint64_t i = 0; i < (test::kSlowBuild ? 400U : 4000U); ++i) {
+  for (std::uint64_t i = 0; i < (test::kSlowBuild ? 400U : 1500U); ++i) {
     Random random(kSeed, i);
     const HardwareProfile profile = test::random_profile(random);
     const CombinerState state = reachable_state(random, profile);
@@ -86,25 +84,6 @@ TEST(GlCallsRoundTrip, FlagsThatOpenGlLacksPrintNothingInUnusedStages) {
   state.general[1].rgb.out.ab_blue_to_alpha = state.general[7].rgb.out.cd_blue_to_alpha = true;
   ASSERT_TRUE(plain);
   EXPECT_EQ(print_gl_calls(state, profiles::nv2a).value(), plain.value());
-}
-
-TEST(GlCallsRoundTrip, BrokenTextsEndInAStateOrInFaults) {
-  if (ninebit::test::kSanitized || ninebit::test::kCoverage)
-    GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
-  using namespace std::string_view_literals;
-  Random start(7);
-  const std::string all = "GLfloat c[4] = {0.5f, 1, 0x0, 1e-3};\nglCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, c);\n" +
-                          print_gl_calls(reachable_state(start, profiles::nv2a), profiles::nv2a).value();
-  // Whole lines, so that some of the edited texts remain valid.
-  const auto lines = [&](Random& random) {
-    const std::size_t from = all.find('\n', static_cast<std::size_t>(random.below(static_cast<int>(all.size())))) + 1;
-    return random.one_in(2) ? all.substr(0, from) : all.substr(from, all.find('\n', from) + 1 - from);
-  };
-  const auto found = test::parse_damaged(
-      {.seed = 7, .whole = lines, .bytes = "(){}[],;=+-&*#/\"'\\.0x1eEfGL_NV \n\t\0\x80\xFF"sv}, profiles::nv2a,
-      [](const SourceText& source, const HardwareProfile& profile) { return parse_gl_calls(source, profile); });
-  EXPECT_GT(found.states, 100);
-  EXPECT_GT(found.refused, 10000);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(GlTextureShader, ValuesComeBack) {
   const CurrentContext current(context);
   glEnable(GL_TEXTURE_SHADER_NV);
   EXPECT_EQ(glIsEnabled(GL_TEXTURE_SHADER_NV), GL_TRUE);
-  glActiveTexture(GL_TEXTURE2);
+  glActiveTextureARB(GL_TEXTURE2_ARB);
   const GLfloat matrix[]{0.5F, 1.5F, -2.0F, 4.0F}, eye[]{1.0F, 2.0F, 3.0F}, scale[]{0.75F};
   const GLint modes[]{GL_LESS, GL_GEQUAL, GL_GEQUAL, GL_LESS};
   glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_MATRIX_NV, matrix);

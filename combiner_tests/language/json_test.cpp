@@ -1,4 +1,4 @@
-// The JSON form of a program: round trips, defaults, faults with their places, damaged texts.
+// The JSON form of a program: round trips, defaults, faults with their places.
 #include "ninebit/language/json.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
-#include "ninebit/combiner/validate.h"
 
 namespace ninebit::test {
 namespace {
@@ -28,7 +28,7 @@ TEST(JsonProgram, RandomStatesComeBackTheSame) {
   if (kSanitized || kCoverage) GTEST_SKIP() << "too long, and other tests reach the same lines";
   int more_than_used = 0;
   for (const HardwareProfile* profile : {&kCard, &kXbox}) {
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 1500; ++i) {
       Random random(21, static_cast<std::uint64_t>(i));
       CombinerState state = random_state(random, *profile);
       // From some stage on the defaults, so that texts of every length come up.
@@ -46,7 +46,7 @@ TEST(JsonProgram, RandomStatesComeBackTheSame) {
       more_than_used += state.general[7] != GeneralCombiner{} && state.num_general_combiners < 8 ? 1 : 0;
     }
   }
-  EXPECT_GT(more_than_used, 100);
+  EXPECT_GT(more_than_used, 40);
 }
 
 TEST(JsonProgram, WhatGlDoesNotHaveIsThereWhereItIsAskedForAlone) {
@@ -63,8 +63,8 @@ TEST(JsonProgram, WhatGlDoesNotHaveIsThereWhereItIsAskedForAlone) {
     const std::string keys = '"' + name + "\": true";
     CombinerState state;
     state.*flag = true;
-    EXPECT_EQ(print_json_program({}).find(name), std::string::npos);
-    EXPECT_NE(print_json_program(state).find(keys), std::string::npos);
+    EXPECT_FALSE(has(print_json_program({}), name));
+    EXPECT_TRUE(has(print_json_program(state), keys));
     EXPECT_EQ(*parse_json_program({with(keys), ""}, kXbox), state);
     const auto refused = parse_json_program({with(keys), "f.json"}, kCard);
     EXPECT_EQ(all_faults(refused), "f.json:2:" + std::to_string(name.size() + 5) +
@@ -77,11 +77,10 @@ TEST(JsonProgram, BlueToAlpha) {
   CombinerState state;
   state.general[0].rgb.out.ab = Register::spare1;
   state.general[0].rgb.out.ab_blue_to_alpha = true;
-  EXPECT_EQ(print_json_program({}).find("blue_to_alpha"), std::string::npos);
-  EXPECT_NE(print_json_program(state).find(R"("mux_sum": false, "ab_blue_to_alpha": true})"), std::string::npos);
+  EXPECT_FALSE(has(print_json_program({}), "blue_to_alpha"));
+  EXPECT_TRUE(has(print_json_program(state), R"("mux_sum": false, "ab_blue_to_alpha": true})"));
   EXPECT_EQ(*parse_json_program({with(keys), ""}, kXbox), state);
-  EXPECT_NE(all_faults(parse_json_program({with(keys), "f.json"}, kCard)).find("f.json:2:42: GL_INVALID_ENUM: "),
-            std::string::npos);
+  EXPECT_TRUE(has(all_faults(parse_json_program({with(keys), "f.json"}, kCard)), "f.json:2:42: GL_INVALID_ENUM: "));
 }
 
 TEST(JsonProgram, MissingKeysAreTheDefaults) {
@@ -225,70 +224,13 @@ TEST(JsonProgram, AllFaultsAreReportedInTheOrderOfTheText) {
 TEST(JsonProgram, LargeTextsAreBounded) {
   std::string many = "[0";
   while (many.size() < kMaxSourceBytes - 4) many += ",0";
-  EXPECT_NE(all_faults(parse_json_program({many + "]", ""}, kCard)).find("values"), std::string::npos);
+  EXPECT_TRUE(has(all_faults(parse_json_program({many + "]", ""}, kCard)), "values"));
   std::string same = "{";
   for (int i = 0; i < 4000; ++i) same += "\"a\": 0,\n";
   EXPECT_EQ(parse_json_program({same + "\"a\": 0}", ""}, kCard).faults().size(), kMaxTextFaults);
   EXPECT_EQ(parse_json_program({std::string(kMaxSourceBytes + 1, '['), ""}, kCard).faults().size(), 1U);
   const auto brackets = parse_json_program({std::string(kMaxSourceBytes, '['), ""}, kCard);
   EXPECT_EQ(brackets.faults().size(), 1U);
-}
-
-// One random edit: a byte, or a word that the form knows put where another stood.
-void damage(std::string& text, Random& random) {
-  constexpr std::string_view kBytes = "{}[]\",:.0123456789eE+-\\u tnr\n\x01\x80\xff";
-  constexpr std::string_view kTokens[] = {
-      "\"zero\"",         "\"fog\"",  "\"e_times_f\"", "\"rgb\"", "\"alpha\"", "\"blue\"",
-      "\"texture3\"",     "true",     "false",         "null",    "0.5",       "-1",
-      "\"spare0\"",       "\"none\"", "\"discard\"",   "1e-50",   "[]",        "{}",
-      "\"scale_by_four\""};
-  const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size()) + 1));
-  switch (random.below(4)) {
-    case 0:
-      text.insert(at, 1, kBytes[static_cast<std::size_t>(random.below(static_cast<int>(kBytes.size())))]);
-      break;
-    case 1:
-      if (at < text.size()) text.erase(at, 1 + static_cast<std::size_t>(random.below(4)));
-      break;
-    default: {
-      const std::size_t start = text.find(": ", at);
-      const std::size_t end = start == std::string::npos ? start : text.find_first_of(",}\n", start);
-      if (end == std::string::npos) break;
-      text.replace(start + 2, end - start - 2, kTokens[static_cast<std::size_t>(random.below(std::size(kTokens)))]);
-    }
-  }
-}
-
-TEST(JsonProgram, DamagedTextsAreRefusedOrMeanAValidState) {
-  if (kSanitized || kCoverage) GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
-  int accepted = 0, refused = 0;
-  std::string text;
-  for (int i = 0; i < 20'000; ++i) {
-    Random random(22, static_cast<std::uint64_t>(i));
-    const HardwareProfile& profile = i / 2 % 2 == 0 ? kCard : kXbox;
-    if (i % 2 == 0) {
-      CombinerState state = random_state(random, profile);
-      for (std::size_t stage = 2; stage < state.general.size(); ++stage) state.general[stage] = {};
-      text = print_json_program(state);
-    }
-    damage(text, random);
-    const auto parsed = parse_json_program({text, ""}, profile);
-    ASSERT_NE(parsed.ok(), !parsed.faults().empty()) << "case " << i;
-    ASSERT_LE(parsed.faults().size(), kMaxTextFaults);
-    const int lines = 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-    for (const TextFault& fault : parsed.faults()) {
-      ASSERT_TRUE(fault.line >= 1 && fault.line <= lines && fault.column >= 1) << fault.text();
-    }
-    if (parsed) {
-      ASSERT_TRUE(validate(*parsed, profile).empty()) << "case " << i;
-      const auto again = parse_json_program({print_json_program(*parsed), ""}, profile);
-      ASSERT_TRUE(again) << all_faults(again);
-      ASSERT_EQ(*again, *parsed) << "case " << i;
-    }
-    ++(parsed ? accepted : refused);
-  }
-  EXPECT_GT(accepted, 500);
-  EXPECT_GT(refused, 5000);
 }
 
 }  // namespace

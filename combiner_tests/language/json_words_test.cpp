@@ -5,7 +5,6 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
-#include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/json.h"
 
@@ -66,20 +65,6 @@ TEST(JsonWords, EveryFaultHasItsPlace) {
   for (const auto& [text, fault] : cases) {
     expect_fault(parse_json_register_words({text, "f"}, k10, profiles::geforce2), fault, text);
   }
-}
-
-TEST(JsonWords, DamagedTextsAreRefusedOrDecode) {
-  if (kSanitized || kCoverage) GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
-  const auto printed = [](Random& random) {
-    return *print_json_register_words(random_state(random, profiles::nv2a), k20, profiles::nv2a);
-  };
-  const auto parse = [](const SourceText& source, const HardwareProfile& profile) {
-    return parse_json_register_words(source, k20, profile);
-  };
-  const DamagedTexts found = parse_damaged(
-      {.seed = 32, .whole = printed, .bytes = "{}[]\",:.0123456789abcdefx\\u \n\x80"}, profiles::nv2a, parse);
-  EXPECT_GT(found.states, 200);
-  EXPECT_GT(found.refused, 5000);
 }
 
 }  // namespace

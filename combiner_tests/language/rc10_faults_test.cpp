@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -11,18 +12,7 @@
 namespace ninebit {
 namespace {
 
-std::string faults_of(std::string_view text, const HardwareProfile& profile) {
-  const auto result = parse_rc10({text, ""}, profile);
-  EXPECT_NE(result.ok(), !result.faults().empty());
-  std::string all;
-  for (const TextFault& fault : result.faults()) all += fault.text() + "\n";
-  return all;
-}
-
-struct Rc10Fault {
-  std::string text;
-  const char* faults;
-};
+using Rc10Fault = test::TextAndFaults;
 
 // On the line after the header, before `out.rgb = spare0;`.
 Rc10Fault general(const std::string& text, const char* faults) {
@@ -39,7 +29,7 @@ Rc10Fault last(const std::string& statements, const char* faults) {
 }
 
 void expect(const std::vector<Rc10Fault>& cases, const HardwareProfile& profile = profiles::nv2a) {
-  for (const Rc10Fault& c : cases) EXPECT_EQ(faults_of(c.text, profile), c.faults) << c.text;
+  test::expect_faults(cases, [&](const std::string& text) { return parse_rc10({text, ""}, profile); });
 }
 
 TEST(Rc10Faults, OfTheWholeProgram) {
@@ -238,7 +228,7 @@ TEST(Rc10Faults, HaveAnEnd) {
 TEST(Rc10Faults, AreFewForMegabytesOfNonsense) {
   if (ninebit::test::kSanitized || ninebit::test::kCoverage) GTEST_SKIP() << "shows how long a text takes";
   for (const char c : {'(', '{', '}', '+', '\0', '\xFF', '0', '.', 'x', '!', ','}) {
-    const std::string text(c == '{' ? kMaxSourceBytes - 100 : kMaxSourceBytes / 8, c);
+    const std::string text(kMaxSourceBytes / 64, c);
     for (const char* const before :
          {"!!RC1.0 ", "!!RC1.0 {rgb{spare0 = ", "!!RC1.0 out.rgb = tex0 * ", "!!RC1.0 const0 = ("}) {
       const auto result = parse_rc10({before + text, ""}, profiles::geforce2);
@@ -246,8 +236,7 @@ TEST(Rc10Faults, AreFewForMegabytesOfNonsense) {
       EXPECT_LE(result.faults().size(), 4U) << before << c;
     }
   }
-  EXPECT_EQ(faults_of(std::string(kMaxSourceBytes + 1, '{'), profiles::nv2a),
-            "1:1: the text has 16777217 bytes; the limit is 16777216\n");
+  expect({{std::string(kMaxSourceBytes + 1, '{'), "1:1: the text has 16777217 bytes; the limit is 16777216\n"}});
 }
 
 }  // namespace

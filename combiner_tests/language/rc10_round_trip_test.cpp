@@ -5,8 +5,7 @@
 #include <string_view>
 
 #include "combiner_tests/combiner/random_state.h"
-#include "combiner_tests/language/damage.h"
-#include "combiner_tests/support/slow_build.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/combiner/validate.h"
@@ -109,7 +108,7 @@ TEST(Rc10RoundTrip, SaysWhatTheLanguageLacks) {
   state.final_combiner.a.mapping = InputMapping::signed_negate;
   const auto invalid = print_rc10(state, profiles::geforce2);
   ASSERT_FALSE(invalid);
-  EXPECT_NE(invalid.error().message.find("final combiner, variable A"), std::string::npos);
+  EXPECT_TRUE(test::has(invalid.error().message, "final combiner, variable A"));
 }
 
 TEST(Rc10RoundTrip, PrintsTheShortestFormThatSaysIt) {
@@ -143,29 +142,6 @@ TEST(Rc10RoundTrip, PrintsTheShortestFormThatSaysIt) {
   const auto printed = print_rc10(*state, profiles::geforce2);
   ASSERT_TRUE(printed);
   EXPECT_EQ(*printed, text);
-}
-
-TEST(Rc10RoundTrip, BrokenTextsEndInAStateOrInFaults) {
-  if (ninebit::test::kSanitized || ninebit::test::kCoverage)
-    GTEST_SKIP() << "the fuzzers do this with the same sanitizers";
-  using namespace std::string_view_literals;
-  constexpr auto kBytes = "(){}.,;=+-*#/!_abrgx0159 \n\t\0\x80\xFF"sv;
-  constexpr auto kWhole =
-      "!!RC1.0\nconst0 = (1, 0.5, -.25, 1.);\n{ const1 = (0, 0, 0, 1);\n rgb { spare0.rgb = expand(tex0) . tex1.rgb;\n"
-      "  spare1 = -half_bias(col0.a) * one;\n  scale_by_two(); } # comment\n alpha { discard = tex0; col1 = -one.b;\n"
-      "  spare0 = mux(); bias_by_negative_one_half_scale_by_two(); } }\n// another\n{ alpha { discard = zero; } }\n"
-      "clamp_color_sum(); final_product = fog * unsigned(col1);\n"
-      "out.rgb = lerp(fog.a, color_sum, fog) + final_product; /* last */\nout.a = unsigned_invert(spare0.b);\n"sv;
-  ASSERT_TRUE(parse_rc10({kWhole, ""}, profiles::nv2a));
-  const auto found = test::parse_damaged({.seed = 10,
-                                          .whole = [&](Random&) { return std::string(kWhole); },
-                                          .kept = 7,  // !!RC1.0
-                                          .bytes = kBytes},
-                                         profiles::nv2a, [](const SourceText& source, const HardwareProfile& profile) {
-                                           return parse_rc10(source, profile);
-                                         });
-  EXPECT_GT(found.states, 400);
-  EXPECT_GT(found.refused, 10000);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "combiner_tests/combiner/random_state.h"
+
 namespace ninebit::test {
 namespace {
 
@@ -204,6 +206,19 @@ Trace writes_of(const std::vector<RegisterWord>& words, Random& random) {
   for (const RegisterWord& word : words) trace.push_back({method_of_word(word.name), word.value});
   for (std::size_t i = trace.size(); i > 1; --i)
     std::swap(trace[i - 1], trace[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+  return trace;
+}
+
+Trace random_trace(Random& random) {
+  Trace trace;
+  for (int program = 1 + random.below(3); program > 0; --program) {
+    const auto words = encode_register_words(random_state(random, profiles::nv2a), ChipClass::nv20, profiles::nv2a);
+    const Trace writes = writes_of(*words, random);
+    trace.insert(trace.end(), writes.begin(), writes.end());
+    for (int draw = random.below(3); draw > 0; --draw)
+      add_draw(trace, 1 + static_cast<std::uint32_t>(random.below(10)));
+    if (random.one_in(2)) trace.push_back({0x130, 0});
+  }
   return trace;
 }
 

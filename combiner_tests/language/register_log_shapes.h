@@ -28,6 +28,9 @@ std::vector<TraceStyle> all_styles();
 // The writes of a program's words, in a random order.
 Trace writes_of(const std::vector<RegisterWord>& words, Random& random);
 
+// Programs of the NV2A, draws and flips.
+Trace random_trace(Random& random);
+
 // The number of the method of a word of NV20: RC_IN_RGB[2] is 0x0ac8.
 std::uint32_t method_of_word(const std::string& name);
 

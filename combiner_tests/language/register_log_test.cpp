@@ -10,6 +10,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/register_log_shapes.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
@@ -134,8 +135,7 @@ TEST(RegisterLog, GuessedColumnsAreSaid) {
   for (const auto& [name, note] : notes) {
     for (const TraceStyle& style : all_styles()) {
       if (std::string(style.name) != name) continue;
-      EXPECT_NE(notes_of(style.text(trace)).find(note), std::string::npos) << name << '\n'
-                                                                           << notes_of(style.text(trace));
+      EXPECT_TRUE(has(notes_of(style.text(trace)), note)) << name;
     }
   }
 }
@@ -152,7 +152,7 @@ TEST(RegisterLog, LinesOfDrawsAreThoseOfTheFile) {
   EXPECT_EQ(log.setups[0].draw_calls[1].line, 9U);
   EXPECT_EQ(log.setups[0].draw_calls[1].vertices, std::nullopt);
   EXPECT_EQ(log.lines, 9U);
-  EXPECT_NE(notes_of(text).find("log:9:1: the draw that begins here has no end"), std::string::npos) << notes_of(text);
+  EXPECT_TRUE(has(notes_of(text), "log:9:1: the draw that begins here has no end"));
 }
 
 TEST(RegisterLog, VerticesAreCountedByWhatDrawsThem) {
@@ -271,7 +271,7 @@ TEST(RegisterLog, OtherObjectsAreSkipped) {
     ASSERT_EQ(log.setups.size(), 1U) << style.name;
     EXPECT_EQ(log.draws, 1U) << style.name;
     EXPECT_TRUE(program_of(log, 1, "log", kLogProfile)) << style.name;
-    EXPECT_NE(notes_of(text).find("2 lines with writes to other objects skipped"), std::string::npos) << style.name;
+    EXPECT_TRUE(has(notes_of(text), "2 lines with writes to other objects skipped")) << style.name;
   }
 }
 
@@ -333,8 +333,7 @@ TEST(RegisterLog, WritesWithoutDataAreUnknown) {
   EXPECT_EQ(all_faults(program_of(log, 1, "log", kLogProfile)),
             "log:8:1: the log has no data for RC_IN_RGB[0], which set-up 1 depends on\n");
   EXPECT_TRUE(program_of(log, 2, "log", kLogProfile));
-  EXPECT_NE(notes_of(text).find("log:8:1: 1 line with writes without data; the first is line 8"), std::string::npos)
-      << notes_of(text);
+  EXPECT_TRUE(has(notes_of(text), "log:8:1: 1 line with writes without data; the first is line 8"));
 }
 
 // Whether it begins or ends something is unknown, so that the draw around it goes on.
@@ -344,8 +343,7 @@ TEST(RegisterLog, ABeginningWithoutDataChangesNoDraw) {
   ASSERT_EQ(inside.setups.size(), 1U);
   ASSERT_EQ(inside.setups[0].draw_calls.size(), 1U);
   EXPECT_EQ(inside.setups[0].draw_calls[0].vertices, 6U);
-  EXPECT_EQ(notes_of(set_up + "0x17fc,5\n" + part + "0x17fc,\n" + part + "0x17fc,0\n").find("no end"),
-            std::string::npos);
+  EXPECT_FALSE(has(notes_of(set_up + "0x17fc,5\n" + part + "0x17fc,\n" + part + "0x17fc,0\n"), "no end"));
   const RegisterLog outside = read(set_up + "0x17fc,\n" + part + "0x17fc,5\n" + part + "0x17fc,0\n");
   ASSERT_EQ(outside.setups.at(0).draw_calls.size(), 1U);
   EXPECT_EQ(outside.setups[0].draw_calls[0].line, 5U);
@@ -424,8 +422,8 @@ TEST(RegisterLog, WhatTheChipRefusesIsAtItsLine) {
   const std::string text = "method,data\n0x1e60,0x101\n0x1e40,0xccc\n0xac0,0x06000000\n0x17fc,5\n0x17fc,0\n";
   const auto state = program_of(read(text), 1, "f", kLogProfile);
   const std::string faults = all_faults(state);
-  EXPECT_NE(faults.find("f:3:1: GL_INVALID_OPERATION"), std::string::npos) << faults;
-  EXPECT_NE(faults.find("f:4:1: RC_IN_RGB[0] = 0x06000000: variable A"), std::string::npos) << faults;
+  EXPECT_TRUE(has(faults, "f:3:1: GL_INVALID_OPERATION"));
+  EXPECT_TRUE(has(faults, "f:4:1: RC_IN_RGB[0] = 0x06000000: variable A"));
 }
 
 TEST(RegisterLog, FaultsOfTablesHaveTheirPlace) {
@@ -446,7 +444,7 @@ TEST(RegisterLog, FaultsOfTablesHaveTheirPlace) {
   for (const Case& one : cases) {
     const auto parsed = parse_register_log({one.text, "f"});
     EXPECT_FALSE(parsed) << one.text;
-    EXPECT_NE(all_faults(parsed).find(one.fault), std::string::npos) << one.text << all_faults(parsed);
+    EXPECT_TRUE(has(all_faults(parsed), one.fault)) << one.text;
   }
   // Data of methods that nothing here depends on may be anything.
   EXPECT_TRUE(parse_register_log({"method,data\n0x1e60,0x101\n0x1500,1.5\nNV097_SET_X,banana\n", "f"}));
@@ -466,9 +464,7 @@ TEST(RegisterLog, SkippedLinesAreCounted) {
                            "nv2a_pgraph_flip_increment_write 0x0 -> 0x1\n\n";
   EXPECT_EQ(notes_of(text), "log:1:1: 3 lines are not register writes; the first is line 1\n");
   const std::string log = text + std::string(70'000, 'x') + "\n" + std::string(65'536, 'y') + "\n";
-  EXPECT_NE(notes_of(log).find("log:12:1: 1 line of more than 65536 bytes skipped; the first is line 12"),
-            std::string::npos)
-      << notes_of(log);
+  EXPECT_TRUE(has(notes_of(log), "log:12:1: 1 line of more than 65536 bytes skipped; the first is line 12"));
 }
 
 TEST(RegisterLog, OtherTextsAreNot) {

@@ -9,6 +9,7 @@
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/hardware/csv.h"
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/program.h"
 
@@ -122,8 +123,7 @@ TEST(RegisterWords, TheDefaultsInWordsAreTheKnownNumbers) {
             "RC_COLOR[1] = 0x00000000\n"
             "RC_FINAL0 = 0x130e0300\n"
             "RC_FINAL1 = 0x00001c80\n");
-  EXPECT_NE(print_register_words({}, ChipClass::nv20, kXbox).value().find("RC_ENABLE = 0x00000101\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(print_register_words({}, ChipClass::nv20, kXbox).value(), "RC_ENABLE = 0x00000101\n"));
 }
 
 TEST(RegisterWords, EveryNameOfAWordIsTheSameWord) {
@@ -148,8 +148,7 @@ TEST(RegisterWords, EveryNameOfAWordIsTheSameWord) {
         // The second mention must be seen as a repetition of the first.
         const auto parsed = parse_register_words({names[0] + " = 0x18000101\n" + name + " = 0x18000101\n", ""}, chip,
                                                  chip == ChipClass::nv10 ? kCard : kXbox);
-        EXPECT_NE(all_faults(parsed).find("2:1: " + names[0] + " was given before, in line 1"), std::string::npos)
-            << name << ": " << all_faults(parsed);
+        EXPECT_TRUE(has(all_faults(parsed), "2:1: " + names[0] + " was given before, in line 1")) << name;
       }
     }
   }
@@ -203,8 +202,7 @@ TEST(RegisterWords, InvertedColorSum) {
   CombinerState state;
   state.color_sum_invert_spare0 = true;
   EXPECT_EQ(decoded("RC_FINAL1 = 0x00001ca0\n", ChipClass::nv20), state);
-  EXPECT_NE(print_register_words(state, ChipClass::nv20, kXbox).value().find("RC_FINAL1 = 0x00001ca0\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(print_register_words(state, ChipClass::nv20, kXbox).value(), "RC_FINAL1 = 0x00001ca0\n"));
   state.color_sum_invert_spare0 = false;
   state.color_sum_invert_secondary = true;
   EXPECT_EQ(decoded("RC_FINAL1 = 0x00001cc0\n", ChipClass::nv20), state);
@@ -232,7 +230,7 @@ TEST(RegisterWords, AFinalCombinerOfZerosPassesSpare0) {
   EXPECT_NE(decoded("RC_FINAL0 = 0\nRC_FINAL1 = 0x80\n", ChipClass::nv20).final_combiner.d.reg, Register::spare0);
   // A program that outputs zero keeps doing so.
   const std::string printed = print_register_words(black, ChipClass::nv20, kXbox).value();
-  EXPECT_NE(printed.find("RC_FINAL0 = 0x00000000\nRC_FINAL1 = 0x00001000\n"), std::string::npos) << printed;
+  EXPECT_TRUE(has(printed, "RC_FINAL0 = 0x00000000\nRC_FINAL1 = 0x00001000\n"));
   CombinerState still_black = black;
   still_black.final_combiner.g.usage = ComponentUsage::alpha;
   EXPECT_EQ(decoded(printed, ChipClass::nv20), still_black);
@@ -242,27 +240,24 @@ TEST(RegisterWords, BlueToAlpha) {
   CombinerState state;
   state.general[3].rgb.out = {.ab = Register::spare1, .cd = Register::primary, .ab_blue_to_alpha = true};
   EXPECT_EQ(decoded("RC_OUT_RGB[3] = 0x00080cd4\n", ChipClass::nv20), state);
-  EXPECT_NE(print_register_words(state, ChipClass::nv20, kXbox).value().find("RC_OUT_RGB[3] = 0x00080cd4\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(print_register_words(state, ChipClass::nv20, kXbox).value(), "RC_OUT_RGB[3] = 0x00080cd4\n"));
   state.general[3].rgb.out.ab_blue_to_alpha = false;
   state.general[3].rgb.out.cd_blue_to_alpha = true;
   EXPECT_EQ(decoded("RC_OUT_RGB[3] = 0x00040cd4\n", ChipClass::nv20), state);
   const auto refused = parse_register_words({"\nRC_OUT_RGB[1] = 0x00080c40", ""}, ChipClass::nv20, kCard);
-  EXPECT_NE(all_faults(refused).find("2:1: GL_INVALID_ENUM: general combiner 1, RGB portion: profile geforce2 has no "
-                                     "blue-to-alpha outputs (NV2A)"),
-            std::string::npos)
-      << all_faults(refused);
+  EXPECT_TRUE(has(all_faults(refused),
+                  "2:1: GL_INVALID_ENUM: general combiner 1, RGB portion: profile geforce2 has no "
+                  "blue-to-alpha outputs (NV2A)"));
 }
 
 TEST(RegisterWords, MuxByTheLowestBit) {
   CombinerState state;
   state.mux_by_lowest_bit = state.general[0].rgb.out.mux_sum = true;
   EXPECT_EQ(decoded("RC_OUT_RGB[0] = 0x4c00\nRC_ENABLE = 0x1\n", ChipClass::nv20), state);
-  EXPECT_NE(print_register_words(state, ChipClass::nv20, kXbox).value().find("RC_ENABLE = 0x00000001\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(print_register_words(state, ChipClass::nv20, kXbox).value(), "RC_ENABLE = 0x00000001\n"));
   // NV10 has the bit, too: of a profile that has what it asks for.
   const std::string nv10 = print_register_words(state, ChipClass::nv10, kXbox).value();
-  EXPECT_NE(nv10.find("RC_OUT_RGB[1] = 0x10000c00\n"), std::string::npos);
+  EXPECT_TRUE(has(nv10, "RC_OUT_RGB[1] = 0x10000c00\n"));
   EXPECT_EQ(*parse_register_words({nv10, ""}, ChipClass::nv10, kXbox), state);
 }
 
@@ -354,11 +349,11 @@ TEST(RegisterWords, EveryFaultHasItsPlaceAndNamesItsBits) {
 
 TEST(RegisterWords, AProfileMayHaveLessThanTheChip) {
   const auto stages = parse_register_words({"RC_ENABLE = 0x103", ""}, k20, kCard);
-  EXPECT_NE(all_faults(stages).find("1:1: GL_INVALID_VALUE: num_general_combiners is 3"), std::string::npos);
+  EXPECT_TRUE(has(all_faults(stages), "1:1: GL_INVALID_VALUE: num_general_combiners is 3"));
   const auto constants = parse_register_words({"RC_ENABLE = 0x1101", ""}, k20, kCard);
-  EXPECT_NE(all_faults(constants).find("has no per-stage constants"), std::string::npos);
+  EXPECT_TRUE(has(all_faults(constants), "has no per-stage constants"));
   const auto units = parse_register_words({"\nRC_IN_RGB[1] = 0x0a000000", ""}, k20, kCard);
-  EXPECT_NE(all_faults(units).find("2:1: GL_INVALID_ENUM"), std::string::npos);
+  EXPECT_TRUE(has(all_faults(units), "2:1: GL_INVALID_ENUM"));
 }
 
 TEST(RegisterWords, WhatNv10CannotHold) {
@@ -369,22 +364,22 @@ TEST(RegisterWords, WhatNv10CannotHold) {
   EXPECT_EQ(lacks({}), "nothing");
   CombinerState state;
   state.num_general_combiners = 3;
-  EXPECT_NE(lacks(state).find("NV10 has 2 general combiners, but the program uses 3"), std::string::npos);
+  EXPECT_TRUE(has(lacks(state), "NV10 has 2 general combiners, but the program uses 3"));
   state = {};
   state.per_stage_constants = true;
-  EXPECT_NE(lacks(state).find("no per-stage constants"), std::string::npos);
+  EXPECT_TRUE(has(lacks(state), "no per-stage constants"));
   state = {};
   state.general[1].rgb.out.ab_blue_to_alpha = true;
-  EXPECT_NE(lacks(state).find("NV10 has no blue-to-alpha outputs"), std::string::npos);
+  EXPECT_TRUE(has(lacks(state), "NV10 has no blue-to-alpha outputs"));
   state = {};
   state.final_combiner.d.reg = Register::texture2;
-  EXPECT_NE(lacks(state).find("2 texture units"), std::string::npos);
+  EXPECT_TRUE(has(lacks(state), "2 texture units"));
   state = {};
   state.general[1].alpha.out.cd = Register::texture3;
-  EXPECT_NE(lacks(state).find("2 texture units"), std::string::npos);
+  EXPECT_TRUE(has(lacks(state), "2 texture units"));
   state = {};
   state.general[0].rgb.a.reg = Register::e_times_f;
-  EXPECT_NE(lacks(state).find("not valid"), std::string::npos);
+  EXPECT_TRUE(has(lacks(state), "not valid"));
 }
 
 TEST(RegisterWords, FaultsAreBounded) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/numerics/hardware_profile.h"
 
@@ -284,7 +285,7 @@ void expect_asked(const std::string& text, const std::string& asked, const std::
                   int expected) {
   const auto found = parse(text, {{"f"}, {}});
   ASSERT_FALSE(found) << text;
-  EXPECT_NE(test::all_faults(found).find(asked), std::string::npos) << test::all_faults(found);
+  EXPECT_TRUE(test::has(test::all_faults(found), asked));
   const auto given = parse(text, {{"f"}, definitions});
   ASSERT_TRUE(given) << text << "\n" << test::all_faults(given);
   EXPECT_EQ(given->num_general_combiners, expected) << text;

@@ -1,12 +1,12 @@
 // Sources in the manner of each family of programs of the time: what is read of them is what they would have done.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/temp_folder.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/rc10.h"
 #include "ninebit/language/source_code.h"
@@ -17,11 +17,7 @@ namespace {
 
 std::string family_source(const std::string& name) {
   const std::string folder = name == "lights.c" ? "/docs/programs/" : "/combiner_tests/language/sources/";
-  std::ifstream in(NINEBIT_SOURCE_DIR + folder + name);
-  EXPECT_TRUE(in) << name;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  return test::read_bytes(NINEBIT_SOURCE_DIR + folder + name);
 }
 
 CombinerState read(const std::string& file, const std::vector<std::string>& functions,

@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <string>
 
-#include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/temp_folder.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/numerics/hardware_profile.h"
 
@@ -15,17 +14,8 @@ namespace {
 
 const std::string kFolder = NINEBIT_SOURCE_DIR "/combiner_tests/language/idioms/";
 
-std::string idiom(const std::string& name) {
-  std::ifstream in(kFolder + name);
-  EXPECT_TRUE(in) << name;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 TEST(SourceIdioms, AreRightOrRefused) {
-  std::ifstream table(kFolder + "expected.csv");
-  ASSERT_TRUE(table);
+  std::istringstream table(test::read_bytes(kFolder + "expected.csv"));
   int right = 0, all = 0;
   for (std::string line; std::getline(table, line);) {
     if (line.empty() || line[0] == '#' || line.starts_with("file,")) continue;
@@ -36,7 +26,7 @@ TEST(SourceIdioms, AreRightOrRefused) {
     words >> name >> expected[0] >> expected[1] >> expected[2] >> expected[3];
     ASSERT_TRUE(words) << line;
     ++all;
-    const std::string text = idiom(name);
+    const std::string text = test::read_bytes(kFolder + name);
     const auto found = parse_source_code({text, name}, {}, profiles::nv2a);
     if (!found) continue;
     ++right;

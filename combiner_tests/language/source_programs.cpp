@@ -46,8 +46,12 @@ class Writer {
  private:
   std::string name(const char* prefix) { return prefix + std::to_string(next_++); }
   int below(int count) { return random_.below(count); }
+  template <class T>
+  const T& any(const std::vector<T>& all) {
+    return all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
+  }
   std::string type() {
-    std::string out = kTypes[static_cast<std::size_t>(below(static_cast<int>(kTypes.size())))];
+    std::string out = any(kTypes);
     if (const std::size_t at = out.find('#'); at != std::string::npos) out.replace(at, 1, index_);
     return out;
   }
@@ -58,30 +62,28 @@ class Writer {
                                                "0.5f",  "0.1", "2.5",        "1e2f", "3.0f",       ".25", "1 << 10",
                                                "65535", "0.7", "0x7fffffff", "017",  "4294967295u"};
     if (random_.one_in(8)) return std::string(1, "PQR"[below(3)]) + index_;
-    return kAll[static_cast<std::size_t>(below(static_cast<int>(kAll.size())))];
+    return any(kAll);
   }
 
   // A variable's value, an element's, a member's, a call's.
   std::string operand(int depth) {
     const int kind = below(12);
     if (kind < 4 && !variables_.empty()) {
-      return variables_[static_cast<std::size_t>(below(static_cast<int>(variables_.size())))].name;
+      return any(variables_).name;
     }
     if (kind == 4 && !arrays_.empty()) {
-      return arrays_[static_cast<std::size_t>(below(static_cast<int>(arrays_.size())))].name + "[(" +
-             integer(depth - 1) + ") & 3]";
+      return any(arrays_).name + "[(" + integer(depth - 1) + ") & 3]";
     }
     if (kind == 5) return (random_.one_in(2) ? "t" : "u") + index_ + "[(" + integer(depth - 1) + ") & 3]";
     if (kind == 6 && !structs_.empty()) return member(depth);
     if (kind == 7 && in_entry_) return "h" + index_ + "(" + expression(depth - 1) + ", " + expression(depth - 1) + ")";
     if (kind == 8 && uses_unknown_ && random_.one_in(3)) return "program_unknown()";
-    if (kind == 9 && !pointers_.empty())
-      return "*" + pointers_[static_cast<std::size_t>(below(static_cast<int>(pointers_.size())))].name;
+    if (kind == 9 && !pointers_.empty()) return "*" + any(pointers_).name;
     return "(" + constant() + ")";
   }
 
   std::string member(int depth) {
-    const std::string object = structs_[static_cast<std::size_t>(below(static_cast<int>(structs_.size())))].name;
+    const std::string object = any(structs_).name;
     switch (below(4)) {
       case 0:
         return object + ".a";
@@ -137,21 +139,17 @@ class Writer {
     static const std::vector<std::string> kIntegers{"int",       "unsigned", "short",      "unsigned char",
                                                     "long long", "GLint",    "signed char"};
     if (depth <= 0) return "(" + std::to_string(below(9)) + ")";
-    return "((" + kIntegers[static_cast<std::size_t>(below(static_cast<int>(kIntegers.size())))] + ")" +
-           expression(depth - 1) + ")";
+    return "((" + any(kIntegers) + ")" + expression(depth - 1) + ")";
   }
 
   std::string target(int depth) {
     const int kind = below(6);
     if (kind < 2 && !arrays_.empty()) {
-      return arrays_[static_cast<std::size_t>(below(static_cast<int>(arrays_.size())))].name + "[" +
-             std::to_string(below(4)) + "]";
+      return any(arrays_).name + "[" + std::to_string(below(4)) + "]";
     }
     if (kind == 2 && !structs_.empty()) return member(depth);
-    if (kind == 3 && !pointers_.empty())
-      return "*" + pointers_[static_cast<std::size_t>(below(static_cast<int>(pointers_.size())))].name;
-    if (!variables_.empty())
-      return variables_[static_cast<std::size_t>(below(static_cast<int>(variables_.size())))].name;
+    if (kind == 3 && !pointers_.empty()) return "*" + any(pointers_).name;
+    if (!variables_.empty()) return any(variables_).name;
     return "";
   }
 
@@ -177,7 +175,7 @@ class Writer {
       }
       case 2:
         if (!variables_.empty()) {
-          const Variable& to = variables_[static_cast<std::size_t>(below(static_cast<int>(variables_.size())))];
+          const Variable& to = any(variables_);
           const std::string own = name("p");
           line(text, to.type + " *" + own + " = &" + to.name + ";");
           pointers_.push_back({own, to.type});
@@ -186,7 +184,7 @@ class Writer {
         [[fallthrough]];
       case 3:
         if (!arrays_.empty()) {
-          const Variable& to = arrays_[static_cast<std::size_t>(below(static_cast<int>(arrays_.size())))];
+          const Variable& to = any(arrays_);
           const std::string own = name("p");
           line(text, to.type + " *" + own + " = " + to.name + " + " + std::to_string(below(4)) + ";");
           pointers_.push_back({own, to.type});
@@ -215,11 +213,11 @@ class Writer {
     if (kind == 4) return line(text, random_.one_in(2) ? to + "++;" : "--" + to + ";");
     if (kind == 5) {
       if (uses_unknown_ && !arrays_.empty() && random_.one_in(4)) {
-        const Variable& array = arrays_[static_cast<std::size_t>(below(static_cast<int>(arrays_.size())))];
+        const Variable& array = any(arrays_);
         if (is_real(array.type) && array.type != "double") return line(text, "program_writes(" + array.name + ");");
       }
       if (in_entry_ && !arrays_.empty()) {
-        const Variable& array = arrays_[static_cast<std::size_t>(below(static_cast<int>(arrays_.size())))];
+        const Variable& array = any(arrays_);
         if (array.type == "float" || array.type == "GLfloat")
           return line(text, "k" + index_ + "(" + array.name + ", " + expression(1) + ");");
         return line(text, "W" + index_ + "(" + array.name + ", " + expression(1) + ");");
@@ -229,7 +227,7 @@ class Writer {
     if (kind == 6) {
       if (structs_.size() > 1) return line(text, structs_[0].name + " = " + structs_.back().name + ";");
       if (!pointers_.empty() && !variables_.empty()) {
-        const Variable& pointer = pointers_[static_cast<std::size_t>(below(static_cast<int>(pointers_.size())))];
+        const Variable& pointer = any(pointers_);
         for (const Variable& one : variables_) {
           if (one.type == pointer.type && random_.one_in(2)) return line(text, pointer.name + " = &" + one.name + ";");
         }
@@ -287,13 +285,10 @@ class Writer {
     const std::size_t before = variables_.size();
     // The counter is read, not written: a target of its own would make the loop endless.
     ++level_;
-    if (!variables_.empty()) line(text, target_name() + " += " + counter + ";");
+    if (!variables_.empty()) line(text, any(variables_).name + " += " + counter + ";");
     --level_;
     block(text, depth - 1);
     variables_.resize(before);
-  }
-  std::string target_name() {
-    return variables_[static_cast<std::size_t>(below(static_cast<int>(variables_.size())))].name;
   }
 
   void block(std::string& text, int depth) {

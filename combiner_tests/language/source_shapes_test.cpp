@@ -5,6 +5,7 @@
 #include <string>
 
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/language/gl_calls.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -36,7 +37,7 @@ void expect_calls(const std::string& text, const std::string& calls) {
 void expect_fault_of(const std::string& text, const std::string& words) {
   const auto found = shape(text);
   ASSERT_FALSE(found) << text;
-  EXPECT_NE(test::all_faults(found).find(words), std::string::npos) << test::all_faults(found);
+  EXPECT_TRUE(test::has(test::all_faults(found), words));
 }
 
 constexpr const char* kTable =

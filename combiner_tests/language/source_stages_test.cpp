@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "combiner_tests/support/has.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/numerics/hardware_profile.h"
 
@@ -56,7 +57,7 @@ TEST(SourceStages, CallsSetTheActiveUnitsStage) {
   EXPECT_EQ(read.stages.stage[1].operation, TextureOperation::offset_2d);
   EXPECT_EQ(read.stages.stage[1].matrix, (std::array<float, 4>{0.5F, 0, 0.25F, 1}));
   EXPECT_EQ(read.stages.stage[3].eye, (std::array<float, 3>{1, 2, 3}));
-  EXPECT_EQ(read.notes.find("took 0 for the fourth"), std::string::npos) << read.notes;
+  EXPECT_FALSE(has(read.notes, "took 0 for the fourth"));
 }
 
 TEST(SourceStages, AreAProgramWithoutCombiners) {
@@ -84,10 +85,10 @@ TEST(SourceStages, LiteralsThatNothingEnablesCount) {
   EXPECT_EQ(read.faults, "");
   EXPECT_TRUE(read.stages.enabled);
   EXPECT_EQ(read.stages.stage[1].operation, TextureOperation::dependent_ar);
-  EXPECT_NE(read.notes.find("nothing here enables or disables GL_TEXTURE_SHADER_NV"), std::string::npos) << read.notes;
-  EXPECT_EQ(read.notes.find("!!RC1.0"), std::string::npos) << read.notes;
+  EXPECT_TRUE(has(read.notes, "nothing here enables or disables GL_TEXTURE_SHADER_NV"));
+  EXPECT_FALSE(has(read.notes, "!!RC1.0"));
   EXPECT_FALSE(read_source(load + "glDisable(GL_TEXTURE_SHADER_NV);\n").stages.enabled);
-  EXPECT_EQ(read_source(load + kEnable).notes.find("nothing here enables"), std::string::npos);
+  EXPECT_FALSE(has(read_source(load + kEnable).notes, "nothing here enables"));
 }
 
 TEST(SourceStages, WithoutEnableTheyHaveNoEffectAndThatIsSaid) {
@@ -95,26 +96,24 @@ TEST(SourceStages, WithoutEnableTheyHaveNoEffectAndThatIsSaid) {
       read_source("glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_PASS_THROUGH_NV);\n" + kCombiners);
   EXPECT_EQ(read.faults, "");
   EXPECT_FALSE(read.stages.enabled);
-  EXPECT_NE(read.notes.find("set and not enabled by GL_TEXTURE_SHADER_NV"), std::string::npos) << read.notes;
+  EXPECT_TRUE(has(read.notes, "set and not enabled by GL_TEXTURE_SHADER_NV"));
 }
 
 TEST(SourceStages, UnknownValuesAreAskedForByName) {
   const std::string set = "glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);\n";
-  EXPECT_NE(read_source("glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, mode);\n" + kEnable)
-                .faults.find("'mode' (line 2)"),
-            std::string::npos);
-  EXPECT_NE(read_source("glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_MATRIX_NV, matrix);\n" + kEnable)
-                .faults.find("'matrix' (line 2, 4 numbers)"),
-            std::string::npos);
-  EXPECT_NE(read_source("glActiveTexture(mode);\n" + set + kEnable).faults.find("'mode' (line 3)"), std::string::npos);
+  EXPECT_TRUE(has(read_source("glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, mode);\n" + kEnable).faults,
+                  "'mode' (line 2)"));
+  EXPECT_TRUE(
+      has(read_source("glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_MATRIX_NV, matrix);\n" + kEnable).faults,
+          "'matrix' (line 2, 4 numbers)"));
+  EXPECT_TRUE(has(read_source("glActiveTexture(mode);\n" + set + kEnable).faults, "'mode' (line 3)"));
   // A unit that may not have been selected; one that is selected for certain afterwards.
-  EXPECT_NE(read_source("if (mode == 3) glActiveTexture(GL_TEXTURE1);\n" + set + kEnable).faults.find("'mode'"),
-            std::string::npos);
+  EXPECT_TRUE(has(read_source("if (mode == 3) glActiveTexture(GL_TEXTURE1);\n" + set + kEnable).faults, "'mode'"));
   EXPECT_EQ(read_source("if (mode == 3) glActiveTexture(GL_TEXTURE1);\nglActiveTexture(GL_TEXTURE0);\n" + set + kEnable)
                 .faults,
             "");
   // A call that may not be reached.
-  EXPECT_NE(read_source(kCombiners + "if (mode == 3) " + set + kEnable).faults.find("'mode'"), std::string::npos);
+  EXPECT_TRUE(has(read_source(kCombiners + "if (mode == 3) " + set + kEnable).faults, "'mode'"));
   const ReadSource given = read_source("glActiveTexture(mode);\n" + set + kEnable,
                                        {.functions = {}, .definitions = {{"mode", "GL_TEXTURE2_ARB"}}});
   EXPECT_EQ(given.faults, "");
@@ -122,17 +121,17 @@ TEST(SourceStages, UnknownValuesAreAskedForByName) {
 }
 
 TEST(SourceStages, WrongCallsAreFaults) {
-  EXPECT_NE(read_source("glActiveTexture(GL_TEXTURE0 + 5);\n"
-                        "glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);\n")
-                .faults.find("3: the active texture unit has no texture-shader stage"),
-            std::string::npos);
-  EXPECT_NE(read_source("glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_OFFSET_TEXTURE_2D_NV);\n")
-                .faults.find("2: texture stage 0: 'GL_OFFSET_TEXTURE_2D_NV' is for stages 1 to 3 only"),
-            std::string::npos);
-  EXPECT_NE(
-      read_source("float two[2] = { 1, 2 };\nglTexEnvfv(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_MATRIX_NV, two);\n")
-          .faults.find("4 values, not 2"),
-      std::string::npos);
+  EXPECT_TRUE(has(read_source("glActiveTexture(GL_TEXTURE0 + 5);\n"
+                              "glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);\n")
+                      .faults,
+                  "3: the active texture unit has no texture-shader stage"));
+  EXPECT_TRUE(
+      has(read_source("glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_OFFSET_TEXTURE_2D_NV);\n").faults,
+          "2: texture stage 0: 'GL_OFFSET_TEXTURE_2D_NV' is for stages 1 to 3 only"));
+  EXPECT_TRUE(
+      has(read_source("float two[2] = { 1, 2 };\nglTexEnvfv(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_MATRIX_NV, two);\n")
+              .faults,
+          "4 values, not 2"));
 }
 
 // Enabled stages are a part of the program, which a chip without them does not run.
@@ -146,24 +145,23 @@ TEST(SourceStages, AProfileWithoutTextureShadersRefusesThemWhereTheyAreEnabled) 
   const auto read = [](const std::string& body) { return read_source(body, {}, profiles::geforce2); };
   for (const std::string& stages : {std::string(), set, load, both}) {
     const ReadSource refused = read(kCombiners + stages + kEnable);
-    EXPECT_NE(refused.faults.find("profile geforce2 has no texture shaders"), std::string::npos) << refused.faults;
+    EXPECT_TRUE(has(refused.faults, "profile geforce2 has no texture shaders"));
     EXPECT_EQ(refused.gl_error, GlError::invalid_enum);
-    EXPECT_NE(refused.faults.find("such as nv2a"), std::string::npos) << refused.faults;
+    EXPECT_TRUE(has(refused.faults, "such as nv2a"));
     // Without that they have no effect, and that is said.
     for (const std::string disable : {"", "glDisable(GL_TEXTURE_SHADER_NV);\n"}) {
       const ReadSource kept = read(kCombiners + stages + disable);
       EXPECT_EQ(kept.faults, "");
       EXPECT_FALSE(kept.stages.enabled);
       EXPECT_EQ(kept.state.num_general_combiners, stages == both ? 1 : 2);
-      EXPECT_EQ(kept.notes.find("not for combiners"), std::string::npos) << kept.notes;
+      EXPECT_FALSE(has(kept.notes, "not for combiners"));
       EXPECT_EQ(kept.notes.find("left out; profile geforce2 has none") != std::string::npos, !stages.empty())
           << kept.notes;
     }
   }
   // Stages alone are no program for this chip.
-  EXPECT_NE(read(load).faults.find("2: profile geforce2 has no texture shaders"), std::string::npos)
-      << read(load).faults;
-  EXPECT_NE(read(set).faults.find("3: profile geforce2 has no texture shaders"), std::string::npos) << read(set).faults;
+  EXPECT_TRUE(has(read(load).faults, "2: profile geforce2 has no texture shaders"));
+  EXPECT_TRUE(has(read(set).faults, "3: profile geforce2 has no texture shaders"));
   // The extension is not there.
   EXPECT_EQ(read("if (isSupported(\"GL_NV_texture_shader\")) {\n" + kEnable + "}\n" + kCombiners).faults, "");
   EXPECT_TRUE(
@@ -179,7 +177,7 @@ TEST(SourceStages, BelongToTheProgramThatIsDrawn) {
                            "glDrawArrays(GL_TRIANGLES, 0, 3);\n";
   SourceSelection second;
   second.program = 2;
-  EXPECT_NE(read_source(body).faults.find("draws with 2 programs"), std::string::npos);
+  EXPECT_TRUE(has(read_source(body).faults, "draws with 2 programs"));
   EXPECT_EQ(read_source(body, second).stages.stage[0].operation, TextureOperation::texture_cube_map);
 }
 

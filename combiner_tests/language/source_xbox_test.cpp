@@ -1,12 +1,12 @@
 // Functions that fill the Xbox's pixel shader definition: the program is that of the words.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
+#include "combiner_tests/support/temp_folder.h"
 #include "ninebit/language/source_code.h"
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -14,13 +14,7 @@
 namespace ninebit {
 namespace {
 
-std::string definitions_file() {
-  std::ifstream in(NINEBIT_SOURCE_DIR "/combiner_tests/language/sources/definitions.cpp");
-  EXPECT_TRUE(in);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+constexpr const char* kDefinitions = NINEBIT_SOURCE_DIR "/combiner_tests/language/sources/definitions.cpp";
 
 struct ReadWords {
   std::vector<RegisterWord> other_words;
@@ -48,7 +42,7 @@ void expect_words(const ReadWords& found, const std::string& words) {
 }
 
 TEST(SourceXbox, AFunctionFillsADefinition) {
-  const ReadWords found = read_words(definitions_file(), {{"CreateLightmapShader"}, {}});
+  const ReadWords found = read_words(test::read_bytes(kDefinitions), {{"CreateLightmapShader"}, {}});
   expect_words(found,
                "psd.PSTextureModes = 0x21; psd.PSCombinerCount = 0x1101; psd.PSRGBInputs[0] = 0x08490000;"
                "psd.PSRGBOutputs[0] = 0xc0; psd.PSConstant0[0] = 0xff804020;"
@@ -56,7 +50,7 @@ TEST(SourceXbox, AFunctionFillsADefinition) {
 }
 
 TEST(SourceXbox, PointersHelpersAndSwitches) {
-  const std::string text = definitions_file();
+  const std::string text = test::read_bytes(kDefinitions);
   expect_words(read_words(text, {{"BuildGlow"}, {{"quality", "GLOW_LOW"}}}),
                "p.PSRGBInputs[0] = 0x08040c00; p.PSRGBOutputs[0] = 0xc00; p.PSConstant1[0] = 0xff000000;"
                "p.PSCombinerCount = 0x1001; p.PSFinalCombinerInputsABCD = 0xc;");
@@ -67,7 +61,7 @@ TEST(SourceXbox, PointersHelpersAndSwitches) {
 }
 
 TEST(SourceXbox, FunctionsAreListedWithWhatTheyNeed) {
-  const std::string text = definitions_file();
+  const std::string text = test::read_bytes(kDefinitions);
   const auto found = find_source_functions({text, "def.cpp"}, {}, profiles::nv2a);
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found[0].name, "SetColorStage");
@@ -79,7 +73,7 @@ TEST(SourceXbox, FunctionsAreListedWithWhatTheyNeed) {
   EXPECT_EQ(found[2].needs, (std::vector<std::string>{"quality"}));
   const ReadWords missing = read_words(text, {{"BuildGlow"}, {}});
   ASSERT_FALSE(missing.program);
-  EXPECT_NE(test::all_faults(missing.program).find("quality"), std::string::npos);
+  EXPECT_TRUE(test::has(test::all_faults(missing.program), "quality"));
 }
 
 TEST(SourceXbox, APieceOfAFunction) {
@@ -104,7 +98,7 @@ TEST(SourceXbox, WhatWasClearedIsZero) {
 void expect_fault(const std::string& text, const std::string& expected) {
   const ReadWords found = read_words(text);
   ASSERT_FALSE(found.program) << text;
-  EXPECT_NE(test::all_faults(found.program).find(expected), std::string::npos) << test::all_faults(found.program);
+  EXPECT_TRUE(test::has(test::all_faults(found.program), expected));
 }
 
 TEST(SourceXbox, FaultsNameTheirPlace) {

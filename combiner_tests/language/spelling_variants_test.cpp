@@ -14,29 +14,24 @@ namespace ninebit {
 namespace {
 
 struct Variants {
-  const char* canonical;
-  std::vector<const char*> spellings;
+  std::string canonical;
+  std::vector<std::string> spellings;  // '@' stands for the canonical arguments
 };
 
 const std::vector<Variants> kInputs{
-    {"glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1_ARB, GL_EXPAND_NORMAL_NV, GL_RGB);",
+    {"glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, GL_RGB);",
      {
-         "::glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, GL_RGB);",
-         "glx::glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, GL_RGB);",
+         "::glCombinerInputNV(@);",
+         "glx::glCombinerInputNV(@);",
          "vtkgl::CombinerInputNV(vtkgl::COMBINER0_NV, GL_RGB, vtkgl::VARIABLE_B_NV, vtkgl::TEXTURE1, "
          "vtkgl::EXPAND_NORMAL_NV, GL_RGB);",
-         "this->gl.ext.p_glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, "
-         "GL_EXPAND_NORMAL_NV, "
-         "GL_RGB);",
-         "gl->fCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, GL_RGB);",
-         "(*glCombinerInputNV)(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, GL_RGB);",
-         "(*gl->CombinerInputNV)(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, GL_RGB);",
-         "EXTCALL(glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, "
-         "GL_RGB));",
-         "CHECK(gl.glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, "
-         "GL_RGB), \"input\");",
-         "EXTCALL(glCombinerInputNV)(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_B_NV, GL_TEXTURE1, GL_EXPAND_NORMAL_NV, "
-         "GL_RGB);",
+         "this->gl.ext.p_glCombinerInputNV(@);",
+         "gl->fCombinerInputNV(@);",
+         "(*glCombinerInputNV)(@);",
+         "(*gl->CombinerInputNV)(@);",
+         "EXTCALL(glCombinerInputNV(@));",
+         "CHECK(gl.glCombinerInputNV(@), \"input\");",
+         "EXTCALL(glCombinerInputNV)(@);",
          "gl.glCombinerInputNV(GL.GL_COMBINER0_NV, GL.GL_RGB, GL.GL_VARIABLE_B_NV, GL.GL_TEXTURE1, "
          "GL.GL_EXPAND_NORMAL_NV, GL.GL_RGB);",
          "NVRegisterCombiners.glCombinerInputNV(NVRegisterCombiners.GL_COMBINER0_NV, GL11.GL_RGB, "
@@ -49,6 +44,11 @@ const std::vector<Variants> kInputs{
          "All.ExpandNormalNv, All.Rgb);",
          "Gl.CombinerInputNV(Gl.COMBINER0_NV, Gl.RGB, Gl.VARIABLE_B_NV, Gl.TEXTURE1, Gl.EXPAND_NORMAL_NV, Gl.RGB);",
          "glCombinerInputNV(COMBINER0_NV, GL_RGB, VARIABLE_B_NV, TEXTURE1_ARB, EXPAND_NORMAL_NV, RGB_EXT);",
+         "glCombinerInputNV(GL_COMBINER0, GL_RGB, GL_VARIABLE_B, GL_TEXTURE1_EXT, GL_EXPAND_NORMAL, GL_RGB);",
+         "glCombinerInputNV(GL_COMBINER0_ARB, GL_RGB_EXT, GL_VARIABLE_B_EXT, GL_TEXTURE1_NV, GL_EXPAND_NORMAL_ARB, "
+         "GL_RGB);",
+         "glCombinerInputNV(NV.Combiner0Nv, All.Rgb, NV.VariableBNv, TextureUnit.Texture1, NV.ExpandNormalNv, "
+         "All.Rgb);",
          "glCombinerInputNV(0x8550, 0x1907, 0x8524, 0x84C1, 0x8538, 0x1907);",
          "glCombinerInputNV(34128u, 6407u, 34084u, 33985u, 34104u, 6407u);",
          "glCombinerInputNV(GL_COMBINER0_NV + 0, GL_RGB, GL_VARIABLE_A_NV + 1, GL_TEXTURE0_ARB + 1, "
@@ -75,8 +75,8 @@ const std::vector<Variants> kOthers{
          "(GLboolean)GL_TRUE, (GLboolean)0, GLboolean(0));",
          "glCombinerOutputNV(COMBINER1_NV, GL_RGB, SPARE0_NV, DISCARD_NV, DISCARD_NV, GL_NONE, GL_NONE, GL_TRUE, "
          "GL_FALSE, GL_FALSE);",
-         "vtkgl::CombinerOutputNV(vtkgl::COMBINER1_NV, GL_RGB, vtkgl::SPARE0_NV, vtkgl::DISCARD_NV, "
-         "vtkgl::DISCARD_NV, GL_NONE, GL_NONE, GL_TRUE, GL_FALSE, GL_FALSE);",
+         "vtkgl::CombinerOutputNV(vtkgl::COMBINER1_NV, GL_RGB, vtkgl::SPARE0_NV, vtkgl::DISCARD_NV, vtkgl::DISCARD_NV, "
+         "GL_NONE, GL_NONE, GL_TRUE, GL_FALSE, GL_FALSE);",
          "GL.NV.CombinerOutput(NvRegisterCombiners.Combiner1Nv, NvRegisterCombiners.Rgb, NvRegisterCombiners.Spare0Nv, "
          "NvRegisterCombiners.DiscardNv, NvRegisterCombiners.DiscardNv, NvRegisterCombiners.None, "
          "NvRegisterCombiners.None, true, false, false);",
@@ -85,9 +85,9 @@ const std::vector<Variants> kOthers{
      }},
     {"glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_E_TIMES_F_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);",
      {
-         "pglFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_E_TIMES_F_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);",
-         "FinalCombinerInputNV(GL_VARIABLE_D_NV, GL_E_TIMES_F_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);",
-         "GLCALL(glFinalCombinerInputNV(GL_VARIABLE_D_NV, GL_E_TIMES_F_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB));",
+         "pglFinalCombinerInputNV(@);",
+         "FinalCombinerInputNV(@);",
+         "GLCALL(glFinalCombinerInputNV(@));",
          "GL.NV.FinalCombinerInput(NvRegisterCombiners.VariableDNv, NvRegisterCombiners.ETimesFNv, "
          "NvRegisterCombiners.UnsignedIdentityNv, NvRegisterCombiners.Rgb);",
          "glFinalCombinerInputNV(GL_VARIABLE_D, GL_E_TIMES_F, GL_UNSIGNED_IDENTITY, GL_RGB_NV);",
@@ -95,7 +95,7 @@ const std::vector<Variants> kOthers{
      }},
     {"glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);",
      {
-         "qglCombinerParameteriNV( GL_NUM_GENERAL_COMBINERS_NV, 2 );",
+         "qglCombinerParameteriNV( @ );",
          "glCombinerParameteri(GL_NUM_GENERAL_COMBINERS, 2);",
          "glCombinerParameterfNV(GL_NUM_GENERAL_COMBINERS_NV, 2.0f);",
          "gl.glCombinerParameteriNV(gl.GL_NUM_GENERAL_COMBINERS_NV, (int)2);",
@@ -161,9 +161,12 @@ const std::string kOther = "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 
 void check(const std::vector<Variants>& all) {
   for (const Variants& one : all) {
     const CombinerState expected = calls(kOther + one.canonical);
-    for (const char* const spelling : one.spellings) {
+    const std::size_t call = one.canonical.find("gl"), open = one.canonical.find('(', call) + 1;
+    const std::string arguments = one.canonical.substr(open, one.canonical.rfind(')') - open);
+    for (std::string spelling : one.spellings) {
+      if (const std::size_t at = spelling.find('@'); at != std::string::npos) spelling.replace(at, 1, arguments);
       // A text without semicolons is a program, too.
-      const bool alone = std::string_view(spelling).find(';') == std::string_view::npos;
+      const bool alone = spelling.find(';') == std::string::npos;
       EXPECT_TRUE(calls((alone ? kOther.substr(0, kOther.size() - 2) + "\n" : kOther) + spelling) == expected)
           << spelling;
       EXPECT_TRUE(source("void set(void)\n{\n" + kOther + spelling + (alone ? ";" : "") + "\n}\n") == expected)

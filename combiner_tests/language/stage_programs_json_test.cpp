@@ -4,6 +4,7 @@
 #include <string>
 
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/numerics/hardware_profile.h"
 
@@ -39,8 +40,8 @@ TEST(StagePrograms, TwoOriginsOfTheStagesAreAFault) {
 "texture_shader": {"stages": [{"operation": "pass_through"}]}})",
                             ProgramForm::json);
   ASSERT_FALSE(program);
-  EXPECT_NE(all_faults(program).find("f:1:"), std::string::npos) << all_faults(program);
-  EXPECT_NE(all_faults(program).find("PSTextureModes stands beside texture_shader"), std::string::npos);
+  EXPECT_TRUE(has(all_faults(program), "f:1:"));
+  EXPECT_TRUE(has(all_faults(program), "PSTextureModes stands beside texture_shader"));
 }
 
 // Numbers that the words do not hold are named; of a mapping that nothing reads nothing is said.
@@ -49,14 +50,12 @@ TEST(StagePrograms, MissingNumbersAreNotes) {
   ASSERT_TRUE(lit) << all_faults(lit);
   EXPECT_TRUE(lit->texture_shader.enabled);
   EXPECT_EQ(lit->texture_shader.stage[1].operation, TextureOperation::offset_2d_scale);
-  EXPECT_NE(
-      all_notes(lit).find("the bump matrix of texture stage 1, the luminance scale and offset of texture stage 1: "
-                          "no word has it"),
-      std::string::npos)
-      << all_notes(lit);
+  EXPECT_TRUE(has(all_notes(lit),
+                  "the bump matrix of texture stage 1, the luminance scale and offset of texture stage 1: "
+                  "no word has it"));
   const auto plain = read("PSTextureModes = 0x00000081\n", ProgramForm::words);  // pass through on stage 1
   ASSERT_TRUE(plain) << all_faults(plain);
-  EXPECT_EQ(all_notes(plain).find("no word has it"), std::string::npos) << all_notes(plain);
+  EXPECT_FALSE(has(all_notes(plain), "no word has it"));
 }
 
 TEST(StagePrograms, StagesThatAreNotEnabledAreANote) {
@@ -66,7 +65,7 @@ TEST(StagePrograms, StagesThatAreNotEnabledAreANote) {
       ProgramForm::gl);
   ASSERT_TRUE(program) << all_faults(program);
   EXPECT_FALSE(program->texture_shader.enabled);
-  EXPECT_NE(all_notes(program).find("not enabled by GL_TEXTURE_SHADER_NV"), std::string::npos) << all_notes(program);
+  EXPECT_TRUE(has(all_notes(program), "not enabled by GL_TEXTURE_SHADER_NV"));
 }
 
 // Dumps have all calls of a program: units beyond the chip's are passed over, stages there are not.
@@ -80,8 +79,8 @@ TEST(StagePrograms, UnitsOfDumps) {
   EXPECT_TRUE(good->texture_shader.enabled);
   EXPECT_EQ(good->texture_shader.stage[1].operation, TextureOperation::pass_through);
   const auto bad = read("1 glActiveTexture(texture = GL_TEXTURE4)\n" + set + enables, ProgramForm::gl);
-  EXPECT_NE(all_faults(bad).find("f:2:"), std::string::npos) << all_faults(bad);
-  EXPECT_NE(all_faults(bad).find("beyond those of profile nv2a"), std::string::npos) << all_faults(bad);
+  EXPECT_TRUE(has(all_faults(bad), "f:2:"));
+  EXPECT_TRUE(has(all_faults(bad), "beyond those of profile nv2a"));
 }
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/random_stages.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/gl_calls.h"
-#include "ninebit/language/gl_nv.h"
 #include "ninebit/language/pixel_shader.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/texture_shader/validate_stages.h"
@@ -98,10 +98,8 @@ TEST(StageCalls, FaultsHaveTheirPlacesAndErrors) {
   EXPECT_EQ(gl_faults(set + "GL_PREVIOUS_TEXTURE_INPUT_NV, 3);"),
             "1:1: GL_INVALID_ENUM: texture stage 0: expected a texture unit before this one, such as GL_TEXTURE0_ARB, "
             "not '3'\n");
-  EXPECT_NE(
-      gl_faults(set + "GL_SHADER_OPERATION_NV, GL_DOT_PRODUCT_TEXTURE_1D_NV);")
-          .find("'GL_DOT_PRODUCT_TEXTURE_1D_NV' is an operation of NV_texture_shader3, which the GeForce3 does not"),
-      std::string::npos);
+  EXPECT_TRUE(has(gl_faults(set + "GL_SHADER_OPERATION_NV, GL_DOT_PRODUCT_TEXTURE_1D_NV);"),
+                  "'GL_DOT_PRODUCT_TEXTURE_1D_NV' is an operation of NV_texture_shader3, which the GeForce3 does not"));
   EXPECT_EQ(gl_faults(set + "GL_SHADER_OPERATION_NV, GL_LESS);"),
             "1:1: GL_INVALID_ENUM: expected an operation, such as GL_TEXTURE_2D or GL_DOT_PRODUCT_NV, not 'GL_LESS'\n");
   EXPECT_EQ(gl_faults(set + "GL_CULL_MODES_NV, GL_LESS);"),
@@ -135,26 +133,6 @@ TEST(StageCalls, AreReadInDumps) {
       profiles::nv2a, &stages);
   ASSERT_TRUE(parsed) << all_faults(parsed);
   EXPECT_EQ(stages.stage[0].operation, TextureOperation::texture_2d);
-}
-
-TEST(StageFunctions, HaveGlsNames) {
-  using namespace gl;  // NOLINT(google-build-using-namespace): as in a program for GL
-  Context context(profiles::nv2a);
-  const CurrentContext current(context);
-  glEnable(GL_TEXTURE_SHADER_NV);
-  glActiveTextureARB(GL_TEXTURE2_ARB);
-  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, 0x86ED);
-  EXPECT_EQ(glGetError(), GL_NO_ERROR);
-  EXPECT_EQ(context.texture_shader().stage[2].operation, TextureOperation::dot_product_depth_replace);
-  EXPECT_EQ(glIsEnabled(GL_TEXTURE_SHADER_NV), GL_TRUE);
-  glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, 0x86EF);
-  EXPECT_EQ(glGetError(), GL_INVALID_OPERATION);
-  glTexEnviv(GL_TEXTURE_SHADER_NV, GL_CULL_MODES_NV, nullptr);
-  EXPECT_EQ(glGetError(), GL_INVALID_VALUE);
-  glTexEnvf(GL_ONE, GL_SHADER_OPERATION_NV, 0);
-  EXPECT_EQ(glGetError(), GL_INVALID_ENUM);
-  glActiveTexture(GL_TEXTURE3 + 1);
-  EXPECT_EQ(glGetError(), GL_INVALID_ENUM);
 }
 
 // Pixel shaders.
@@ -227,8 +205,7 @@ TEST(ShaderTextures, RulesOfDirect3D) {
             "4:1: 'texm3x3tex' of t3 needs texm3x3pad in the two registers before\n");
   EXPECT_EQ(faults("tex t0\ntexreg2ar t1, t0_bx2"), "3:15: 't0_bx2' has a modifier that 'texreg2ar' does not have\n");
   for (const std::string name : {"texdp3 t1, t0", "texdp3tex t1, t0", "texreg2rgb t1, t0"}) {
-    EXPECT_NE(faults("tex t0\n" + name).find("is beyond the texture shaders of the GeForce3"), std::string::npos)
-        << name;
+    EXPECT_TRUE(has(faults("tex t0\n" + name), "is beyond the texture shaders of the GeForce3")) << name;
   }
   EXPECT_EQ(faults("tex t0\ntexm3x3pad t1, t0\ntexm3x3pad t2, t0\ntexm3x3 t3, t0"),
             "5:1: 'texm3x3' is beyond the texture shaders of the GeForce3, which have no such operation\n");

@@ -6,6 +6,7 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/json_schema.h"
 #include "combiner_tests/support/random_stages.h"
 #include "combiner_tests/support/slow_build.h"
@@ -36,7 +37,7 @@ std::string stage_fault(const std::string& value, const HardwareProfile& profile
 }
 
 TEST(TextureShaderJson, RandomStagesComeBackTheSame) {
-  for (int i = 0; i < (kSlowBuild ? 200 : 3000); ++i) {
+  for (int i = 0; i < (kSlowBuild ? 200 : 1500); ++i) {
     Random random(61, static_cast<std::uint64_t>(i));
     const TextureShaderState stages = random_stages(random);
     const CombinerState state = random_state(random, profiles::nv2a);
@@ -47,7 +48,9 @@ TEST(TextureShaderJson, RandomStagesComeBackTheSame) {
     ASSERT_EQ(*parsed, state);
     ASSERT_EQ(back, stages) << text;
     ASSERT_EQ(print_json_program(*parsed, {}, back), text);
-    ASSERT_EQ(stage_complaint(Json::parse(text)), "") << text;
+    if (i % 8 == 0) {
+      ASSERT_EQ(stage_complaint(Json::parse(text)), "") << text;
+    }
     const auto program = parse_program({text, "f"}, ProgramForm::json, profiles::nv2a);
     ASSERT_TRUE(program);
     ASSERT_EQ(program->texture_shader, stages);
@@ -59,17 +62,14 @@ TEST(TextureShaderJson, DefaultsAreLeftOut) {
   TextureShaderState stages;
   EXPECT_EQ(print_json_program({}, {}, stages), print_json_program({}));
   stages.enabled = true;
-  EXPECT_NE(print_json_program({}, {}, stages).find("  },\n  \"texture_shader\": {\n    \"stages\": []\n  }\n}\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(print_json_program({}, {}, stages), "  },\n  \"texture_shader\": {\n    \"stages\": []\n  }\n}\n"));
   stages.stage[1].operation = TextureOperation::offset_2d;
   stages.stage[1].matrix = {0.5F, 0.0F, -0.25F, 1e-10F};
   stages.rules = StageRules::nv2a;
-  EXPECT_NE(print_json_program({}, {}, stages)
-                .find("    \"stages\": [\n      {\"operation\": \"none\"},\n"
-                      "      {\"operation\": \"offset_2d\", \"matrix\": [0.5, 0, -0.25, 1e-10]}\n    ],\n"
-                      "    \"rules\": \"nv2a\"\n  }\n}\n"),
-            std::string::npos)
-      << print_json_program({}, {}, stages);
+  EXPECT_TRUE(has(print_json_program({}, {}, stages),
+                  "    \"stages\": [\n      {\"operation\": \"none\"},\n"
+                  "      {\"operation\": \"offset_2d\", \"matrix\": [0.5, 0, -0.25, 1e-10]}\n    ],\n"
+                  "    \"rules\": \"nv2a\"\n  }\n}\n"));
 }
 
 TEST(TextureShaderJson, TheSchemaHasTheNamesOfTheOperations) {
@@ -110,7 +110,7 @@ TEST(TextureShaderJson, FormsWithoutStagesRefuseThem) {
   program.texture_shader.stage[0].operation = TextureOperation::pass_through;
   const auto text = find_form("words")->print(program, ChipClass::nv10, profiles::nv2a);
   ASSERT_FALSE(text);
-  EXPECT_NE(text.error().message.find("texture-shader stages"), std::string::npos);
+  EXPECT_TRUE(has(text.error().message, "texture-shader stages"));
 }
 
 }  // namespace

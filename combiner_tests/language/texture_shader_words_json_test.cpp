@@ -5,6 +5,7 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/xbox_shapes.h"
+#include "combiner_tests/support/has.h"
 #include "combiner_tests/support/random_stages.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/language/explain.h"
@@ -36,7 +37,7 @@ TextureShaderState word_stages(Random& random) {
 }
 
 TEST(StageWords, RandomStagesComeBackFromEveryForm) {
-  for (int i = 0; i < (kSlowBuild ? 200 : 2000); ++i) {
+  for (int i = 0; i < (kSlowBuild ? 100 : 800); ++i) {
     Random random(66, static_cast<std::uint64_t>(i));
     TextProgram program;
     program.texture_shader = word_stages(random);
@@ -90,7 +91,7 @@ TEST(StageWords, WhatIsNotModelledIsKeptWithANote) {
     EXPECT_FALSE(program->texture_shader.enabled) << text;
     EXPECT_FALSE(program->other_words.empty()) << text;
     ASSERT_EQ(program.notes.size(), 1U) << text;
-    EXPECT_NE(program.notes[0].text().find(why), std::string::npos) << program.notes[0].text();
+    EXPECT_TRUE(has(program.notes[0].text(), why));
     EXPECT_EQ(program.notes[0].line, 2) << text;
   }
   // No modes are no stages.
@@ -154,8 +155,7 @@ TEST(StageWords, LogsHaveMatricesAndEyesToo) {
                     ProgramForm::log, profiles::nv2a);
   ASSERT_TRUE(nan);
   EXPECT_FALSE(nan->texture_shader.enabled);
-  EXPECT_NE(nan.notes.back().text().find("the bump matrix of texture stage 1 is not a finite number"),
-            std::string::npos);
+  EXPECT_TRUE(has(nan.notes.back().text(), "the bump matrix of texture stage 1 is not a finite number"));
 }
 
 // Draws whose stages differ in anything that has an effect have set-ups of their own.
@@ -208,7 +208,7 @@ TEST(StageForms, ProgramsGoFromFormToForm) {
     for (const char* const name : {"glsl", "glsl-es"}) {
       const auto glsl = find_form(name)->print(*first, ChipClass::nv20, profiles::nv2a);
       ASSERT_TRUE(glsl) << glsl.error().message;
-      EXPECT_NE(glsl->find("bool ninebit_texture_shader(vec4 at0"), std::string::npos);
+      EXPECT_TRUE(has(*glsl, "bool ninebit_texture_shader(vec4 at0"));
     }
     EXPECT_TRUE(find_form("c")->print(*first, ChipClass::nv20, profiles::nv2a));
   }

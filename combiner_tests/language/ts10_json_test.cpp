@@ -3,7 +3,6 @@
 
 #include "combiner_tests/combiner/random_state.h"
 #include "combiner_tests/language/all_faults.h"
-#include "combiner_tests/language/damage.h"
 #include "combiner_tests/support/random_stages.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
@@ -24,11 +23,12 @@ TextureShaderState stages_of(const std::string& lines) {
   return stages;
 }
 
-// The faults of lines, each as "LINE:COLUMN: …".
-std::string ts10_faults(const std::string& lines, const HardwareProfile& profile = profiles::nv2a) {
-  TextureShaderState stages;
-  const std::string text = "!!TS1.0\n" + lines + "\n" + kPlainCombiner;
-  return all_faults(parse_rc10({text, {}}, profile, &stages));
+// Lines and their faults.
+void expect_ts10(const std::vector<TextAndFaults>& cases, const HardwareProfile& profile = profiles::nv2a) {
+  expect_faults(cases, [&](const std::string& lines) {
+    TextureShaderState stages;
+    return parse_rc10({"!!TS1.0\n" + lines + "\n" + kPlainCombiner, {}}, profile, &stages);
+  });
 }
 
 TEST(Ts10, EveryLineTakesTheNextStage) {
@@ -127,72 +127,48 @@ TEST(Ts10, EveryChainComesBack) {
 }
 
 TEST(Ts10, FaultsHaveTheirPlaces) {
-  EXPECT_EQ(ts10_faults("texture_2();"),
-            "2:1: 'texture_2' is not a line of !!TS1.0; expected texture_2d, nop, …; did you mean 'texture_2d'?\n");
-  EXPECT_EQ(ts10_faults("texture_2d;"), "2:11: expected '(', found ';'\n");
-  EXPECT_EQ(ts10_faults("texture_2d()\n}nop();"),
-            "3:1: expected ';', found '}'\n3:1: '}' is not a line of !!TS1.0; "
-            "expected texture_2d, nop, …\n");
-  EXPECT_EQ(ts10_faults("nop();nop();nop();nop();\nnop();"),
-            "3:1: too many lines; there are 4 texture-shader stages\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\ndependent_ar(tex1);"),
-            "3:14: GL_INVALID_OPERATION: 'tex1' is not a stage before this line\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\ndependent_ar(tex4);"),
-            "3:14: expected tex0, tex1 or tex2, found 'tex4'; did "
-            "you mean 'tex0'?\n");
-  EXPECT_EQ(ts10_faults("nop();\ndependent_ar(tex0);"), "3:14: 'tex0' has no texel: its stage is none\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\ndependent_ar(expand(tex0));"),
-            "3:14: expected tex0, tex1 or tex2, found "
-            "'expand'\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\ndot_product_2d_1of2(tex0);\ndot_product_2d_2of2(tex1);"),
-            "4:21: GL_INVALID_OPERATION: 'tex1' is not a stage before this line's chain\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\ndot_product_2d_2of2(tex0);"),
-            "3:1: 'dot_product_2d_2of2' must stand behind dot_product_2d_1of2\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\ndot_product_2d_1of2(tex0);\nnop();"),
-            "3:1: expected dot_product_2d_2of2 behind this line\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\ndot_product_3d_1of3(tex0);\ndot_product_cube_map_2of3(tex0);"),
-            "4:1: 'dot_product_cube_map_2of3' must stand behind dot_product_cube_map_1of3\n"
-            "4:1: expected dot_product_cube_map_3of3 behind this line\n");
-  EXPECT_EQ(ts10_faults("cull_fragment(GEQUAL_TO_ZERO, LESS);"),
-            "2:31: expected GEQUAL_TO_ZERO or LESS_THAN_ZERO, "
-            "found 'LESS'\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\noffset_2d(tex0, 1, 0, 0);"), "3:24: expected ',', found ')'\n");
+  expect_ts10({
+      {"texture_2();",
+       "2:1: 'texture_2' is not a line of !!TS1.0; expected texture_2d, nop, …; did you mean 'texture_2d'?\n"},
+      {"texture_2d;", "2:11: expected '(', found ';'\n"},
+      {"texture_2d()\n}nop();",
+       "3:1: expected ';', found '}'\n3:1: '}' is not a line of !!TS1.0; "
+       "expected texture_2d, nop, …\n"},
+      {"nop();nop();nop();nop();\nnop();", "3:1: too many lines; there are 4 texture-shader stages\n"},
+      {"texture_2d();\ndependent_ar(tex1);", "3:14: GL_INVALID_OPERATION: 'tex1' is not a stage before this line\n"},
+      {"texture_2d();\ndependent_ar(tex4);",
+       "3:14: expected tex0, tex1 or tex2, found 'tex4'; did "
+       "you mean 'tex0'?\n"},
+      {"nop();\ndependent_ar(tex0);", "3:14: 'tex0' has no texel: its stage is none\n"},
+      {"texture_2d();\ndependent_ar(expand(tex0));",
+       "3:14: expected tex0, tex1 or tex2, found "
+       "'expand'\n"},
+      {"texture_2d();\ndot_product_2d_1of2(tex0);\ndot_product_2d_2of2(tex1);",
+       "4:21: GL_INVALID_OPERATION: 'tex1' is not a stage before this line's chain\n"},
+      {"texture_2d();\ndot_product_2d_2of2(tex0);",
+       "3:1: 'dot_product_2d_2of2' must stand behind dot_product_2d_1of2\n"},
+      {"texture_2d();\ndot_product_2d_1of2(tex0);\nnop();", "3:1: expected dot_product_2d_2of2 behind this line\n"},
+      {"texture_2d();\ndot_product_3d_1of3(tex0);\ndot_product_cube_map_2of3(tex0);",
+       "4:1: 'dot_product_cube_map_2of3' must stand behind dot_product_cube_map_1of3\n"
+       "4:1: expected dot_product_cube_map_3of3 behind this line\n"},
+      {"cull_fragment(GEQUAL_TO_ZERO, LESS);",
+       "2:31: expected GEQUAL_TO_ZERO or LESS_THAN_ZERO, "
+       "found 'LESS'\n"},
+      {"texture_2d();\noffset_2d(tex0, 1, 0, 0);", "3:24: expected ',', found ')'\n"},
+  });
   const std::string large(310, '9');
-  EXPECT_EQ(ts10_faults("texture_2d();\noffset_2d(tex0, 1, 0, 0, -" + large + ");"),
-            "3:26: '-" + large.substr(0, 39) + "…' is too large\n");
-  EXPECT_EQ(ts10_faults("texture_2d();\noffset_2d(tex0, 1, 0, 0, 0." + std::string(400, '0') + "1);"), "");
-  EXPECT_EQ(ts10_faults("texture_cubemap();"),
-            "2:1: 'texture_cubemap' is not a line of !!TS1.0; did you mean 'texture_cube_map'?\n");
-  // What GL refuses: a chain that begins too early, and a card without the extension.
-  EXPECT_EQ(ts10_faults("texture_2d();\nnop();\n!!TS1.0 nop();"),
-            "4:1: there is a part !!TS1.0 already; expected one\n");
-  EXPECT_EQ(ts10_faults("texture_2d();", profiles::geforce2),
-            "1:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader); expected a profile "
-            "that has, such as nv2a\n");
-}
-
-TEST(Ts10, BrokenTextsEndInStagesOrInFaults) {
-  const auto found = parse_damaged({.seed = 63,
-                                    .texts = 6000,
-                                    .whole =
-                                        [](Random&) {
-                                          return std::string(
-                                                     "!!TS1.0\ntexture_2d();\ndot_product_reflect_cube_map_const_eye_"
-                                                     "1of3(expand(tex0), 1, .5, -2);\n"
-                                                     "dot_product_reflect_cube_map_const_eye_2of3(tex0);\n"
-                                                     "dot_product_reflect_cube_map_const_eye_3of3(expand(tex0));\n") +
-                                                 kPlainCombiner;
-                                        },
-                                    .kept = 7,
-                                    .bytes = "!RCTS0123456789abcdefoxt_(){},;.-+= \n"},
-                                   profiles::nv2a, [](const SourceText& source, const HardwareProfile& profile) {
-                                     TextureShaderState stages;
-                                     auto parsed = parse_rc10(source, profile, &stages);
-                                     EXPECT_TRUE(!parsed || validate(stages, profile).empty());
-                                     return parsed;
-                                   });
-  EXPECT_GT(found.states, 20);
-  EXPECT_GT(found.refused, 3000);
+  expect_ts10({
+      {"texture_2d();\noffset_2d(tex0, 1, 0, 0, -" + large + ");",
+       "3:26: '-" + large.substr(0, 39) + "…' is too large\n"},
+      {"texture_2d();\noffset_2d(tex0, 1, 0, 0, 0." + std::string(400, '0') + "1);", ""},
+      {"texture_cubemap();", "2:1: 'texture_cubemap' is not a line of !!TS1.0; did you mean 'texture_cube_map'?\n"},
+      // What GL refuses: a chain that begins too early, and a card without the extension.
+      {"texture_2d();\nnop();\n!!TS1.0 nop();", "4:1: there is a part !!TS1.0 already; expected one\n"},
+  });
+  expect_ts10({{"texture_2d();",
+                "1:1: GL_INVALID_ENUM: profile geforce2 has no texture shaders (NV_texture_shader); expected a profile "
+                "that has, such as nv2a\n"}},
+              profiles::geforce2);
 }
 
 TEST(Ts10, WhatItCannotExpressIsNamed) {

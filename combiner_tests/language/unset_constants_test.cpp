@@ -1,6 +1,7 @@
 // Constants that a program reads and does not set, in every form.
 #include <gtest/gtest.h>
 
+#include "combiner_tests/support/has.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/explain.h"
@@ -107,7 +108,7 @@ TEST(UnsetConstants, StayUnsetInEveryPrintedForm) {
   const auto printed = print_pixel_shader(read, profiles::geforce2);
   ASSERT_TRUE(printed.ok());
   EXPECT_EQ(unset(parse_pixel_shader({*printed, ""}, profiles::geforce2)), Names{"const2"}) << *printed;
-  EXPECT_EQ(printed->find("def c2"), std::string::npos) << *printed;
+  EXPECT_FALSE(has(*printed, "def c2"));
 }
 
 TEST(UnsetConstants, AreNotFoldedInExplanations) {
@@ -115,14 +116,14 @@ TEST(UnsetConstants, AreNotFoldedInExplanations) {
     return print_explanation(explain(normalize(rc10_of(body), profiles::geforce2), profiles::geforce2));
   };
   const std::string text = explained("out.rgb = tex0 * const0;\nout.a = const1.a;\n");
-  EXPECT_NE(text.find("rgb = tex0 × const0\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("alpha = const1.a\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("const0 is not set\n"), std::string::npos) << text;
+  EXPECT_TRUE(has(text, "rgb = tex0 × const0\n"));
+  EXPECT_TRUE(has(text, "alpha = const1.a\n"));
+  EXPECT_TRUE(has(text, "const0 is not set\n"));
   const std::string zero = explained("const0 = (0, 0, 0, 0);\nout.rgb = tex0 * const0;\nout.a = zero;\n");
-  EXPECT_NE(zero.find("rgb = 0\n"), std::string::npos) << zero;
+  EXPECT_TRUE(has(zero, "rgb = 0\n"));
   const CombinerState shader = parse_pixel_shader({"ps.1.1\ntex t0\nmul r0, t0, c5\n", ""}, profiles::geforce2).value();
   const std::string other = print_explanation(explain(normalize(shader, profiles::geforce2), profiles::geforce2));
-  EXPECT_NE(other.find("const0 is const5, which is not set\n"), std::string::npos) << other;
+  EXPECT_TRUE(has(other, "const0 is const5, which is not set\n"));
 }
 
 }  // namespace

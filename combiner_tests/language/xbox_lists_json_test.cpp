@@ -3,6 +3,7 @@
 
 #include "combiner_tests/language/all_faults.h"
 #include "combiner_tests/language/xbox_shapes.h"
+#include "combiner_tests/support/has.h"
 #include "ninebit/language/program_text.h"
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "ninebit/numerics/hardware_profile.h"
@@ -16,18 +17,7 @@ void expect_list_fault(int line, int column, const char* message, const std::str
   ASSERT_EQ(parsed.faults().size(), 1U) << text << all_faults(parsed);
   EXPECT_EQ(parsed.faults()[0].line, line) << parsed.faults()[0].text();
   EXPECT_EQ(parsed.faults()[0].column, column) << parsed.faults()[0].text();
-  EXPECT_NE(parsed.faults()[0].message.find(message), std::string::npos) << parsed.faults()[0].text();
-}
-
-TEST(XboxLists, EveryShapeIsFoundByItself) {
-  for (int i = 0; i < 20; ++i) {
-    Random random(88, static_cast<std::uint64_t>(i));
-    const Words words = random_words(random);
-    for (const Shape& shape : all_shapes()) {
-      const std::string text = shape.text(words);
-      EXPECT_EQ(form_of(text), ProgramForm::xbox) << shape.name << '\n' << text;
-    }
-  }
+  EXPECT_TRUE(has(parsed.faults()[0].message, message)) << parsed.faults()[0].text();
 }
 
 TEST(XboxLists, ArraysHaveOneDefinitionAndNothingElse) {
@@ -69,8 +59,8 @@ TEST(XboxLists, CharactersAreNotNumbers) {
   for (const std::string& text : {xxd, windbg}) {
     ASSERT_TRUE(is_xbox_pixel_shader(text));
     const auto parsed = parse_xbox_pixel_shader({text, ""}, profiles::nv2a);
-    EXPECT_EQ(all_faults(parsed).find("of a D3DPIXELSHADERDEF"), std::string::npos) << all_faults(parsed);
-    EXPECT_EQ(all_faults(parsed).find("is not a number"), std::string::npos) << all_faults(parsed);
+    EXPECT_FALSE(has(all_faults(parsed), "of a D3DPIXELSHADERDEF"));
+    EXPECT_FALSE(has(all_faults(parsed), "is not a number"));
   }
 }
 

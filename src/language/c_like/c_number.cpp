@@ -85,6 +85,18 @@ Kinds common(Kinds a, Kinds b) {
   return std::max(promoted(a), promoted(b));
 }
 
+// Of <, > and the like; empty: another operator.
+template <class T>
+std::optional<int> compared(std::string_view op, T a, T b) {
+  if (op == "<") return a < b ? 1 : 0;
+  if (op == ">") return a > b ? 1 : 0;
+  if (op == "<=") return a <= b ? 1 : 0;
+  if (op == ">=") return a >= b ? 1 : 0;
+  if (op == "==") return a == b ? 1 : 0;
+  if (op == "!=") return a != b ? 1 : 0;
+  return std::nullopt;
+}
+
 template <class T>
 std::optional<std::int64_t> of_integers(std::string_view op, T a, T b) {
   using U = std::make_unsigned_t<T>;
@@ -97,12 +109,7 @@ std::optional<std::int64_t> of_integers(std::string_view op, T a, T b) {
   if (op == "&") return wrap(ua & ub);
   if (op == "|") return wrap(ua | ub);
   if (op == "^") return wrap(ua ^ ub);
-  if (op == "<") return a < b ? 1 : 0;
-  if (op == ">") return a > b ? 1 : 0;
-  if (op == "<=") return a <= b ? 1 : 0;
-  if (op == ">=") return a >= b ? 1 : 0;
-  if (op == "==") return a == b ? 1 : 0;
-  if (op == "!=") return a != b ? 1 : 0;
+  if (const auto truth = compared(op, a, b)) return *truth;
   const bool overflows = std::is_signed_v<T> && a == std::numeric_limits<T>::min() && b == static_cast<T>(-1);
   if (b == 0 || overflows) return std::nullopt;
   if (op == "/") return bit_pattern(static_cast<T>(a / b));
@@ -120,12 +127,7 @@ std::optional<double> of_reals(std::string_view op, T a, T b) {
   if (op == "-") return static_cast<double>(a - b);
   if (op == "*") return static_cast<double>(a * b);
   if (op == "/") return static_cast<double>(a / b);
-  if (op == "<") return a < b ? 1 : 0;
-  if (op == ">") return a > b ? 1 : 0;
-  if (op == "<=") return a <= b ? 1 : 0;
-  if (op == ">=") return a >= b ? 1 : 0;
-  if (op == "==") return a == b ? 1 : 0;
-  if (op == "!=") return a != b ? 1 : 0;
+  if (const auto truth = compared(op, a, b)) return *truth;
   return std::nullopt;
 }
 

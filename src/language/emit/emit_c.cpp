@@ -40,12 +40,9 @@ Result<std::string> emit_c(const Program& program, std::string_view function) {
   }
   if (auto fault = refusal(printer, graph)) return *fault;
 
-  const Datapath& d = program.datapath;
   const std::string indent(name.size() + 6, ' ');
-  std::string out = "#include <stdint.h>\n\n// A register-combiner program in integers: " + std::to_string(d.one) +
-                    " is 1.0, one half is " + std::to_string(d.half) + ". Arguments are register codes in [" +
-                    std::to_string(d.lowest) + ", " + std::to_string(d.one) + "],\n// the result is codes in [0, " +
-                    std::to_string(d.one) + "]; arrays are red, green, blue, alpha.\n";
+  std::string out =
+      "#include <stdint.h>\n\n" + codes_comment(program.datapath) + "; arrays are red, green, blue, alpha.\n";
   out += "// " + range_comment(printer) + '\n' + helpers_of(printer, dialect);
   out += "\nvoid " + name + "(const int32_t primary[4], const int32_t secondary[4], const int32_t fog[4],\n" + indent +
          "const int32_t texture0[4], const int32_t texture1[4], const int32_t texture2[4],\n" + indent +

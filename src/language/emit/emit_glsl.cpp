@@ -49,12 +49,8 @@ Result<std::string> glsl_text(const Program& program, GlslVersion version, std::
   for (const V& v : listing.result) result += (result.empty() ? "" : ", ") + printer.atom(v);
   if (auto fault = refusal(printer, graph)) return *fault;
 
-  const Datapath& d = program.datapath;
   std::string out(head_of(version));
-  out += "\n// A register-combiner program in integers: " + std::to_string(d.one) + " is 1.0, one half is " +
-         std::to_string(d.half) + ". Arguments are register codes in [" + std::to_string(d.lowest) + ", " +
-         std::to_string(d.one) + "],\n// the result is codes in [0, " + std::to_string(d.one) + "].\n";
-  out += "// " + range_comment(printer) + '\n';
+  out += '\n' + codes_comment(program.datapath) + ".\n// " + range_comment(printer) + '\n';
   if (constants == Constants::uniform) {
     out += "\nuniform ivec4 " + array + '[' + std::to_string(kGlslConstants) + "];\n";
   }

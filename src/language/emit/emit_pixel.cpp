@@ -265,14 +265,11 @@ class Writer {
   }
 
   std::string head() const {
-    const Datapath& d = program_.datapath;
-    const std::string one = std::to_string(d.one), four(words_.int4);
+    const std::string four(words_.int4);
     std::string open(words_.open);
     if (language_ == PixelLanguage::hlsl) open.replace(open.find("NAME"), 4, name_);
     std::string out(words_.head);
-    out += "\n// A register-combiner program in integers: " + one + " is 1.0, one half is " + std::to_string(d.half) +
-           ". Arguments are register codes in [" + std::to_string(d.lowest) + ", " + one +
-           "],\n// the result is codes in [0, " + one + "]. Every value lies in [" + std::to_string(range_.low) + ", " +
+    out += '\n' + codes_comment(program_.datapath) + ". Every value lies in [" + std::to_string(range_.low) + ", " +
            std::to_string(range_.high) + "]; only numbers that are not negative are divided.\n";
     out +=
         "\n// The codes of constants: elements 2 i and 2 i + 1 are constant 0 and 1 of general combiner i, the last "

@@ -150,6 +150,13 @@ void print_body(Printer& printer, const Listing& listing) {
   }
 }
 
+std::string codes_comment(const Datapath& datapath) {
+  const std::string one = std::to_string(datapath.one);
+  return "// A register-combiner program in integers: " + one + " is 1.0, one half is " +
+         std::to_string(datapath.half) + ". Arguments are register codes in [" + std::to_string(datapath.lowest) +
+         ", " + one + "],\n// the result is codes in [0, " + one + ']';
+}
+
 std::string range_comment(const Printer& printer) {
   return "Every value below lies in [" + std::to_string(printer.range().low) + ", " +
          std::to_string(printer.range().high) + "]: 32 bits hold it. Only numbers that are not negative are divided.";

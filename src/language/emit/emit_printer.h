@@ -85,6 +85,8 @@ class Printer {
 // Prints the statements of the body: blocks, then the final combiner. The caller prints the result.
 void print_body(Printer& printer, const Listing& listing);
 
+// The first lines of a text, without the end of their sentence: what the codes of its arguments and of its result are.
+std::string codes_comment(const Datapath& datapath);
 // The range as a sentence for the emitted comment.
 std::string range_comment(const Printer& printer);
 

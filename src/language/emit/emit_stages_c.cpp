@@ -1,5 +1,4 @@
 // Texture-shader stages as C99: a domain of the walk through a stage whose values are text.
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -7,6 +6,7 @@
 #include "ninebit/language/c_source.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "src/language/emit/emit_printer.h"
+#include "src/system/digits.h"
 #include "src/texture_shader/stage_walk.h"
 
 namespace ninebit {
@@ -90,9 +90,7 @@ std::string c_number(float value) {
   // These have no literals.
   if (std::isnan(value)) return "(0.0F / 0.0F)";
   if (std::isinf(value)) return value > 0.0F ? "(1.0F / 0.0F)" : "(-1.0F / 0.0F)";
-  std::array<char, 64> text{};
-  const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  std::string written(text.data(), static_cast<std::size_t>(end - text.data()));
+  std::string written = digits_of(value);
   if (written.find_first_of(".e") == std::string::npos) written += ".0";
   written += 'F';
   return written.front() == '-' ? '(' + written + ')' : written;

@@ -1,11 +1,11 @@
 // Texture-shader stages as GLSL: a domain of the walk through a stage whose values are text.
-#include <charconv>
 #include <string>
 
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/language/glsl.h"
 #include "ninebit/numerics/hardware_profile.h"
 #include "src/language/emit/emit_printer.h"
+#include "src/system/digits.h"
 #include "src/texture_shader/stage_walk.h"
 
 namespace ninebit {
@@ -73,9 +73,7 @@ ivec4 $_rgb(ivec4 v) {
 )";
 
 std::string number(float value) {
-  std::array<char, 64> text{};
-  const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  std::string written(text.data(), static_cast<std::size_t>(end - text.data()));
+  std::string written = digits_of(value);
   // Infinity has no literal.
   if (written.find("inf") != std::string::npos) return value > 0.0F ? "(1.0 / 0.0)" : "(-1.0 / 0.0)";
   if (written.find_first_of(".e") == std::string::npos) written += ".0";

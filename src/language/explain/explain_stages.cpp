@@ -1,18 +1,11 @@
 // Texture-shader stages as equations.
-#include <array>
-#include <charconv>
 
 #include "ninebit/language/explain.h"
+#include "src/system/digits.h"
 
 namespace ninebit {
 namespace stage_equations {
 namespace {
-
-std::string number_text(float value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
 
 // "(s1, t1, r1)", as many of s, t, r, q as `components`.
 std::string coordinates(std::size_t place, std::size_t components) {
@@ -56,8 +49,8 @@ std::string dots(std::size_t place, std::size_t count) {
 std::string moved(std::size_t place, const TextureStage& stage) {
   const std::string from = "tex" + std::to_string(stage.previous);
   const auto axis = [&](char name, float by_ds, float by_dt) {
-    return std::string(1, name) + std::to_string(place) + " + " + number_text(by_ds) + "·ds(" + from + ") + " +
-           number_text(by_dt) + "·dt(" + from + ')';
+    return std::string(1, name) + std::to_string(place) + " + " + digits_of(by_ds) + "·ds(" + from + ") + " +
+           digits_of(by_dt) + "·dt(" + from + ')';
   };
   return '(' + axis('s', stage.matrix[0], stage.matrix[2]) + ", " + axis('t', stage.matrix[1], stage.matrix[3]) + ')';
 }
@@ -100,8 +93,8 @@ void add_stage(std::size_t place, const TextureStage& stage, std::vector<std::st
     case offset_2d_scale:
     case offset_rectangle_scale:
       read(moved(place, stage));
-      lines.push_back("tex" + number + ".rgb × (" + number_text(stage.scale) + "·" + previous + ".red + " +
-                      number_text(stage.bias) + ")");
+      lines.push_back("tex" + number + ".rgb × (" + digits_of(stage.scale) + "·" + previous + ".red + " +
+                      digits_of(stage.bias) + ")");
       return;
     case dependent_ar:
       return read("(" + previous + ".a, " + previous + ".red)");
@@ -118,8 +111,8 @@ void add_stage(std::size_t place, const TextureStage& stage, std::vector<std::st
     case dot_product_reflect_cube_map:
       return read("reflect(" + dots(place, 3) + ", (q1, q2, q3))");
     case dot_product_const_eye_reflect_cube_map:
-      return read("reflect(" + dots(place, 3) + ", (" + number_text(stage.eye[0]) + ", " + number_text(stage.eye[1]) +
-                  ", " + number_text(stage.eye[2]) + "))");
+      return read("reflect(" + dots(place, 3) + ", (" + digits_of(stage.eye[0]) + ", " + digits_of(stage.eye[1]) +
+                  ", " + digits_of(stage.eye[2]) + "))");
     case dot_product_depth_replace:
       lines.push_back("depth = dot" + std::to_string(place - 1) + " / dot" + number);
       return;

@@ -7,6 +7,7 @@
 
 #include "ninebit/texture_shader/stage_operation.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/find_row.h"
 #include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
@@ -194,10 +195,9 @@ std::string_view at(const std::array<std::string_view, N>& names, Word word) {
 }  // namespace
 
 std::optional<gl::GLenum> value_of_name(std::string_view name) {
-  const auto* const found = std::find_if(kNames.begin(), kNames.end(), [&](const Name& n) { return n.name == name; });
-  if (found != kNames.end()) return found->value;
-  const auto* const other = std::find_if(kOthers.begin(), kOthers.end(), [&](const Name& n) { return n.name == name; });
-  return other != kOthers.end() ? std::optional(other->value) : texture_of_name(name);
+  if (const Name* const found = find_row(kNames, &Name::name, name)) return found->value;
+  if (const Name* const other = find_row(kOthers, &Name::name, name)) return other->value;
+  return texture_of_name(name);
 }
 
 std::span<const GlSignature> gl_calls() {
@@ -351,9 +351,7 @@ std::optional<gl::GLenum> stage_value_of_name(std::string_view name) {
   constexpr std::string_view kStart = "GL_";
   if (!name.starts_with(kStart)) return std::nullopt;
   name.remove_prefix(kStart.size());
-  const auto* const found =
-      std::find_if(kStageNames.begin(), kStageNames.end(), [&](const Name& n) { return n.name == name; });
-  if (found != kStageNames.end()) return found->value;
+  if (const Name* const found = find_row(kStageNames, &Name::name, name)) return found->value;
   for (const TextureOperationInfo& info : texture_operations()) {
     if (info.gl == name && info.gl_value != 0) return info.gl_value;
   }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
@@ -13,6 +12,7 @@
 #include "src/language/gl_calls/gl_calls_names.h"
 #include "src/language/gl_nv/gl_nv_access.h"
 #include "src/language/source/beyond_opengl.h"
+#include "src/system/digits.h"
 
 namespace ninebit {
 namespace {
@@ -27,9 +27,7 @@ constexpr std::array<std::string_view, 2> kConstantNames{"GL_CONSTANT_COLOR0_NV"
 
 // The shortest C constant of type float.
 std::string number_text(float value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  std::string text(digits.data(), end.ptr);
+  std::string text = digits_of(value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text + "f";
 }

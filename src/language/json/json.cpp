@@ -10,6 +10,7 @@
 #include "src/language/json/json_reader.h"
 #include "src/language/json/json_texture_shader.h"
 #include "src/language/register_words/register_words_layout.h"
+#include "src/system/digits.h"
 #include "src/system/nearest_name.h"
 
 namespace ninebit {
@@ -253,10 +254,7 @@ namespace {
 std::string number(float value) {
   if (!(value > 0.0F)) return "0";
   if (value >= 1.0F) return "1";
-  // The shortest digits that parse to the same float.
-  char digits[32];
-  const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), value);
-  return std::string(digits, end);
+  return digits_of(value);
 }
 
 std::string array(const ColorF& color) {

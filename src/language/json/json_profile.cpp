@@ -173,18 +173,9 @@ class ProfileReader {
   }
 
   std::optional<int> word_of(const ProfileField& field, const Value& value) {
-    if (value.type != Type::string) {
-      read_.wrong_type(value, "a string");
-      return std::nullopt;
-    }
-    const auto chosen = field.value_of(value.text);
-    if (!chosen) {
-      std::string all;
-      for (const FieldWord& word : field.words) all += (all.empty() ? "" : ", ") + std::string(word.word);
-      read_.fault(value.offset, json::in_quotes(value.text) + " is not a valid " + std::string(field.name) +
-                                    "; expected one of " + all);
-    }
-    return chosen;
+    std::vector<std::string_view> names;
+    for (const FieldWord& word : field.words) names.push_back(word.word);
+    return read_.choice(value, names, field.name) ? field.value_of(value.text) : std::nullopt;
   }
 
   // Reports a value of the base that other fields of this file have put out of its range.

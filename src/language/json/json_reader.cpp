@@ -4,6 +4,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "src/system/find_row.h"
 #include "src/system/lines.h"
 #include "src/system/quoting.h"
 
@@ -150,9 +151,7 @@ class Builder {
     }
     std::vector<Value>& siblings = open_.back().children;
     if (open_.back().type == Type::object) {
-      const auto same =
-          std::find_if(siblings.begin(), siblings.end(), [&](const Value& other) { return other.key == value.key; });
-      if (same != siblings.end()) {
+      if (const Value* const same = find_row(siblings, &Value::key, value.key)) {
         faults_.add(place_of(text_, value.key_offset), "the key " + in_quotes(value.key) +
                                                            " was given before, in line " +
                                                            std::to_string(place_of(text_, same->key_offset).line));
@@ -224,6 +223,22 @@ bool underflows(std::string_view text) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> Reader::choice(const Value& value, std::span<const std::string_view> names,
+                                          std::string_view what, GlError error) {
+  if (value.type != Type::string) {
+    wrong_type(value, "a string");
+    return std::nullopt;
+  }
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == value.text) return i;
+    all += (all.empty() ? "" : ", ") + std::string(names[i]);
+  }
+  fault(value.offset, in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + all,
+        error);
+  return std::nullopt;
+}
 
 void Reader::integer(const Value& value, int lowest, int highest, int& into, GlError beyond) {
   if (value.type != Type::number) return wrong_type(value, "a whole number");

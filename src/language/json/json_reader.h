@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/language/source/source_faults.h"
+#include "src/system/find_row.h"
 
 // JSON text as a tree of values with their places.
 
@@ -111,9 +112,7 @@ class Reader {
   }
 
   [[nodiscard]] static const Value* find(const Value& object, std::string_view key) {
-    const auto found = std::find_if(object.children.begin(), object.children.end(),
-                                    [&](const Value& child) { return child.key == key; });
-    return found == object.children.end() ? nullptr : &*found;
+    return find_row(object.children, &Value::key, key);
   }
 
   void boolean(const Value& value, bool& into) {
@@ -127,24 +126,21 @@ class Reader {
   // A real number in [0, 1].
   void fraction(const Value& value, float& into);
 
+  // The number of the name that a string is; empty after a fault, whose error is `error` where it is none of them.
+  [[nodiscard]] std::optional<std::size_t> choice(const Value& value, std::span<const std::string_view> names,
+                                                  std::string_view what, GlError error = GlError::no_error);
+
   // The enumerator with this name, by the combiner's `name_of`. One of `refused` is a word of the language that OpenGL
   // rejects here.
   template <class Enum>
   void name(const Value& value, std::span<const Enum> allowed, std::string_view what, Enum& into,
             std::span<const Enum> refused = {}) {
-    if (value.type != Type::string) return wrong_type(value, "a string");
-    std::string names;
-    for (const Enum one : allowed) {
-      if (ninebit::name_of(one) == value.text) {
-        into = one;
-        return;
-      }
-      names += (names.empty() ? "" : ", ") + std::string(ninebit::name_of(one));
-    }
+    std::vector<std::string_view> names;
+    for (const Enum one : allowed) names.push_back(ninebit::name_of(one));
     const bool known =
         std::any_of(refused.begin(), refused.end(), [&](Enum one) { return ninebit::name_of(one) == value.text; });
-    fault(value.offset, in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + names,
-          known ? GlError::invalid_enum : GlError::no_error);
+    const auto chosen = choice(value, names, what, known ? GlError::invalid_enum : GlError::no_error);
+    if (chosen) into = allowed[*chosen];
   }
 
   // Checks "ninebit" and "version", which identify the text; `required`: they must be present.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ninebit/texture_shader/validate_stages.h"
+#include "src/system/digits.h"
 #include "src/system/nearest_name.h"
 
 namespace ninebit::json {
@@ -81,17 +82,7 @@ class StagesReader {
 
   template <class Enum>
   void word(const Value& value, std::span<const std::string_view> names, std::string_view what, Enum& into) {
-    if (value.type != Type::string) return read_.wrong_type(value, "a string");
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == value.text) {
-        into = static_cast<Enum>(i);
-        return;
-      }
-      list += (list.empty() ? "" : ", ") + std::string(names[i]);
-    }
-    read_.fault(value.offset,
-                in_quotes(value.text) + " is not a valid " + std::string(what) + "; expected one of " + list);
+    if (const auto chosen = read_.choice(value, names, what)) into = static_cast<Enum>(*chosen);
   }
 
   bool has_elements(const Value& value, std::size_t count, std::string_view what) {
@@ -122,15 +113,9 @@ class StagesReader {
   PlacedTextureShader out_;
 };
 
-std::string number_text(float value) {
-  std::array<char, 32> digits{};  // the shortest that read as the same number
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end};
-}
-
 std::string list_text(std::span<const float> values) {
   std::string text;
-  for (const float value : values) text += (text.empty() ? "" : ", ") + number_text(value);
+  for (const float value : values) text += (text.empty() ? "" : ", ") + digits_of(value);
   return '[' + text + ']';
 }
 
@@ -155,8 +140,8 @@ std::string stage_text(const TextureStage& stage) {
   for (const CullMode mode : stage.cull) cull += (cull.empty() ? "" : ", ") + quoted_name(kCullModes, mode);
   add("cull", stage.cull == fresh.cull, '[' + cull + ']');
   add("matrix", stage.matrix == fresh.matrix, list_text(stage.matrix));
-  add("scale", stage.scale == fresh.scale, number_text(stage.scale));
-  add("bias", stage.bias == fresh.bias, number_text(stage.bias));
+  add("scale", stage.scale == fresh.scale, digits_of(stage.scale));
+  add("bias", stage.bias == fresh.bias, digits_of(stage.bias));
   add("eye", stage.eye == fresh.eye, list_text(stage.eye));
   return text + '}';
 }

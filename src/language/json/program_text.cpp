@@ -23,6 +23,7 @@
 #include "src/language/source/string_literals.h"
 #include "src/language/xbox/stage_words.h"
 #include "src/language/xbox/xbox_numbers.h"
+#include "src/system/find_row.h"
 
 namespace ninebit {
 namespace {
@@ -369,8 +370,7 @@ ProgramForm form_id(const Form& row) {
 }
 
 const Form* find_form(std::string_view name) {
-  const auto* const found = std::find_if(kForms.begin(), kForms.end(), [&](const Form& f) { return f.name == name; });
-  return found == kForms.end() ? nullptr : found;
+  return find_row(kForms, &Form::name, name);
 }
 
 std::vector<std::string> read_form_names() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "src/system/find_row.h"
 #include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
@@ -70,16 +71,6 @@ int registers_of(ShaderFile file, const ShaderVersion& version) {
   }
 }
 
-namespace {
-
-template <std::size_t N, class Named>
-const Named* named(const std::array<Named, N>& all, std::string_view name) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& n) { return n.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
 std::string ShaderOperandReader::may_be_included() const {
   return includes_ ? "; an included file, which was not read, may define it" : "";
 }
@@ -128,7 +119,7 @@ bool ShaderOperandReader::name_register(Register& out, const std::string& name) 
     out.index = std::stoi(digits);
     return check_index(out);
   }
-  const NamedRegister* const found = named(kNamed, name);
+  const NamedRegister* const found = find_row(kNamed, &NamedRegister::name, name);
   if (found == nullptr) {
     faults_.add(out.offset, quoted(out.text) + " is not a register" + did_you_mean(name, register_names(version_)) +
                                 may_be_included());
@@ -284,7 +275,7 @@ bool ShaderOperandReader::apply_modifiers(ShaderOperand& out, const Register& fr
     const std::size_t end = std::min(from.modifiers.find('_', at + 1), from.modifiers.size());
     const std::string name = from.modifiers.substr(at + 1, end - at - 1);
     at = end;
-    const NamedModifier* const found = named(kModifiers, name);
+    const NamedModifier* const found = find_row(kModifiers, &NamedModifier::name, name);
     if (found == nullptr) {
       faults_.add(from.offset, quoted("_" + name) + " is not a modifier of a register; expected _bias, _bx2" +
                                    (version_.minor == 4 ? " or _x2"
@@ -311,10 +302,11 @@ bool ShaderOperandReader::apply_modifiers(ShaderOperand& out, const Register& fr
 
 bool ShaderOperandReader::apply_selector(ShaderOperand& out, const Register& from) {
   if (from.suffix.empty()) return true;
-  const NamedSelector* const found = named(kSelectors, from.suffix);
+  const NamedSelector* const found = find_row(kSelectors, &NamedSelector::name, from.suffix);
   const bool replicated = from.suffix.size() > 1 && found == nullptr &&
                           from.suffix.find_first_not_of(from.suffix.front()) == std::string::npos;
-  const NamedSelector* const one = replicated ? named(kSelectors, from.suffix.substr(0, 1)) : found;
+  const NamedSelector* const one =
+      replicated ? find_row(kSelectors, &NamedSelector::name, from.suffix.substr(0, 1)) : found;
   if (one == nullptr) {
     faults_.add(from.offset,
                 quoted("." + from.suffix) + " are not components that a combiner reads; expected .rgb, .a or .b");

@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <array>
 #include <set>
 
 #include "src/language/pixel_shader/shader_instruction.h"
 #include "src/language/pixel_shader/shader_macros.h"
+#include "src/system/find_row.h"
 
 namespace ninebit::detail {
 namespace {
@@ -60,9 +60,7 @@ std::span<const ShaderOpRow> shader_ops() {
 }
 
 const ShaderOpRow* shader_op_named(std::string_view name) {
-  const auto rows = shader_ops();
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const ShaderOpRow& row) { return row.name == name; });
-  return found == rows.end() ? nullptr : &*found;
+  return find_row(kShaderOps, &ShaderOpRow::name, name);
 }
 
 std::vector<std::string_view> shader_op_names(const ShaderVersion& version) {

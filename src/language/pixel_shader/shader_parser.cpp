@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/language/pixel_shader/shader_operands.h"
+#include "src/system/find_row.h"
 #include "src/system/nearest_name.h"
 
 namespace ninebit::detail {
@@ -162,9 +163,8 @@ class ShaderParser {
       const std::size_t end = std::min(modifiers.find('_', at + 1), modifiers.size());
       const std::string one = modifiers.substr(at + 1, end - at - 1);
       at = end;
-      const auto found = std::find_if(kResultModifiers.begin(), kResultModifiers.end(),
-                                      [&](const ResultModifier& m) { return m.name == one; });
-      if (found == kResultModifiers.end()) {
+      const ResultModifier* const found = find_row(kResultModifiers, &ResultModifier::name, one);
+      if (found == nullptr) {
         faults_.add(out.offset,
                     quoted("_" + one) + " is not a modifier of an instruction; expected _x2, _x4, _d2 or _sat");
         return false;

@@ -1,7 +1,6 @@
 // A program as a ps.1.1 text: an instruction, or a pair of them, for each general combiner.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/pixel_shader/shader_stage.h"
 #include "src/language/pixel_shader/shader_words.h"
+#include "src/system/digits.h"
 
 namespace ninebit {
 namespace {
@@ -69,11 +69,7 @@ class ShaderPrinter {
       if (stage.operation != TextureOperation::dot_product_const_eye_reflect_cube_map) continue;
       if (eye.empty()) return Diagnostic{.message = "ps.1.1 cannot express this: a ninth constant, for an eye vector"};
       text += "def " + eye;
-      for (const float component : stage.eye) {
-        std::array<char, 32> digits{};
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), component).ptr;
-        text += ", " + std::string(digits.data(), end);
-      }
+      for (const float component : stage.eye) text += ", " + digits_of(component);
       text += ", 0\n";
     }
     const Result<std::string> lines = detail::print_textures(stages, eye);

@@ -8,6 +8,7 @@
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/beyond_opengl.h"
+#include "src/system/find_row.h"
 
 namespace ninebit::detail {
 namespace {
@@ -30,21 +31,16 @@ constexpr std::array kNames{TextureName{"tex", texture_2d},
 
 // Empty: the stages have no such operation.
 std::optional<TextureOperation> operation_named(std::string_view name) {
-  const auto* const found =
-      std::find_if(kNames.begin(), kNames.end(), [&](const auto& one) { return one.name == name; });
-  if (found != kNames.end()) return found->operation;
-  for (const TextureOperationInfo& info : texture_operations()) {
-    if (info.direct3d == name) return info.operation;
-  }
-  return std::nullopt;
+  if (const TextureName* const found = find_row(kNames, &TextureName::name, name)) return found->operation;
+  const auto* const info = find_row(texture_operations(), &TextureOperationInfo::direct3d, name);
+  return info == nullptr ? std::nullopt : std::optional(info->operation);
 }
 
 // The instruction that Direct3D has for an operation of a 2D texture, or of the only kind that there is.
 std::string_view name_of_operation(TextureOperation operation) {
-  const auto* const found =
-      std::find_if(kNames.begin(), kNames.end(), [&](const auto& one) { return one.operation == operation; });
-  return found != kNames.end() && operation != pass_through && operation != dot_product ? found->name
-                                                                                        : info_of(operation).direct3d;
+  const TextureName* const found = find_row(kNames, &TextureName::operation, operation);
+  const bool is_named = found != nullptr && operation != pass_through && operation != dot_product;
+  return is_named ? found->name : info_of(operation).direct3d;
 }
 
 class ShaderTextures {

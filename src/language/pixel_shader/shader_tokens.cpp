@@ -19,6 +19,7 @@
 #include "src/language/pixel_shader/shader_operands.h"
 #include "src/language/pixel_shader/shader_parser.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/find_row.h"
 #include "src/system/lines.h"
 
 namespace ninebit::detail {
@@ -280,8 +281,8 @@ class TokenReader {
   }
 
   bool instruction(const PlacedToken& token, std::uint32_t code) {
-    const auto found = std::find_if(kOpcodes.begin(), kOpcodes.end(), [&](const Opcode& o) { return o.code == code; });
-    if (found == kOpcodes.end() || (token.value & kParameter) != 0) {
+    const Opcode* const found = find_row(kOpcodes, &Opcode::code, code);
+    if (found == nullptr || (token.value & kParameter) != 0) {
       return fault(token, "is not an instruction of " + out_.version.name);
     }
     const bool last = out_.version.minor == 4;
@@ -356,9 +357,8 @@ class TokenReader {
     if (one.op() == ShaderOp::texture) {  // its operands are not the combiners'
       if (modifier != 0) out.modifier = modifier == kExpand ? ShaderModifier::expand : ShaderModifier::other;
     } else {
-      const auto* const found =
-          std::find_if(kSwizzles.begin(), kSwizzles.end(), [&](const Swizzle& s) { return s.code == swizzle; });
-      if (found == kSwizzles.end()) return fault(token, "reads components in an order that combiners do not have");
+      const Swizzle* const found = find_row(kSwizzles, &Swizzle::code, swizzle);
+      if (found == nullptr) return fault(token, "reads components in an order that combiners do not have");
       if (modifier >= kSourceModifiers.size()) return fault(token, "has an unknown modifier of a source");
       const SourceModifier& as = kSourceModifiers[modifier];
       if (as.modifier == ShaderModifier::by_two && out_.version.minor != 4) {
@@ -407,8 +407,7 @@ std::uint32_t register_bits(ShaderFile file, int index) {
 
 // The tokens of an instruction of a printed ps.1.1 text.
 std::vector<std::uint32_t> assembled(const ShaderInstruction& one) {
-  const auto* const opcode =
-      std::find_if(kOpcodes.begin(), kOpcodes.end(), [&](const Opcode& known) { return known.name == one.row->name; });
+  const Opcode* const opcode = find_row(kOpcodes, &Opcode::name, one.row->name);
   std::vector<std::uint32_t> out{opcode->code | (one.paired ? kPaired : 0)};
   constexpr std::array<std::uint32_t, 4> kShifts{0, kByTwo, kByFour, kByOneHalf};
   for (const ShaderTarget& to : one.targets) {
@@ -420,8 +419,7 @@ std::vector<std::uint32_t> assembled(const ShaderInstruction& one) {
         std::find_if(kSourceModifiers.begin(), kSourceModifiers.end(), [&](const SourceModifier& m) {
           return m.modifier == from.modifier && m.negate == from.negate && m.invert == from.invert;
         });
-    const auto* const swizzle =
-        std::find_if(kSwizzles.begin(), kSwizzles.end(), [&](const Swizzle& s) { return s.selector == from.selector; });
+    const Swizzle* const swizzle = find_row(kSwizzles, &Swizzle::selector, from.selector);
     out.push_back(register_bits(from.file, from.index) | swizzle->code << 16 |
                   static_cast<std::uint32_t>(modifier - kSourceModifiers.begin()) << 24);
   }

@@ -1,10 +1,10 @@
 #include "src/language/pixel_shader/shader_words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "src/language/gl_nv/gl_nv_access.h"
+#include "src/system/digits.h"
 
 namespace ninebit::detail {
 namespace {
@@ -288,11 +288,7 @@ std::string PrintedConstants::text() const {
   std::string out;
   for (std::size_t i = 0; i < all_.size(); ++i) {
     out += "def c" + std::to_string(unused_[i]);
-    for (const float component : all_[i]) {
-      std::array<char, 160> digits{};  // the smallest float has 149 decimals
-      const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), component, std::chars_format::fixed);
-      out += ", " + std::string(digits.data(), end.ptr);
-    }
+    for (const float component : all_[i]) out += ", " + plain_digits_of(component);
     out += "\n";
   }
   return out;

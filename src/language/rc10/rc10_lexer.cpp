@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/language/source/source_faults.h"
+#include "src/system/find_row.h"
 
 namespace ninebit::detail {
 namespace {
@@ -21,9 +22,8 @@ std::size_t run_of_digits(std::string_view text) {
 }  // namespace
 
 std::optional<Register> rc10_name(std::string_view word) {
-  const auto* const found =
-      std::find_if(kRc10Names.begin(), kRc10Names.end(), [&](const Rc10Name& n) { return n.name == word; });
-  return found == kRc10Names.end() ? std::nullopt : std::optional(found->reg);
+  const Rc10Name* const found = find_row(kRc10Names, &Rc10Name::name, word);
+  return found == nullptr ? std::nullopt : std::optional(found->reg);
 }
 
 bool takes_rc10_suffix(std::string_view word) {

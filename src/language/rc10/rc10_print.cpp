@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "src/language/gl_nv/gl_nv_access.h"
 #include "src/language/rc10/rc10_parser.h"
 #include "src/language/source/beyond_opengl.h"
+#include "src/system/digits.h"
 
 namespace ninebit {
 namespace {
@@ -56,10 +56,7 @@ std::string final_operand(const CombinerInput& in, ComponentUsage plain = Compon
 
 // The shortest digits without exponent that parse to the same component.
 std::string component_text(float component) {
-  std::array<char, 160> digits{};  // the smallest float has 149 decimals
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), gl::detail::clamped_color(component),
-                                 std::chars_format::fixed);
-  return {digits.data(), end.ptr};
+  return plain_digits_of(gl::detail::clamped_color(component));
 }
 
 std::string constant(const char* which, const ColorF& color) {

@@ -1,9 +1,9 @@
 // Prints texture-shader stages as !!TS1.0.
 #include <algorithm>
-#include <charconv>
 
 #include "src/language/rc10/rc10_parser.h"
 #include "src/language/source/beyond_opengl.h"
+#include "src/system/digits.h"
 
 namespace ninebit::detail {
 namespace {
@@ -90,11 +90,7 @@ class Ts10Printer {
   template <std::size_t N>
   static std::string numbers(const std::array<float, N>& values) {
     std::string text;
-    for (const float value : values) {
-      std::array<char, 200> digits{};  // the smallest float has 149 decimals
-      const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
-      text += ", " + std::string(digits.data(), end);
-    }
+    for (const float value : values) text += ", " + plain_digits_of(value);
     return text;
   }
 

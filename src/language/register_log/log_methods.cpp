@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/language/register_log/log_layout.h"
+#include "src/system/find_row.h"
 
 namespace ninebit::reglog {
 namespace {
@@ -145,9 +146,8 @@ Method method_of(std::uint32_t number, ChipClass chip) {
   }
   if (const auto index = nv10 ? std::nullopt : stage_register(number)) return {MethodKind::stage_register, {}, *index};
   const std::span<const OtherMethod> others = nv10 ? std::span<const OtherMethod>(kNv10Methods) : kNv20Methods;
-  const auto found =
-      std::find_if(others.begin(), others.end(), [&](const OtherMethod& one) { return one.number == number; });
-  return found == others.end() ? Method{} : Method{found->kind, {}, found->index};
+  const OtherMethod* const found = find_row(others, &OtherMethod::number, number);
+  return found == nullptr ? Method{} : Method{found->kind, {}, found->index};
 }
 
 std::optional<std::uint32_t> number_of(std::string_view name, ChipClass chip) {

@@ -10,6 +10,7 @@
 #include "src/language/register_log/log_tracker.h"
 #include "src/language/source/beyond_opengl.h"
 #include "src/language/source/source_faults.h"
+#include "src/system/find_row.h"
 #include "src/system/lines.h"
 #include "src/system/nearest_name.h"
 
@@ -307,10 +308,9 @@ Parsed<CombinerState> program_of(const RegisterLog& log, std::size_t number, std
   const LogSetup& setup = log.setups[number == 0 ? 0 : number - 1];
   const int line = static_cast<int>(std::min<std::uint64_t>(std::max<std::uint64_t>(setup.first_line, 1), 0x7fffffff));
   for (const std::string& name : setup.unknown) {
-    const auto word =
-        std::find_if(setup.words.begin(), setup.words.end(), [&](const RegisterWord& one) { return one.name == name; });
-    faults.add(word->place, "the log has no data for " + name + ", which set-up " +
-                                std::to_string(number == 0 ? 1 : number) + " depends on");
+    faults.add(find_row(setup.words, &RegisterWord::name, name)->place,
+               "the log has no data for " + name + ", which set-up " + std::to_string(number == 0 ? 1 : number) +
+                   " depends on");
   }
   const std::string control = log.chip == ChipClass::nv10 ? "RC_OUT_RGB[1]" : "RC_ENABLE";
   if (std::find(setup.unwritten.begin(), setup.unwritten.end(), control) != setup.unwritten.end()) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "src/system/find_row.h"
+
 namespace ninebit {
 
 std::string_view name_of(ChipClass chip) {
@@ -336,17 +338,14 @@ std::string_view find_other_word(std::string_view name) {
 bool OtherWords::take(const RegisterWord& word, ChipClass chip, TextFaults& faults) {
   const std::string_view name = find_other_word(word.name);
   if (name.empty()) return false;
-  const auto given = [&](std::string_view one) {
-    return std::find_if(found.begin(), found.end(), [&](const RegisterWord& other) { return other.name == one; });
-  };
   const std::string bare = bare_name(word.name);
   // SHADERCTL holds two words; xemu's PshState has it as other_stage_input.
   const bool holds_two = bare == "shaderctl" || bare == "other_stage_input";
-  auto before = given(name);
-  if (holds_two && before == found.end()) before = given("PSDotMapping");
+  const RegisterWord* before = find_row(found, &RegisterWord::name, name);
+  if (holds_two && before == nullptr) before = find_row(found, &RegisterWord::name, "PSDotMapping");
   if (chip == ChipClass::nv10) {
     faults.add(word.place, word.name + " is a word of NV20, not of NV10");
-  } else if (before != found.end()) {
+  } else if (before != nullptr) {
     faults.add(word.place, before->name + " was given before, in line " + std::to_string(before->place.line));
   } else {
     constexpr std::uint32_t kDotMapping = 0xfff;

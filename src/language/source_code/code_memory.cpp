@@ -1,8 +1,8 @@
 // Variables and what is stored in them.
-#include <algorithm>
 #include <utility>
 
 #include "src/language/source_code/code_machine.h"
+#include "src/system/find_row.h"
 
 namespace ninebit::code {
 namespace {
@@ -299,9 +299,8 @@ Place Machine::member(const Place& object, std::string_view name) {
   out.type = nullptr;
   const Type* const type = object.type;
   if (type != nullptr && type->is(TypeKind::structure)) {
-    const auto& all = type->structure->members;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Member& one) { return one.name == name; });
-    if (found == all.end()) {
+    const Member* const found = find_row(type->structure->members, &Member::name, name);
+    if (found == nullptr) {
       out.kind = PlaceKind::nowhere;
     } else {
       out.type = found->type;

@@ -8,6 +8,7 @@
 #include "ninebit/numerics/hardware_profile.h"
 #include "ninebit/texture_shader/validate_stages.h"
 #include "src/language/register_words/register_words_layout.h"
+#include "src/system/find_row.h"
 
 namespace ninebit::xbox {
 namespace {
@@ -31,9 +32,7 @@ std::optional<TextureOperation> operation_of(std::uint32_t mode) {
 }
 
 const RegisterWord* find(std::span<const RegisterWord> words, std::string_view name) {
-  const auto found =
-      std::find_if(words.begin(), words.end(), [&](const RegisterWord& word) { return word.name == name; });
-  return found == words.end() ? nullptr : &*found;
+  return find_row(words, &RegisterWord::name, name);
 }
 
 // A float among the words; its name is "NAME[stage][i]" or "NAME[i]".

@@ -5,6 +5,7 @@
 
 #include "src/language/c_like/c_number.h"
 #include "src/language/register_words/register_words_layout.h"
+#include "src/system/find_row.h"
 #include "src/system/nearest_name.h"
 
 // Values and layouts: Cxbx-Reloaded, XbPixelShader.cpp; xemu, hw/xbox/nv2a/pgraph/psh.h.
@@ -115,15 +116,11 @@ constexpr Macro kMacros[] = {
 }  // namespace
 
 const Constant* find_constant(std::string_view name) {
-  const std::vector<Constant>& all = constants();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Constant& one) { return one.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  return find_row(constants(), &Constant::name, name);
 }
 
 const Macro* find_macro(std::string_view name) {
-  const auto* const found =
-      std::find_if(std::begin(kMacros), std::end(kMacros), [&](const Macro& one) { return one.name == name; });
-  return found == std::end(kMacros) ? nullptr : found;
+  return find_row(kMacros, &Macro::name, name);
 }
 
 bool accepts(const Macro::Argument& argument, std::int64_t value) {

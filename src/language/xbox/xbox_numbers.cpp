@@ -9,6 +9,7 @@
 
 #include "src/language/c_like/c_lexer.h"
 #include "src/language/xbox/xbox_expression.h"
+#include "src/system/find_row.h"
 
 namespace ninebit::xbox {
 namespace {
@@ -172,9 +173,8 @@ struct ArrayHead {
     const std::string lower = lower_type(name);
     of_opengl = of_opengl || name.starts_with("GL");
     if (lower.find("pixelshaderdef") != std::string::npos) integers = false;
-    const auto* const found =
-        std::find_if(kTypeWords.begin(), kTypeWords.end(), [&](const TypeWord& word) { return word.name == lower; });
-    if (found == kTypeWords.end()) return;
+    const TypeWord* const found = find_row(kTypeWords, &TypeWord::name, lower);
+    if (found == nullptr) return;
     if (found->bytes == 0) integers = false;
     bytes = bytes == 0 ? found->bytes : std::min(bytes, found->bytes);
   }

@@ -1,10 +1,10 @@
 // Prints a definition as a C initializer.
-#include <algorithm>
 
 #include "ninebit/language/xbox_pixel_shader.h"
 #include "src/language/register_words/register_words_layout.h"
 #include "src/language/xbox/xbox_expression.h"
 #include "src/language/xbox/xbox_fields.h"
+#include "src/system/find_row.h"
 
 namespace ninebit {
 namespace xbox {
@@ -191,9 +191,7 @@ Result<std::string> print_xbox_pixel_shader(const CombinerState& state, const Ha
     const words::FoundSlot slot = words::find_slot(name, ChipClass::nv20);
     const std::string canonical = slot.slot ? words::canonical_name(*slot.slot, ChipClass::nv20) : name;
     for (const std::span<const RegisterWord> words : {std::span<const RegisterWord>(*encoded), other_words}) {
-      const auto found =
-          std::find_if(words.begin(), words.end(), [&](const RegisterWord& word) { return word.name == canonical; });
-      if (found != words.end()) definition.words[i] = found->value;
+      if (const auto* const found = find_row(words, &RegisterWord::name, canonical)) definition.words[i] = found->value;
     }
   }
   return xbox::printed(definition);
