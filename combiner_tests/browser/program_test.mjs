@@ -1,7 +1,7 @@
 /** What is typed, drawn and traced is what the native program draws and traces. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { clickPixel, expectedHashes, hashOf, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, stateOf, type, waitForHash } from './support.mjs';
+import { clickPixel, expectedHashes, faults, hashOf, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, stateOf, type, waitForHash } from './support.mjs';
 
 const page = await onePage();
 
@@ -39,7 +39,7 @@ test('an error is underlined at its column, and the last picture stays', async (
   });
   assert.deepEqual(place, { text: 'bogus', line: 5, column: 21 });
   assert.match(nativeFaults(broken, 'geforce2'), /program\.txt:5:21: /);
-  assert.match(await page.$eval('#faults', (list) => list.textContent), /^5:21 /);
+  assert.match(await faults(page), /^5:21 /);
   assert.equal(await page.$eval('#picture canvas', (canvas) => canvas.width), 256);
 });
 
