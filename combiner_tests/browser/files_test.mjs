@@ -127,7 +127,7 @@ pageTest('an archive opens again with its header, and an archive of before, too'
   assert.deepEqual(await stateOf(page), state);
 });
 
-pageTest('a name that is typed into the effect leaves no files on its way', { effect: 'sepia' }, async (page) => {
+pageTest('a name that is typed into the effect leaves no files on its way', async (page) => {
   await openTab(page, 'effect.json');
   await page.evaluate(() => {
     const { view } = globalThis.ninebit.page.program.editor;

@@ -145,17 +145,6 @@ pageTest('another source of a texture leaves nothing that the engine refuses', {
   await waitForHash(page, nativeHash(await stateOf(page)));
 });
 
-pageTest('the comparison that is chosen at first works for every effect', { effect: 'sepia' }, async (page) => {
-  await page.click('#tab-profiles');
-  const names = await page.$$eval('[data-effect]', (cards) => cards.map((card) => card.dataset.effect));
-  for (const name of names) {
-    await page.evaluate(() => { document.getElementById('difference-count').textContent = ''; });
-    await openEffect(page, name);
-    await page.waitForFunction(() => document.getElementById('difference-count').textContent);
-    assert.match(await page.$eval('#difference-count', ({ textContent }) => textContent), /^[\d,]+ of [\d,]+ pixels differ/, name);
-  }
-});
-
 pageTest('warnings of a drawing are shown, and all faults of it', { effect: 'sepia' }, async (page) => {
   await type(page, '!!RC1.0\nout.rgb = tex1 * const0;\nout.a = unsigned_invert(zero);\n');
   await page.waitForFunction(() => /tex1|unit 1|texture 1/i.test(document.getElementById('faults').textContent));
