@@ -1,14 +1,11 @@
 /** The page draws while controls move, hashes only for the tests, and the keyboard's focus stays. */
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hashOf, launch, nativeHash, openEffect, openPage, stateOf, waitForHash } from './support.mjs';
-
-let browser;
-before(async () => { browser = await launch(); });
-after(() => browser.close());
+import { setTimeout as pause } from 'node:timers/promises';
+import { hashOf, nativeHash, openEffect, pageTest, stateOf, waitForHash } from './support.mjs';
 
 /** Moves a slider by so many input events, as a hand does; the number of pictures that were shown before it was let go. */
-function drag(page, selector, values) {
+async function drag(page, selector, values) {
+  await page.waitForSelector(selector);
   return page.evaluate(async (where, all) => {
     const { picture } = globalThis.ninebit.page;
     const show = picture.show.bind(picture);
@@ -32,29 +29,23 @@ function drag(page, selector, values) {
 
 const values = [...Array(60).keys()];
 
-test('a constant is drawn while its slider moves, and the last picture is of its last value', async (context) => {
-  const page = await openPage(browser);
+pageTest('a constant is drawn while its slider moves, and the last picture is of its last value', { effect: 'sepia' }, async (page, context) => {
   const shown = await drag(page, 'input[aria-label="const0, alpha"]', values);
   context.diagnostic(`${shown} pictures of 60 positions`);
   // A busy machine draws fewer; with a pause after each position there was none.
   assert.ok(shown >= 6, `${shown} pictures`);
   await waitForHash(page, nativeHash(await stateOf(page)));
-  await page.close();
 });
 
-test('a camera is drawn while it moves', async (context) => {
-  const page = await openPage(browser);
-  await openEffect(page, 'fresnel');
+pageTest('a camera is drawn while it moves', { effect: 'fresnel' }, async (page, context) => {
   await page.waitForSelector('#panel-inputs .camera input');
   const shown = await drag(page, '#panel-inputs .camera input', values);
   context.diagnostic(`${shown} pictures of 60 positions`);
   assert.ok(shown >= 6, `${shown} pictures`);
   await waitForHash(page, nativeHash(await stateOf(page)));
-  await page.close();
 });
 
-test("a profile's field is drawn while its slider moves, and the slider stays", async (context) => {
-  const page = await openPage(browser);
+pageTest("a profile's field is drawn while its slider moves, and the slider stays", { effect: 'sepia' }, async (page, context) => {
   await page.click('#tab-profiles');
   await page.waitForFunction(() => [...document.querySelectorAll('.fields input[type=range]')].some((input) => !input.disabled && input.max - input.min > 3));
   const [name, lowest, highest] = await page.evaluate(() => {
@@ -66,12 +57,9 @@ test("a profile's field is drawn while its slider moves, and the slider stays", 
   assert.ok(shown >= 3, `${shown} pictures`);
   await page.waitForFunction(() => typeof globalThis.ninebit.store.state.profile === 'object');
   await waitForHash(page, nativeHash(await stateOf(page)));
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
-test('drawings have no hash unless a test asks', async () => {
-  const page = await openPage(browser, { hashes: false });
+pageTest('drawings have no hash unless a test asks', { hashes: false }, async (page) => {
   assert.equal(await hashOf(page), '');
   await openEffect(page, 'emboss');
   assert.equal(await hashOf(page), '');
@@ -80,7 +68,6 @@ test('drawings have no hash unless a test asks', async () => {
     return globalThis.ninebit.page.draw();
   });
   assert.match(await hashOf(page), /^[0-9a-f]{64}$/);
-  await page.close();
 });
 
 /** What has the keyboard's focus, and whether that is the element of the selector now. */
@@ -88,8 +75,7 @@ const focused = (page, selector) => page.evaluate((where) => ({
   label: document.activeElement.closest('label')?.querySelector('span')?.textContent ?? document.activeElement.getAttribute('aria-label') ?? document.activeElement.id,
   same: document.activeElement === document.querySelector(where) }), selector);
 
-test("the keyboard's focus stays on the control that was changed", async () => {
-  const page = await openPage(browser);
+pageTest("the keyboard's focus stays on the control that was changed", { effect: 'sepia' }, async (page) => {
   const chosen = [['#profile-choice select', 'nv2a'], ['[data-unit="1"] select', 'gradient'], ['#panel-inputs fieldset:not([data-unit]) select', 'sphere:48']];
   for (const [selector, value] of chosen) {
     await page.focus(selector);
@@ -104,14 +90,12 @@ test("the keyboard's focus stays on the control that was changed", async () => {
   for (const pass of ['1', '3', '0']) {
     await page.select('#file-choice select', pass);
     await page.waitForFunction((wanted) => globalThis.ninebit.store.state.pass === Number(wanted), {}, pass);
-    await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 400); }));
+    await pause(400);
     assert.deepEqual(await focused(page, '#file-choice select'), { label: 'Pass', same: true }, pass);
   }
-  await page.close();
 });
 
-test("the keyboard's focus stays in the settings of index shadows, where sliders come and go", async () => {
-  const page = await openPage(browser);
+pageTest("the keyboard's focus stays in the settings of index shadows, where sliders come and go", { effect: 'sepia' }, async (page) => {
   await page.click('#tab-shadow');
   const controls = '#panel-shadow > .shadow-controls';
   await page.waitForFunction(() => document.querySelectorAll('#panel-shadow > .shadow-controls input').length === 4);
@@ -120,15 +104,12 @@ test("the keyboard's focus stays in the settings of index shadows, where sliders
     const { label } = await focused(page, selector);
     await page.select(selector, value);
     await page.waitForFunction(() => document.querySelectorAll('#panel-shadow > .shadow-controls input').length === 4 && /triangles/.test(document.getElementById('shadow-result').textContent));
-    await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 600); }));
+    await pause(600);
     assert.deepEqual(await focused(page, selector), { label, same: true }, selector);
   }
-  await page.close();
 });
 
-test("the keyboard's focus stays on sliders that arrow keys move", async () => {
-  const page = await openPage(browser);
-  await openEffect(page, 'fresnel');
+pageTest("the keyboard's focus stays on sliders that arrow keys move", { effect: 'fresnel' }, async (page) => {
   await page.waitForSelector('#panel-inputs .camera input');
   for (const selector of ['input[aria-label="const0, alpha"]', '#panel-inputs .camera label:nth-of-type(2) input', '#panel-inputs .camera .camera label:nth-of-type(3) input']) {
     await page.focus(selector);
@@ -136,10 +117,9 @@ test("the keyboard's focus stays on sliders that arrow keys move", async () => {
     const old = await page.$eval(selector, ({ value }) => value);
     for (let n = 0; n < 4; n++) {
       await page.keyboard.press('ArrowLeft');
-      await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 250); }));
+      await pause(250);
       assert.deepEqual(await focused(page, selector), { label, same: true }, `${selector}, ${n}`);
     }
     assert.notEqual(await page.$eval(selector, ({ value }) => value), old, selector);
   }
-  await page.close();
 });

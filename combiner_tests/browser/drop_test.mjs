@@ -4,14 +4,11 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { picture } from './png_files.mjs';
-import { dropOn, nativeHash, onePage, root, stateOf, waitForHash } from './support.mjs';
+import { dropOn, editorText, message, nativeHash, onePage, root, stateOf, waitForHash } from './support.mjs';
 
 const page = await onePage();
 
-const dropAll = (files) => dropOn(page, files);
-const drop = (name, type, content) => dropAll([{ name, type, content }]);
-
-const message = () => page.$eval('#message', (element) => (element.hidden ? '' : element.textContent));
+const drop = (...files) => dropOn(page, ...files);
 
 test('a picture becomes the texture, to the bit, also where alpha is below 255', async () => {
   await page.evaluate(() => globalThis.ninebit.store.change('text', (state) => {
@@ -19,7 +16,7 @@ test('a picture becomes the texture, to the bit, also where alpha is below 255',
     state.effect.size = [64, 64];
   }));
   const content = picture(64);
-  await drop('my picture <b>.png', 'image/png', content.toString('base64'));
+  await drop(['my picture <b>.png', content]);
   const name = 'dropped/my picture <b>.png';
   await page.waitForFunction((source) => Object.values(globalThis.ninebit.store.state.effect.textures).some((texture) => texture.source === source), {}, name);
   await waitForHash(page, nativeHash(await stateOf(page), { [name]: content }));
@@ -27,14 +24,14 @@ test('a picture becomes the texture, to the bit, also where alpha is below 255',
 
 test('a text becomes the program', async () => {
   const text = '!!RC1.0\nout.rgb = unsigned_invert(tex0);\nout.a = unsigned_invert(zero);\n';
-  await drop('program.rc1', '', Buffer.from(text).toString('base64'));
+  await drop(['program.rc1', text]);
   await page.waitForFunction((wanted) => globalThis.ninebit.store.state.files['programs/sepia.rc1'] === wanted, {}, text);
-  assert.equal(await page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString()), text);
+  assert.equal(await editorText(page), text);
 });
 
 test('a mesh becomes the mesh', async () => {
   const content = readFileSync(join(root, 'scenes/index_room.gltf'));
-  await drop('room.gltf', '', content.toString('base64'));
+  await drop(['room.gltf', content]);
   const name = 'dropped/room.gltf';
   await page.waitForFunction((mesh) => globalThis.ninebit.store.state.effect.scene?.mesh === mesh, {}, name);
   // The room has no texture coordinates.
@@ -47,13 +44,13 @@ test('a mesh becomes the mesh', async () => {
 
 test('100 MB, a broken picture and a binary file are refused with a message', async () => {
   const before = await stateOf(page);
-  const cases = [['large.png', 'image/png', 100_000_000, /large\.png: 100 MB; the page takes 67 MB at most/],
-    ['broken.png', 'image/png', Buffer.from('no picture').toString('base64'), /broken\.png: the browser cannot decode it/],
-    ['thing.bin', '', 100, /thing\.bin: not a picture, a mesh or a program/]];
-  for (const [name, type, content, expected] of cases) {
-    await drop(name, type, content);
+  const cases = [['large.png', 100_000_000, /large\.png: 100 MB; the page takes 67 MB at most/],
+    ['broken.png', 'no picture', /broken\.png: the browser cannot decode it/],
+    ['thing.bin', 100, /thing\.bin: not a picture, a mesh or a program/]];
+  for (const [name, content, expected] of cases) {
+    await drop([name, content]);
     await page.waitForFunction((file) => document.getElementById('message').textContent.includes(file), {}, name);
-    assert.match(await message(), expected);
+    assert.match(await message(page), expected);
   }
   assert.deepEqual(await stateOf(page), before);
 });
@@ -73,29 +70,24 @@ test('an effect file opens with the files that it names', async () => {
     'property uchar red', 'property uchar green', 'property uchar blue', 'property uchar alpha', 'element face 1',
     'property list uchar int vertex_indices', 'end_header', '-1 -1 0 200 90 10 255', '0.5 -1 0 200 90 10 255',
     '0.5 0.5 0 200 90 10 255', '-1 0.5 0 200 90 10 255', '4 0 1 2 3', ''].join('\n');
-  const base64 = (text) => Buffer.from(text).toString('base64');
-  const files = [
-    { name: 'draw-001.json', type: 'application/json', content: base64(effect) },
-    { name: 'draw-001.ply', type: '', content: base64(mesh) },
-    { name: 'draw-001.texel0.png', type: 'image/png', content: picture(32).toString('base64') },
-  ];
-  await dropAll(files);
+  const files = [['draw-001.json', effect], ['draw-001.ply', mesh], ['draw-001.texel0.png', picture(32)]];
+  await drop(...files);
   await page.waitForFunction(() => document.getElementById('message').textContent.includes('draw-001'));
-  assert.match(await message(), /draw-001\.json: drop the file program-001\.gl, which it names, together with it/);
-  await dropAll([...files, { name: 'program-001.gl', type: '', content: base64(program) }]);
+  assert.match(await message(page), /draw-001\.json: drop the file program-001\.gl, which it names, together with it/);
+  await drop(...files, ['program-001.gl', program]);
   await page.waitForFunction(() => globalThis.ninebit.store.state.effect.title === 'Captured');
   await waitForHash(page, nativeHash(await stateOf(page), { 'dropped/draw-001.ply': Buffer.from(mesh), 'dropped/draw-001.texel0.png': picture(32) }));
 });
 
 test('several files that cannot be used are all named', async () => {
-  await dropAll([{ name: 'one.bin', type: '', content: 100 }, { name: 'two.bin', type: '', content: 100 }]);
+  await drop(['one.bin', 100], ['two.bin', 100]);
   await page.waitForFunction(() => /one\.bin: not a picture[^]*two\.bin: not a picture/.test(document.getElementById('message').textContent));
 });
 
 test('an effect file that its schema does not allow gets one sentence', async () => {
   const before = await stateOf(page);
   for (const [passes, expected] of [[[null], 'bad.json: passes[0] must be an object'], [[{ program: {} }], 'bad.json: passes[0].program must be a string']]) {
-    await drop('bad.json', 'application/json', Buffer.from(JSON.stringify({ ninebit: 'effect', version: 1, passes })).toString('base64'));
+    await drop(['bad.json', JSON.stringify({ ninebit: 'effect', version: 1, passes })]);
     await page.waitForFunction((text) => document.getElementById('message').textContent === text, {}, expected);
   }
   assert.deepEqual(await stateOf(page), before);

@@ -2,68 +2,73 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
 import { addressOf } from '../../src/playground/web/permalink.js';
 import { newState } from '../../src/playground/web/state.js';
-import { clickPixel, hashOf, launch, nativeHash, openEffect, openPage, openTab, root, stateOf, type, waitForHash } from './support.mjs';
+import { clickPixel, editorText, faults, follow, hashOf, message, nativeHash, openEffect, openTab, pageTest, root, stateOf, type, waitForHash } from './support.mjs';
 
-let browser;
-before(async () => { browser = await launch(); });
-after(() => browser.close());
+const names = ['__proto__', 'constructor', 'toString', 'hasOwnProperty'];
+const linksOf = (states) => Promise.all(states.map((state) => addressOf(state)));
 
-const message = (page) => page.$eval('#message', (element) => (element.hidden ? '' : element.textContent));
-const faults = (page) => page.$eval('#faults', (list) => list.textContent);
-
-for (const name of ['__proto__', 'constructor', 'toString', 'hasOwnProperty']) {
-  test(`a program, a texture and a pass may be named ${name}`, async () => {
-    const state = newState();
-    state.files = { [name]: '!!RC1.0\nout.rgb = unsigned_invert(tex0);\nout.a = unsigned_invert(zero);\n' };
-    state.effect.textures = { [name]: state.effect.textures.tex0 };
-    state.effect.passes = [{ name, program: name, units: [{ texture: name, coordinates: 'uv' }] }];
-    const page = await openPage(browser, { hash: await addressOf(state) });
+const named = await linksOf(names.map((name) => {
+  const state = newState();
+  state.files = { [name]: '!!RC1.0\nout.rgb = unsigned_invert(tex0);\nout.a = unsigned_invert(zero);\n' };
+  state.effect.textures = { [name]: state.effect.textures.tex0 };
+  state.effect.passes = [{ name, program: name, units: [{ texture: name, coordinates: 'uv' }] }];
+  return state;
+}));
+pageTest('programs, textures and passes may have the names of what objects have', { hash: named[0] }, async (page) => {
+  for (const [at, name] of names.entries()) {
+    await follow(page, named[at]);
+    await page.waitForFunction((wanted) => globalThis.ninebit.store.state.effect.passes[0].program === wanted, {}, name);
     assert.equal(await message(page), '');
-    await waitForHash(page, nativeHash(await stateOf(page)));
-    assert.equal(await page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString()), state.files[name]);
+    const state = await stateOf(page);
+    await waitForHash(page, nativeHash(state));
+    assert.equal(await editorText(page), state.files[name]);
     for (const tab of ['inputs', 'trace', 'explain', 'profiles', 'gpu', 'convert', 'command']) await page.click(`#tab-${tab}`);
     await type(page, '!!RC1.0\nout.rgb = tex0;\nout.a = unsigned_invert(zero);\n');
     await page.waitForFunction((key) => globalThis.ninebit.store.state.files[key].includes('= tex0;'), {}, name);
     await waitForHash(page, nativeHash(await stateOf(page)));
-    assert.deepEqual(page.complaints, []);
-    await page.close();
-  });
-
-  test(`a program that is missing and named ${name} is a fault and no function`, async () => {
-    const state = newState();
-    state.effect.passes[0].program = name;
-    const page = await openPage(browser, { hash: await addressOf(state) });
-    await page.waitForFunction(() => document.getElementById('faults').textContent.includes('is not among the files'));
-    assert.deepEqual(page.complaints, []);
-    await page.close();
-  });
-}
-
-test('links with values of the wrong kind get one sentence and the first effect', async () => {
-  const cases = [[(state) => { state.effect.passes[0].constants = { const0: 5 }; }, 'passes[0].constants.const0 must be a list'],
-    [(state) => { state.effect.scene = { camera: 'x' }; }, 'scene.camera must be a list'],
-    [(state) => { state.effect.passes = [null]; }, 'passes[0] must be an object'],
-    [(state) => { state.effect.passes[0].name = {}; }, 'passes[0].name must be a string'],
-    [(state) => { state.effect.title = ['a']; }, 'title must be a string'],
-    [(state) => { state.pass = -1; }, 'pass is -1; expected 0 or more'],
-    [(state) => { state.profile = JSON.parse('{"a":'.repeat(2000) + '1' + '}'.repeat(2000)); }, 'the profile is nested more than 64 levels deep'],
-    [(state) => { state.files = { a: {} }; }, 'files.a must be a string']];
-  for (const [change, sentence] of cases) {
-    const state = newState();
-    change(state);
-    const page = await openPage(browser, { hash: await addressOf(state) });
-    assert.equal(await message(page), `This link cannot be opened: ${sentence}.`);
-    assert.notEqual(await hashOf(page), '');
-    assert.deepEqual(page.complaints, []);
-    await page.close();
   }
 });
 
-test('typing such values keeps the last state and names the place', async () => {
-  const page = await openPage(browser);
+const missing = await linksOf(names.map((name) => {
+  const state = newState();
+  state.effect.passes[0].program = name;
+  return state;
+}));
+pageTest('a program that is missing and has such a name is a fault and no function', { hash: missing[0] }, async (page) => {
+  for (const [at, name] of names.entries()) {
+    await follow(page, missing[at]);
+    await page.waitForFunction((wanted) => globalThis.ninebit.store.state.effect.passes[0].program === wanted &&
+      document.getElementById('faults').textContent.includes(`${wanted}: is not among the files`), {}, name);
+  }
+});
+
+const wrong = [[(state) => { state.effect.passes[0].constants = { const0: 5 }; }, 'passes[0].constants.const0 must be a list'],
+  [(state) => { state.effect.scene = { camera: 'x' }; }, 'scene.camera must be a list'],
+  [(state) => { state.effect.passes = [null]; }, 'passes[0] must be an object'],
+  [(state) => { state.effect.passes[0].name = {}; }, 'passes[0].name must be a string'],
+  [(state) => { state.effect.title = ['a']; }, 'title must be a string'],
+  [(state) => { state.pass = -1; }, 'pass is -1; expected 0 or more'],
+  [(state) => { state.profile = JSON.parse('{"a":'.repeat(2000) + '1' + '}'.repeat(2000)); }, 'the profile is nested more than 64 levels deep'],
+  [(state) => { state.files = { a: {} }; }, 'files.a must be a string']];
+const refused = await linksOf(wrong.map(([change]) => {
+  const state = newState();
+  change(state);
+  return state;
+}));
+pageTest('links with values of the wrong kind get one sentence and the first effect', { hash: refused[0] }, async (page) => {
+  const first = await stateOf(page);
+  assert.equal(first.effect.title, 'Sepia');
+  for (const [at, [, sentence]] of wrong.entries()) {
+    await follow(page, refused[at]);
+    await page.waitForFunction((text) => document.getElementById('message').textContent === text, {}, `This link cannot be opened: ${sentence}.`);
+    assert.notEqual(await hashOf(page), '');
+    assert.deepEqual(await stateOf(page), first);
+  }
+});
+
+pageTest('typing such values keeps the last state and names the place', { effect: 'sepia' }, async (page) => {
   await openTab(page, 'effect.json');
   const old = await stateOf(page);
   const cases = [[(effect) => { effect.passes = [null]; }, /^\d+:\d+ .*must be an object/], [(effect) => { effect.passes[0].constants = { const0: 5 }; }, /^\d+:\d+ .*const0/],
@@ -79,19 +84,14 @@ test('typing such values keeps the last state and names the place', async () => 
   }
   await type(page, '{"ninebit": "effect",\n  "version": }');
   await page.waitForFunction(() => /^2:\d+ /.test(document.getElementById('faults').textContent));
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
-test('Chinese text is quoted as it is', async () => {
-  const page = await openPage(browser);
+pageTest('Chinese text is quoted as it is', { effect: 'sepia' }, async (page) => {
   await type(page, '!!RC1.0\nout.rgb = 颜色;\n');
   await page.waitForFunction(() => document.getElementById('faults').textContent.includes("'颜色'"));
-  await page.close();
 });
 
-test('the mark leaves with its effect, and Ctrl with the wheel leaves it on its pixel', async () => {
-  const page = await openPage(browser);
+pageTest('the mark leaves with its effect, and Ctrl with the wheel leaves it on its pixel', { effect: 'sepia' }, async (page) => {
   await clickPixel(page, 20, 30);
   const marked = () => page.evaluate(() => {
     const { mark, chosen } = globalThis.ninebit.page.picture;
@@ -107,13 +107,10 @@ test('the mark leaves with its effect, and Ctrl with the wheel leaves it on its 
   assert.deepEqual(await marked(), { hidden: false, x: 20, y: 30 });
   await openEffect(page, 'emboss');
   assert.equal((await marked()).hidden, true);
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
-test("the room's camera sliders begin where its camera is, and a degree is a small step", async () => {
+pageTest("the room's camera sliders begin where its camera is, and a degree is a small step", { effect: 'sepia' }, async (page) => {
   const room = { 'index_room.gltf': readFileSync(join(root, 'scenes/index_room.gltf')) };
-  const page = await openPage(browser);
   await page.evaluate(() => globalThis.ninebit.store.change('inputs', (state) => {
     state.files['programs/sepia.rc1'] = '!!RC1.0\nout.rgb = col0;\nout.a = unsigned_invert(zero);\n';
     Object.assign(state.effect.passes[0], { units: [], primary: 'lambert' });
@@ -132,43 +129,23 @@ test("the room's camera sliders begin where its camera is, and a degree is a sma
   const moved = Math.hypot(...camera.map((value, at) => value - view.position[at]));
   assert.ok(moved < away / 20, `it moved by ${moved} of ${away}`);
   await waitForHash(page, nativeHash(await stateOf(page), room));
-  await page.close();
 });
 
-test('the inputs have as many texture units as the chip', async () => {
-  const page = await openPage(browser);
+pageTest('the inputs have as many texture units as the chip', { effect: 'sepia' }, async (page) => {
   const legends = () => page.$$eval('#panel-inputs legend', (all) => all.map(({ textContent }) => textContent).filter((text) => text.startsWith('Texture')));
   assert.deepEqual(await legends(), ['Texture 0', 'Texture 1']);
   await page.select('#profile-choice select', 'nv2a');
   assert.equal((await legends()).length, 4);
   await page.evaluate(() => globalThis.ninebit.store.change('profile', (state) => { state.profile = { base: 'geforce2', name: 'mine', texture_units: 3 }; }));
   assert.equal((await legends()).length, 3);
-  await page.close();
 });
 
-test('another source of a texture leaves nothing that the engine refuses', async () => {
-  const page = await openPage(browser);
-  await openEffect(page, 'dot3_specular');
+pageTest('another source of a texture leaves nothing that the engine refuses', { effect: 'dot3_specular' }, async (page) => {
   await page.evaluate(() => globalThis.ninebit.page.inputs.setSource(0, 'textures/bricks.png'));
   await waitForHash(page, nativeHash(await stateOf(page)));
-  await page.close();
 });
 
-test('the comparison that is chosen at first works for every effect', async () => {
-  const page = await openPage(browser);
-  await page.click('#tab-profiles');
-  const names = await page.$$eval('[data-effect]', (cards) => cards.map((card) => card.dataset.effect));
-  for (const name of names) {
-    await page.evaluate(() => { document.getElementById('difference-count').textContent = ''; });
-    await openEffect(page, name);
-    await page.waitForFunction(() => document.getElementById('difference-count').textContent);
-    assert.match(await page.$eval('#difference-count', ({ textContent }) => textContent), /^[\d,]+ of [\d,]+ pixels differ/, name);
-  }
-  await page.close();
-});
-
-test('warnings of a drawing are shown, and all faults of it', async () => {
-  const page = await openPage(browser);
+pageTest('warnings of a drawing are shown, and all faults of it', { effect: 'sepia' }, async (page) => {
   await type(page, '!!RC1.0\nout.rgb = tex1 * const0;\nout.a = unsigned_invert(zero);\n');
   await page.waitForFunction(() => /tex1|unit 1|texture 1/i.test(document.getElementById('faults').textContent));
   assert.notEqual(await hashOf(page), '');
@@ -178,11 +155,9 @@ test('warnings of a drawing are shown, and all faults of it', async () => {
   await page.evaluate(() => globalThis.ninebit.store.change('inputs', (state) => { state.effect.scene = { mesh: 'sphere:999999' }; }));
   await page.waitForFunction(() => /bogus[^]*at most \d+ segments/.test(document.getElementById('faults').textContent));
   assert.equal((await faults(page)).match(/bogus/g).length, 1);
-  await page.close();
 });
 
-test('the message about a crash leaves with the next picture', async () => {
-  const page = await openPage(browser);
+pageTest('the message about a crash leaves with the next picture', { effect: 'sepia' }, async (page) => {
   // At once: a picture that was asked for before takes the message away.
   const said = await page.evaluate(() => {
     globalThis.ninebit.page.live.read();
@@ -192,5 +167,4 @@ test('the message about a crash leaves with the next picture', async () => {
   assert.match(said, /crashed/);
   await page.evaluate(() => globalThis.ninebit.store.change('text', () => {}));
   await page.waitForFunction(() => document.getElementById('message').hidden);
-  await page.close();
 });

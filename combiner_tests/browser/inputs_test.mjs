@@ -1,11 +1,6 @@
 /** Controls for what an effect says, made from its schema, and pictures of generated textures. */
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hashOf, launch, nativeHash, openPage, openTab, stateOf, waitForHash } from './support.mjs';
-
-let browser;
-before(async () => { browser = await launch(); });
-after(() => browser.close());
+import { hashOf, nativeHash, openTab, pageTest, stateOf, waitForHash } from './support.mjs';
 
 const openGroups = (page) => page.evaluate(() => {
   for (const group of document.querySelectorAll('details.more')) group.open = true;
@@ -22,8 +17,7 @@ async function set(page, key, value) {
   }, value);
 }
 
-test('pass, tests, fog, scene and picture are edited by controls, with the native picture', async () => {
-  const page = await openPage(browser);
+pageTest('pass, tests, fog, scene and picture are edited by controls, with the native picture', { effect: 'sepia' }, async (page) => {
   const before = await stateOf(page);
   await page.select('#panel-inputs fieldset:not([data-unit]) select', 'torus:48');
   await openGroups(page);
@@ -51,12 +45,9 @@ test('pass, tests, fog, scene and picture are edited by controls, with the nativ
   await set(page, 'effect.size', '256, 256');
   await page.select('#panel-inputs fieldset:not([data-unit]) select', 'rectangle');
   assert.deepEqual(await stateOf(page), before);
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
-test('what the schema refuses stays out, with a sentence; an expression moves', async () => {
-  const page = await openPage(browser);
+pageTest('what the schema refuses stays out, with a sentence; an expression moves', { effect: 'sepia' }, async (page) => {
   const before = await stateOf(page);
   await openGroups(page);
   for (const [key, value, expected] of [['pass.line_width', '99', /line width is 99; expected 0\.125 to 64/], ['pass.line_width', 'x', /line width must be a number/],
@@ -89,12 +80,9 @@ test('what the schema refuses stays out, with a sentence; an expression moves', 
   assert.equal(shown.passes[0].color_mask, 'g');
   assert.deepEqual(shown, (await stateOf(page)).effect);
   await waitForHash(page, nativeHash(await stateOf(page)));
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
-test('generated textures have pictures, which leave the drawing as it is', async () => {
-  const page = await openPage(browser);
+pageTest('generated textures have pictures, which leave the drawing as it is', { effect: 'sepia' }, async (page) => {
   const thumbnail = () => page.$eval('[data-unit="0"] canvas', (canvas) => [...canvas.getContext('2d').getImageData(0, 0, 64, 64).data]);
   for (const [source, check] of [
     ['checker:256', (at) => { assert.deepEqual(at(2, 2), [255, 255, 255, 255]); assert.deepEqual(at(10, 2), [51, 51, 51, 255]); }],
@@ -111,6 +99,4 @@ test('generated textures have pictures, which leave the drawing as it is', async
     const { answer } = await page.evaluate(() => globalThis.ninebit.engine.ask({ do: 'pixel', x: 200, y: 200 }));
     assert.equal(answer.fault, undefined);
   }
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });

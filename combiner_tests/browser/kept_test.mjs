@@ -1,42 +1,27 @@
 /** Nothing is lost: histories of files, steps that are undone, Back, a reload, a crash of the page. */
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { addressOf, stateOfAddress } from '../../src/playground/web/permalink.js';
+import { addressOf, opened } from '../../src/playground/web/permalink.js';
 import { newState } from '../../src/playground/web/state.js';
 import { picture } from './png_files.mjs';
-import { dropOn, hashOf, launch, nativeHash, openEffect, openPage, pageFile, stateOf, type, waitForHash, waitForReady } from './support.mjs';
-
-let browser;
-before(async () => { browser = await launch(); });
-after(() => browser.close());
+import { dropOn, editorText, follow, hashOf, message, nativeHash, openEffect, pageFile, pageTest, press, stateOf, type, undoInEditor, waitForHash, waitForReady, waitForText } from './support.mjs';
 
 const mine = '!!RC1.0\n# Mine.\nout.rgb = unsigned_invert(tex0);\nout.a = unsigned_invert(zero);\n';
-const editorText = (page) => page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString());
 const title = (page) => page.evaluate(() => globalThis.ninebit.store.state.effect.title);
 const waitForTitle = (page, wanted) => page.waitForFunction((text) => globalThis.ninebit.store.state.effect.title === text, {}, wanted);
-const waitForText = (page, text) => page.waitForFunction((wanted) => Object.values(globalThis.ninebit.store.state.files).includes(wanted), {}, text);
+const keep = (page) => page.evaluate(() => globalThis.ninebit.page.keep());
 
-async function press(page, ...keys) {
-  for (const key of keys.slice(0, -1)) await page.keyboard.down(key);
-  await page.keyboard.press(keys.at(-1));
-  for (const key of keys.slice(0, -1).reverse()) await page.keyboard.up(key);
-}
-
-/** A page on which something was typed, and its state. */
-async function typed() {
-  const page = await openPage(browser);
+/** A test on a page on which something was typed: `run` gets the page and its state. */
+const typedTest = (name, run) => pageTest(name, async (page) => {
   await type(page, mine);
   await waitForText(page, mine);
-  return { page, state: await stateOf(page) };
-}
+  await run(page, await stateOf(page));
+});
 
-test('Ctrl-Z in the editor stays in its file', async () => {
-  const { page } = await typed();
+typedTest('Ctrl-Z in the editor stays in its file', async (page) => {
   await openEffect(page, 'emboss');
-  const opened = await stateOf(page);
-  await page.focus('.cm-content');
-  for (let count = 0; count < 5; count++) await press(page, 'Control', 'z');
-  assert.deepEqual(await stateOf(page), opened);
+  const shown = await stateOf(page);
+  await undoInEditor(page, 5);
+  assert.deepEqual(await stateOf(page), shown);
   // Each file of an effect has its own history.
   await openEffect(page, 'index_cube');
   const passes = (await stateOf(page)).effect.passes.map(({ program }, at) => [program, String(at)]).filter(([program]) => program);
@@ -46,30 +31,24 @@ test('Ctrl-Z in the editor stays in its file', async () => {
   await type(page, mine);
   await waitForText(page, mine);
   await page.select('#file-choice select', other);
-  await page.focus('.cm-content');
   const second = await editorText(page);
-  await press(page, 'Control', 'z');
+  await undoInEditor(page);
   assert.equal(await editorText(page), second);
   await page.select('#file-choice select', at);
-  await page.focus('.cm-content');
-  for (let count = 0; count < 3; count++) await press(page, 'Control', 'z');
+  await undoInEditor(page, 3);
   assert.equal(await editorText(page), old);
   assert.equal((await stateOf(page)).files[first], old);
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
 for (const [what, act] of [['New', (page) => page.click('#new-program')], ['the gallery', (page) => openEffect(page, 'emboss')],
-  ['a dropped picture', (page) => dropOn(page, [{ name: 'a.png', type: 'image/png', content: picture(16).toString('base64') }])],
-  ['a dropped program', (page) => dropOn(page, [{ name: 'a.rc1', type: '', content: Buffer.from('!!RC1.0\nout.rgb = tex0;\n').toString('base64') }])],
+  ['a dropped picture', (page) => dropOn(page, ['a.png', picture(16)])],
+  ['a dropped program', (page) => dropOn(page, ['a.rc1', '!!RC1.0\nout.rgb = tex0;\n'])],
   ['a link', async (page) => {
     // The page writes its address after a pause.
-    await page.evaluate(() => globalThis.ninebit.page.keep());
-    const hash = await addressOf(newState());
-    await page.evaluate((link) => { location.hash = link; }, hash);
+    await keep(page);
+    await follow(page, await addressOf(newState()));
   }]]) {
-  test(`${what} can be undone and redone, by the button, by Ctrl-Z and by Back`, async () => {
-    const { page, state } = await typed();
+  typedTest(`${what} can be undone and redone, by the button, by Ctrl-Z and by Back`, async (page, state) => {
     const hash = nativeHash(state);
     await waitForHash(page, hash);
     await act(page);
@@ -87,34 +66,29 @@ for (const [what, act] of [['New', (page) => page.click('#new-program')], ['the 
     assert.deepEqual(await stateOf(page), state);
     await press(page, 'Control', 'Shift', 'z');
     assert.deepEqual(await stateOf(page), later);
-    await page.evaluate(() => globalThis.ninebit.page.keep());
+    await keep(page);
     await page.evaluate(() => history.back());
     await page.waitForFunction((old) => JSON.stringify(globalThis.ninebit.store.state) === old, {}, JSON.stringify(state));
     await waitForHash(page, hash);
     // Back is a step, too.
     await page.click('#undo');
     assert.deepEqual(await stateOf(page), later);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
   });
 }
 
-test('edits are no steps of the address, and what is opened is one', async () => {
-  const { page } = await typed();
+typedTest('edits are no steps of the address, and what is opened is one', async (page) => {
   const length = () => page.evaluate(() => history.length);
   const before = await length();
   await type(page, `${mine}# more\n`);
   await page.select('#profile-choice select', 'nv2a');
-  await page.evaluate(() => globalThis.ninebit.page.keep());
+  await keep(page);
   assert.equal(await length(), before);
   await openEffect(page, 'emboss');
   await page.waitForFunction((count) => history.length === count, {}, before + 1);
-  await page.close();
 });
 
-test('a reload, a new visit and a crash of the page give the work back, with its steps and its files', async () => {
-  const { page } = await typed();
-  await dropOn(page, [{ name: 'a.png', type: 'image/png', content: picture(16).toString('base64') }]);
+typedTest('a reload, a new visit and a crash of the page give the work back, with its steps and its files', async (page) => {
+  await dropOn(page, ['a.png', picture(16)]);
   await page.waitForFunction(() => globalThis.ninebit.store.past.length === 1 && globalThis.ninebit.page.shelf.dropped.size === 1);
   const state = await stateOf(page);
   const hash = nativeHash(state, { 'dropped/a.png': picture(16) });
@@ -129,7 +103,7 @@ test('a reload, a new visit and a crash of the page give the work back, with its
   await page.click('#undo');
   assert.equal(await editorText(page), mine);
   await page.click('#redo');
-  await page.evaluate(() => globalThis.ninebit.page.keep());
+  await keep(page);
   assert.deepEqual(page.complaints, []);
   // A crash of the page: it hears nothing of it.
   const second = await page.browserContext().newPage();
@@ -141,16 +115,14 @@ test('a reload, a new visit and a crash of the page give the work back, with its
   await waitForHash(second, hash);
 });
 
-test('a link does not take the place of what was kept', async () => {
-  const { page, state } = await typed();
-  await page.evaluate(() => globalThis.ninebit.page.keep());
+typedTest('a link does not take the place of what was kept', async (page, state) => {
+  await keep(page);
   await page.goto('about:blank');
   await page.goto(`file://${pageFile}${await addressOf(newState())}`);
   await waitForReady(page);
   assert.equal(await title(page), 'Untitled');
   await page.click('#undo');
   assert.deepEqual(await stateOf(page), state);
-  await page.close();
 });
 
 /** Opens the page anew with another text in the browser's storage. */
@@ -166,7 +138,6 @@ async function reopen(page, text) {
   await waitForReady(page);
 }
 
-const message = (page) => page.$eval('#message', ({ textContent }) => textContent);
 const stored = (page, name) => page.evaluate((key) => localStorage.getItem(key), name);
 const keptNames = (page) => page.evaluate(() => new Promise((resolve) => {
   const opened = indexedDB.open('ninebit-playground');
@@ -180,21 +151,20 @@ const keptNames = (page) => page.evaluate(() => new Promise((resolve) => {
 }));
 const drop = async (page, name) => {
   const count = await page.evaluate(() => globalThis.ninebit.store.past.length);
-  await dropOn(page, [{ name, type: 'image/png', content: picture(16).toString('base64') }]);
+  await dropOn(page, [name, picture(16)]);
   await page.waitForFunction((before) => globalThis.ninebit.store.past.length > before, {}, count);
 };
 const kept = (page) => page.$eval('#kept', ({ textContent }) => textContent);
 
-test('what was kept and cannot be opened gets a message, and stays', async () => {
-  for (const [text, expected] of [['{', /What was kept of your work cannot be opened/], ['{"version": 9}', /another version of this page wrote it/],
-    ['{"version": 1, "state": {"effect": {"passes": [null]}, "files": {}}}', /cannot be opened: .*/]]) {
-    const page = await openPage(browser);
+for (const [text, expected] of [['{', /What was kept of your work cannot be opened/], ['{"version": 9}', /another version of this page wrote it/],
+  ['{"version": 1, "state": {"effect": {"passes": [null]}, "files": {}}}', /cannot be opened: .*/]]) {
+  pageTest(`what was kept and cannot be opened gets a message, and stays: ${text}`, async (page) => {
     await drop(page, 'a.png');
     await reopen(page, text);
     assert.match(await message(page), expected);
     assert.match(await message(page), /stays in localStorage as ninebit-playground-unreadable/);
     assert.notEqual(await hashOf(page), '');
-    await page.evaluate(() => globalThis.ninebit.page.keep());
+    await keep(page);
     assert.equal(await stored(page, 'ninebit-playground-unreadable'), text);
     // Nor do its files go at a later visit.
     await page.reload();
@@ -202,12 +172,10 @@ test('what was kept and cannot be opened gets a message, and stays', async () =>
     assert.equal(await message(page), '');
     assert.equal(await stored(page, 'ninebit-playground-unreadable'), text);
     assert.deepEqual(await keptNames(page), ['dropped/a.png']);
-    await page.close();
-  }
-});
+  });
+}
 
-test('a step that cannot be opened does not take the others along', async () => {
-  const { page, state } = await typed();
+typedTest('a step that cannot be opened does not take the others along', async (page, state) => {
   const good = { ...newState(), pass: 0 };
   const text = JSON.stringify({ version: 1, state, past: [good, { effect: { passes: [null] }, files: {} }, null] });
   await reopen(page, text);
@@ -217,12 +185,9 @@ test('a step that cannot be opened does not take the others along', async () => 
   assert.equal(await page.evaluate(() => globalThis.ninebit.store.past.length), 1);
   await page.click('#undo');
   assert.equal(await title(page), 'Untitled');
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
-test('files are forgotten once no state names them and no other tab is open', async () => {
-  const { page, state } = await typed();
+typedTest('files are forgotten once no state names them and no other tab is open', async (page, state) => {
   const text = JSON.stringify({ version: 1, state, past: [] });
   await drop(page, 'a.png');
   const second = await page.browserContext().newPage();
@@ -247,23 +212,20 @@ for (const [what, spoil] of [
       return request;
     };
   }]]) {
-  test(`a dropped file whose keeping ${what} is reported, and stays so`, async () => {
-    const { page } = await typed();
+  typedTest(`a dropped file whose keeping ${what} is reported, and stays so`, async (page) => {
     await drop(page, 'a.png');
     assert.equal(await kept(page), 'Your work is kept in this browser.');
     await page.evaluate(spoil);
     await drop(page, 'b.png');
-    await page.evaluate(() => globalThis.ninebit.page.keep());
+    await keep(page);
     assert.equal(await kept(page), 'Your work is kept in this browser, without a file that you dropped.');
     await openEffect(page, 'emboss');
     assert.equal(await kept(page), 'Your work is kept in this browser, without a file that you dropped.');
     assert.deepEqual(await keptNames(page), ['dropped/a.png']);
-    await page.close();
   });
 }
 
-test('a browser that has room for the state alone says so', async () => {
-  const { page } = await typed();
+typedTest('a browser that has room for the state alone says so', async (page) => {
   await page.evaluate(() => {
     const { setItem } = Storage.prototype;
     Storage.prototype.setItem = function full(name, text) {
@@ -274,12 +236,10 @@ test('a browser that has room for the state alone says so', async () => {
   await openEffect(page, 'emboss');
   assert.equal(await kept(page), 'Your work is kept in this browser, without the steps before it.');
   assert.equal(JSON.parse(await stored(page, 'ninebit-playground')).state.effect.title, 'Emboss');
-  await page.close();
 });
 
-test('an address that the browser refuses once is written the next time', async () => {
-  const { page } = await typed();
-  await page.evaluate(() => globalThis.ninebit.page.keep());
+typedTest('an address that the browser refuses once is written the next time', async (page) => {
+  await keep(page);
   await page.evaluate(() => {
     history.replaceState = () => {
       throw new DOMException('too often', 'SecurityError');
@@ -296,14 +256,11 @@ test('an address that the browser refuses once is written the next time', async 
     delete history.replaceState;
     globalThis.ninebit.store.change('other', (state) => { state.other = 'geforce3'; });
   });
-  await page.evaluate(() => globalThis.ninebit.page.keep());
-  assert.equal((await stateOfAddress(await page.evaluate(() => location.hash))).other, 'geforce3');
-  assert.deepEqual(page.complaints, []);
-  await page.close();
+  await keep(page);
+  assert.equal((await opened(await page.evaluate(() => location.hash))).state.other, 'geforce3');
 });
 
-test('Ctrl-Z in a text field is its own', async () => {
-  const { page } = await typed();
+typedTest('Ctrl-Z in a text field is its own', async (page) => {
   await openEffect(page, 'emboss');
   const fields = ['text', 'number', 'range'];
   await page.evaluate((types) => {
@@ -314,27 +271,21 @@ test('Ctrl-Z in a text field is its own', async () => {
     await press(page, 'Control', 'z');
     assert.equal(await page.evaluate(() => globalThis.ninebit.store.past.length), field === 'range' ? 0 : 1, field);
   }
-  await page.close();
 });
 
-test('a browser that keeps nothing says so, and works', async () => {
-  const page = await openPage(browser);
+pageTest('a browser that keeps nothing says so, and works', async (page) => {
   await page.evaluate(() => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; });
   await type(page, mine);
   await page.waitForFunction(() => document.getElementById('kept').textContent.includes('does not keep your work'));
   await openEffect(page, 'emboss');
   await waitForTitle(page, 'Emboss');
-  assert.deepEqual(page.complaints, []);
-  await page.close();
 });
 
-test('a file of the same name and other content does not take the place of the first', async () => {
-  const { page } = await typed();
-  for (const side of [16, 32, 16]) await dropOn(page, [{ name: 'a.png', type: 'image/png', content: picture(side).toString('base64') }]);
+typedTest('a file of the same name and other content does not take the place of the first', async (page) => {
+  for (const side of [16, 32, 16]) await dropOn(page, ['a.png', picture(side)]);
   await page.waitForFunction(() => globalThis.ninebit.store.past.length === 3);
   assert.deepEqual(await page.evaluate(() => [...globalThis.ninebit.page.shelf.dropped.keys()]), ['dropped/a.png', 'dropped/a 2.png']);
   assert.equal(Object.values((await stateOf(page)).effect.textures).at(-1).source, 'dropped/a.png');
   await page.click('#undo');
   await waitForHash(page, nativeHash(await stateOf(page), { 'dropped/a 2.png': picture(32), 'dropped/a.png': picture(16) }));
-  await page.close();
 });

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { cameraOf, orbitOf } from '../../src/playground/web/camera.js';
 import { commandsOf } from '../../src/playground/web/command_line.js';
 import { Engine } from '../../src/playground/web/engine_client.js';
-import { addressOf, stateOfAddress } from '../../src/playground/web/permalink.js';
+import { addressOf, opened } from '../../src/playground/web/permalink.js';
 import { keywords } from '../../src/playground/web/schema.js';
 import { Shelf } from '../../src/playground/web/shelf.js';
 import { checkedEffect, checkedState, newState } from '../../src/playground/web/state.js';
@@ -80,7 +80,7 @@ test('an address gives names back that objects have themselves', async () => {
   const state = newState();
   for (const name of ['__proto__', 'constructor', 'toString']) state.files[name] = `# ${name}\n`;
   state.effect.passes[0].program = '__proto__';
-  const found = await stateOfAddress(await addressOf(state));
+  const { state: found } = await opened(await addressOf(state));
   assert.deepEqual(Object.entries(found.files), Object.entries(state.files));
   assert.equal(found.files.hasOwnProperty, undefined);
   assert.equal(found.files.__proto__, '# __proto__\n');

@@ -1,7 +1,7 @@
 /** What is typed, drawn and traced is what the native program draws and traces. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { clickPixel, expectedHashes, hashOf, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, stateOf, type, waitForHash } from './support.mjs';
+import { clickPixel, expectedHashes, faults, hashOf, nativeFaults, nativeHash, nativeTrace, onePage, openEffect, stateOf, type, waitForHash } from './support.mjs';
 
 const page = await onePage();
 
@@ -39,7 +39,7 @@ test('an error is underlined at its column, and the last picture stays', async (
   });
   assert.deepEqual(place, { text: 'bogus', line: 5, column: 21 });
   assert.match(nativeFaults(broken, 'geforce2'), /program\.txt:5:21: /);
-  assert.match(await page.$eval('#faults', (list) => list.textContent), /^5:21 /);
+  assert.match(await faults(page), /^5:21 /);
   assert.equal(await page.$eval('#picture canvas', (canvas) => canvas.width), 256);
 });
 
@@ -73,13 +73,18 @@ test('a pixel that several passes drew shows the trace of each', async () => {
   await page.waitForFunction(() => globalThis.ninebit.page.trace.trace && !globalThis.ninebit.page.trace.trace.stages);
 });
 
-test('every effect of the gallery has its golden hash', async () => {
+test('every effect of the gallery has its golden hash, and the comparison that is chosen at first works for it', async () => {
+  await page.click('#tab-profiles');
   const names = await page.$$eval('[data-effect]', (cards) => cards.map((card) => card.dataset.effect));
   assert.ok(names.length >= 15, `${names.length} effects`);
   for (const name of names) {
+    await page.evaluate(() => { document.getElementById('difference-count').textContent = ''; });
     await openEffect(page, name);
     assert.equal(await hashOf(page), expectedHashes()[name], name);
+    await page.waitForFunction(() => document.getElementById('difference-count').textContent);
+    assert.match(await page.$eval('#difference-count', ({ textContent }) => textContent), /^[\d,]+ of [\d,]+ pixels differ/, name);
   }
+  await page.click('#tab-inputs');
 });
 
 test('a constant, a mesh, a colour and a field of the profile change the picture as they do natively', async () => {

@@ -7,7 +7,7 @@ import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } f
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
-import { after } from 'node:test';
+import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -62,11 +62,38 @@ export async function openPage(browser, { hash = '', query = '', width = 1280, h
 /** Waits for the first picture. */
 export const waitForReady = (page) => page.waitForFunction(() => document.body?.dataset.ready && globalThis.ninebit, { timeout: 60_000 });
 
-/** One page for all tests of a file; its browser is closed after them. */
-export async function onePage(options) {
-  const browser = await launch(options);
-  after(() => browser.close());
-  return openPage(browser);
+/** The Chromium of a file with tests: it starts with the first that needs it, and is closed after all of them. @type {Promise<any>|undefined} */
+let chromium;
+function chromiumOfFile(options) {
+  if (!chromium) after(async () => { await (await chromium).close(); });
+  return chromium ??= launch(options);
+}
+
+/** One page for all tests of a file. */
+export const onePage = async (options) => openPage(await chromiumOfFile(options));
+
+/** The page of tests that name an effect. @type {Promise<any>|undefined} */
+let sharedPage;
+
+/**
+ * A test in which nothing complains: pageTest(name, [options], run). It has a page of its own, with options of openPage;
+ * with `{ effect }` it shares one with others like it, where the effect is opened from the gallery. A test that opens further
+ * pages does so in `page.browser()`.
+ */
+export function pageTest(name, ...rest) {
+  const run = rest.pop(), [{ effect, ...options } = {}] = rest, browser = chromiumOfFile();
+  test(name, async (context) => {
+    const page = await (effect ? sharedPage ??= openPage(await browser) : openPage(await browser, options));
+    const { complaints } = page, pages = page.browserContext();
+    if (effect) {
+      complaints.length = 0;
+      await page.click('#tab-inputs');
+      await openEffect(page, effect);
+    }
+    await run(page, context);
+    assert.deepEqual(complaints, []);
+    if (!effect) await pages.close();
+  });
 }
 
 export const hashOf = (page) => page.$eval('#picture', (element) => element.dataset.hash);
@@ -76,19 +103,41 @@ export async function waitForHash(page, hash) {
   try {
     await page.waitForFunction((wanted) => document.getElementById('picture').dataset.hash === wanted, { timeout: 20_000 }, hash);
   } catch {
-    const faults = await page.$eval('#faults', (list) => list.textContent);
-    assert.equal(await hashOf(page), hash, `the picture's hash; faults: ${faults}`);
+    assert.equal(await hashOf(page), hash, `the picture's hash; faults: ${await faults(page)}`);
   }
+}
+
+/** Presses a key while others are held: press(page, 'Control', 'z'). */
+export async function press(page, ...keys) {
+  const key = keys.pop();
+  for (const held of keys) await page.keyboard.down(held);
+  await page.keyboard.press(key);
+  for (const held of keys.reverse()) await page.keyboard.up(held);
 }
 
 /** Replaces the editor's text by what a keyboard would write. */
 export async function type(page, text) {
   await page.focus('.cm-content');
-  await page.keyboard.down('Control');
-  await page.keyboard.press('a');
-  await page.keyboard.up('Control');
+  await press(page, 'Control', 'a');
   await page.keyboard.sendCharacter(text);
 }
+
+/** Ctrl-Z in the editor. */
+export async function undoInEditor(page, times = 1) {
+  await page.focus('.cm-content');
+  for (let count = 0; count < times; count++) await press(page, 'Control', 'z');
+}
+
+export const editorText = (page) => page.evaluate(() => globalThis.ninebit.page.program.editor.view.state.doc.toString());
+
+/** Waits until a file has a text. */
+export const waitForText = (page, text) => page.waitForFunction((wanted) => Object.values(globalThis.ninebit.store.state.files).includes(wanted), {}, text);
+
+/** The message above everything; empty: there is none. */
+export const message = (page) => page.$eval('#message', (element) => (element.hidden ? '' : element.textContent));
+
+/** What is wrong, below the editor. */
+export const faults = (page) => page.$eval('#faults', ({ textContent }) => textContent);
 
 /** Opens an effect of the gallery as if its card were clicked. */
 export async function openEffect(page, name) {
@@ -98,23 +147,38 @@ export async function openEffect(page, name) {
   await page.waitForFunction(() => document.getElementById('picture').dataset.hash !== undefined, { timeout: 30_000 });
 }
 
+/** Follows a link from the page itself. */
+export const follow = (page, hash) => page.evaluate((link) => { location.hash = link; }, hash);
+
 /** Shows a file of the effect in the editor. */
 export async function openTab(page, file) {
   await page.$$eval('#files [role=tab]', (tabs, wanted) => tabs.find(({ dataset }) => dataset.file === wanted).click(), file);
   await page.waitForFunction((wanted) => document.querySelector('#files [aria-selected=true]').dataset.file === wanted, {}, file);
 }
 
-/** Drops files on the picture. `content`: base64, or a number of zero bytes. */
-export function dropOn(page, files) {
+/** Drops files on the picture: pairs of a name and its content, a text, bytes, or a number of zero bytes. */
+export function dropOn(page, ...files) {
+  const types = { png: 'image/png', jpg: 'image/jpeg', json: 'application/json' };
+  const sent = files.map(([name, content]) => [name, types[name.split('.').pop()] ?? '', typeof content === 'number' ? content : Buffer.from(content).toString('base64')]);
   return page.evaluate((all) => {
     const dataTransfer = new DataTransfer();
-    for (const { name, type, content } of all) {
+    for (const [name, type, content] of all) {
       const bytes = typeof content === 'number' ? new Uint8Array(content) : Uint8Array.from(atob(content), (character) => character.charCodeAt(0));
       dataTransfer.items.add(new File([bytes], name, { type }));
     }
     document.getElementById('picture').dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer }));
-  }, files);
+  }, sent);
 }
+
+/** Chooses a pixel, and waits for its trace. */
+export async function choosePixel(page, x, y) {
+  await page.evaluate((column, row) => {
+    globalThis.ninebit.page.trace.trace = null;
+    globalThis.ninebit.page.picture.take({ x: column, y: row });
+  }, x, y);
+  await waitForTrace(page);
+}
+export const waitForTrace = (page) => page.waitForFunction(() => globalThis.ninebit.page.trace.trace?.stages && document.querySelector('#strip .strip-item'));
 
 /** Clicks a pixel of the picture, counted from the upper left corner. */
 export async function clickPixel(page, x, y) {

@@ -42,7 +42,7 @@ void change_everything(Random& random) {
     glTexEnviv(GL_TEXTURE_SHADER_NV, GL_CULL_MODES_NV, modes);
   }
   glActiveTexture(GL_TEXTURE0);
-  while (glGetError() != GL_NO_ERROR) {
+  while (glGetError() != kNoError) {
   }
 }
 
@@ -82,7 +82,6 @@ TEST(LayerAttributes, Groups) {
     }
   }
   EXPECT_TRUE(restored_differs[0] && restored_differs[1]);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST(LayerAttributes, Nested) {
@@ -108,26 +107,24 @@ TEST(LayerAttributes, OverflowAndUnderflow) {
   NINEBIT_GL_CONTEXT(context);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
   glPopAttrib();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_STACK_UNDERFLOW));
-  GLint deepest = 0, number = 0;
-  glGetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepest);
+  EXPECT_EQ(glGetError(), kStackUnderflow);
+  const GLint deepest = integer_of(GL_MAX_ATTRIB_STACK_DEPTH);
   for (GLint i = 0; i < deepest; ++i) {
     glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1 + i % 8);
     glPushAttrib(GL_TEXTURE_BIT);
   }
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   for (int i = 0; i < 3; ++i) {
     glPushAttrib(GL_TEXTURE_BIT);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_STACK_OVERFLOW));
+    EXPECT_EQ(glGetError(), kStackOverflow);
   }
   for (GLint i = deepest; i-- > 0;) {
     glPopAttrib();
-    glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &number);
-    EXPECT_EQ(number, 1 + i % 8) << i;
+    EXPECT_EQ(integer_of(GL_NUM_GENERAL_COMBINERS_NV), 1 + i % 8) << i;
   }
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   glPopAttrib();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_STACK_UNDERFLOW));
+  EXPECT_EQ(glGetError(), kStackUnderflow);
 }
 
 // The first command of the extensions comes after the push: a pop brings the defaults back.
@@ -142,9 +139,7 @@ TEST(LayerAttributes, PushedBeforeTheFirstCommand) {
     glEnable(GL_TEXTURE_SHADER_NV);
     const auto between = whole_state();
     glPopAttrib();
-    GLint number = 0;
-    glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &number);
-    EXPECT_EQ(number, mask == GL_TEXTURE_BIT ? 1 : 4);
+    EXPECT_EQ(integer_of(GL_NUM_GENERAL_COMBINERS_NV), mask == GL_TEXTURE_BIT ? 1 : 4);
     EXPECT_EQ(glIsEnabled(GL_REGISTER_COMBINERS_NV), mask == GL_FOG_BIT ? GL_TRUE : GL_FALSE);
     EXPECT_EQ(glIsEnabled(GL_TEXTURE_SHADER_NV), mask == GL_FOG_BIT ? GL_TRUE : GL_FALSE);
     EXPECT_EQ(whole_state() == between, mask == GL_FOG_BIT);
@@ -157,19 +152,15 @@ TEST(LayerAttributes, ThePictureFollows) {
   show_constant({1, 0, 0, 1});
   glPushAttrib(GL_TEXTURE_BIT);
   show_constant({0, 0, 1, 1});
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 0, 255, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 255, 255}));
   glPopAttrib();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 0, 0, 255}));
   glPushAttrib(GL_ENABLE_BIT);
   glDisable(GL_REGISTER_COMBINERS_NV);
   glColor4ub(0, 255, 0, 255);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 255, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 255, 0, 255}));
   glPopAttrib();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 0, 0, 255}));
 }
 
 // Between glBegin and glEnd neither command does anything.
@@ -182,15 +173,12 @@ TEST(LayerAttributes, BetweenBeginAndEnd) {
   glPopAttrib();
   glPushAttrib(GL_TEXTURE_BIT);
   glEnd();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
-  GLint number = 0;
-  glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &number);
-  EXPECT_EQ(number, 3);
+  EXPECT_EQ(glGetError(), kInvalidOperation);
+  EXPECT_EQ(integer_of(GL_NUM_GENERAL_COMBINERS_NV), 3);
   glPopAttrib();
-  glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &number);
-  EXPECT_EQ(number, 2);
+  EXPECT_EQ(integer_of(GL_NUM_GENERAL_COMBINERS_NV), 2);
   glPopAttrib();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_STACK_UNDERFLOW));
+  EXPECT_EQ(glGetError(), kStackUnderflow);
 }
 
 }  // namespace

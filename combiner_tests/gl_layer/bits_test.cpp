@@ -34,7 +34,7 @@ TEST_P(LayerBits, RandomProgramsAreTheLibrarys) {
     set_combiners(state, profile);
     const auto drawn = draw(fragments, profile);
     const auto expected = compute(*program, profile, fragments);
-    ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "program " << i;
+    ASSERT_EQ(glGetError(), kNoError) << "program " << i;
     for (std::size_t k = 0; k < kFragments; ++k) {
       ASSERT_EQ(drawn[k], expected[k]) << profile.name << ", program " << i << ", fragment " << k;
     }
@@ -43,11 +43,7 @@ TEST_P(LayerBits, RandomProgramsAreTheLibrarys) {
   EXPECT_GT(colors.size(), 1000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, LayerBits, ::testing::ValuesIn(integer_profiles()), [](const auto& profile) {
-  std::string name(profile.param.name);
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Profiles, LayerBits, ::testing::ValuesIn(integer_profiles()), name_of_case);
 
 }  // namespace
 }  // namespace ninebit::test

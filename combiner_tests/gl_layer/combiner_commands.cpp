@@ -93,49 +93,10 @@ std::array<GLenum, 7> right_enums(Random& random, const HardwareProfile& profile
 
 }  // namespace
 
-const CombinerFunctions kLayerFunctions{::glCombinerParameterfvNV,
-                                        ::glCombinerParameterivNV,
-                                        ::glCombinerParameterfNV,
-                                        ::glCombinerParameteriNV,
-                                        ::glCombinerInputNV,
-                                        ::glCombinerOutputNV,
-                                        ::glFinalCombinerInputNV,
-                                        ::glCombinerStageParameterfvNV,
-                                        ::glGetCombinerInputParameterfvNV,
-                                        ::glGetCombinerInputParameterivNV,
-                                        ::glGetCombinerOutputParameterfvNV,
-                                        ::glGetCombinerOutputParameterivNV,
-                                        ::glGetFinalCombinerInputParameterfvNV,
-                                        ::glGetFinalCombinerInputParameterivNV,
-                                        ::glGetCombinerStageParameterfvNV,
-                                        ::glEnable,
-                                        ::glDisable,
-                                        ::glIsEnabled,
-                                        ::glGetFloatv,
-                                        ::glGetIntegerv,
-                                        ::glGetError};
-
-const CombinerFunctions kLibraryFunctions{gl::glCombinerParameterfvNV,
-                                          gl::glCombinerParameterivNV,
-                                          gl::glCombinerParameterfNV,
-                                          gl::glCombinerParameteriNV,
-                                          gl::glCombinerInputNV,
-                                          gl::glCombinerOutputNV,
-                                          gl::glFinalCombinerInputNV,
-                                          gl::glCombinerStageParameterfvNV,
-                                          gl::glGetCombinerInputParameterfvNV,
-                                          gl::glGetCombinerInputParameterivNV,
-                                          gl::glGetCombinerOutputParameterfvNV,
-                                          gl::glGetCombinerOutputParameterivNV,
-                                          gl::glGetFinalCombinerInputParameterfvNV,
-                                          gl::glGetFinalCombinerInputParameterivNV,
-                                          gl::glGetCombinerStageParameterfvNV,
-                                          gl::glEnable,
-                                          gl::glDisable,
-                                          gl::glIsEnabled,
-                                          gl::glGetFloatv,
-                                          gl::glGetIntegerv,
-                                          gl::glGetError};
+#define NINEBIT_LAYERS(name, function) ::function,
+#define NINEBIT_LIBRARYS(name, function) gl::function,
+const CombinerFunctions kLayerFunctions{NINEBIT_COMBINER_FUNCTIONS(NINEBIT_LAYERS)};
+const CombinerFunctions kLibraryFunctions{NINEBIT_COMBINER_FUNCTIONS(NINEBIT_LIBRARYS)};
 
 CombinerCommand random_command(Random& random, const HardwareProfile& profile, bool setting, int mistakes) {
   CombinerCommand command;

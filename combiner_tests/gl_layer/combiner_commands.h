@@ -10,29 +10,34 @@
 
 namespace ninebit::test {
 
-// The entry points of the two extensions, and the few of OpenGL's own that they extend.
+// The entry points of the two extensions, and the few of OpenGL's own that they extend: FUNCTION(name here, name).
+#define NINEBIT_COMBINER_FUNCTIONS(FUNCTION)                        \
+  FUNCTION(parameterfv, glCombinerParameterfvNV)                    \
+  FUNCTION(parameteriv, glCombinerParameterivNV)                    \
+  FUNCTION(parameterf, glCombinerParameterfNV)                      \
+  FUNCTION(parameteri, glCombinerParameteriNV)                      \
+  FUNCTION(input, glCombinerInputNV)                                \
+  FUNCTION(output, glCombinerOutputNV)                              \
+  FUNCTION(final_input, glFinalCombinerInputNV)                     \
+  FUNCTION(stage_parameterfv, glCombinerStageParameterfvNV)         \
+  FUNCTION(get_inputfv, glGetCombinerInputParameterfvNV)            \
+  FUNCTION(get_inputiv, glGetCombinerInputParameterivNV)            \
+  FUNCTION(get_outputfv, glGetCombinerOutputParameterfvNV)          \
+  FUNCTION(get_outputiv, glGetCombinerOutputParameterivNV)          \
+  FUNCTION(get_final_inputfv, glGetFinalCombinerInputParameterfvNV) \
+  FUNCTION(get_final_inputiv, glGetFinalCombinerInputParameterivNV) \
+  FUNCTION(get_stage_parameterfv, glGetCombinerStageParameterfvNV)  \
+  FUNCTION(enable, glEnable)                                        \
+  FUNCTION(disable, glDisable)                                      \
+  FUNCTION(is_enabled, glIsEnabled)                                 \
+  FUNCTION(get_floatv, glGetFloatv)                                 \
+  FUNCTION(get_integerv, glGetIntegerv)                             \
+  FUNCTION(get_error, glGetError)
+
 struct CombinerFunctions {
-  void (*parameterfv)(GLenum, const GLfloat*);
-  void (*parameteriv)(GLenum, const GLint*);
-  void (*parameterf)(GLenum, GLfloat);
-  void (*parameteri)(GLenum, GLint);
-  void (*input)(GLenum, GLenum, GLenum, GLenum, GLenum, GLenum);
-  void (*output)(GLenum, GLenum, GLenum, GLenum, GLenum, GLenum, GLenum, GLboolean, GLboolean, GLboolean);
-  void (*final_input)(GLenum, GLenum, GLenum, GLenum);
-  void (*stage_parameterfv)(GLenum, GLenum, const GLfloat*);
-  void (*get_inputfv)(GLenum, GLenum, GLenum, GLenum, GLfloat*);
-  void (*get_inputiv)(GLenum, GLenum, GLenum, GLenum, GLint*);
-  void (*get_outputfv)(GLenum, GLenum, GLenum, GLfloat*);
-  void (*get_outputiv)(GLenum, GLenum, GLenum, GLint*);
-  void (*get_final_inputfv)(GLenum, GLenum, GLfloat*);
-  void (*get_final_inputiv)(GLenum, GLenum, GLint*);
-  void (*get_stage_parameterfv)(GLenum, GLenum, GLfloat*);
-  void (*enable)(GLenum);
-  void (*disable)(GLenum);
-  GLboolean (*is_enabled)(GLenum);
-  void (*get_floatv)(GLenum, GLfloat*);
-  void (*get_integerv)(GLenum, GLint*);
-  GLenum (*get_error)();
+#define NINEBIT_DECLARE(name, function) decltype(&::function) name;
+  NINEBIT_COMBINER_FUNCTIONS(NINEBIT_DECLARE)
+#undef NINEBIT_DECLARE
 };
 
 extern const CombinerFunctions kLayerFunctions, kLibraryFunctions;

@@ -17,8 +17,7 @@ void image(GLenum target, GLuint texture, GLint internal, GLenum format, std::ar
   } else {
     glTexImage2D(target, 0, internal, 1, 1, 0, format, GL_UNSIGNED_BYTE, texel.data());
   }
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  use_nearest(target);
 }
 
 StreamCommand command(std::string name, std::function<void()> run, bool in_begin = false) {

@@ -13,9 +13,7 @@ namespace ninebit::test {
 namespace {
 
 GLint general_combiners() {
-  GLint number = -1;
-  glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &number);
-  return number;
+  return integer_of(GL_NUM_GENERAL_COMBINERS_NV);
 }
 
 TEST(LayerContexts, EachHasItsOwnState) {
@@ -30,20 +28,19 @@ TEST(LayerContexts, EachHasItsOwnState) {
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 99);  // its error stays in this context
   draw_square();
   first->make_current();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   EXPECT_EQ(general_combiners(), 1);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 0, 0, 255}));
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
   second->make_current();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   EXPECT_EQ(general_combiners(), 7);
   EXPECT_EQ(center_pixel(), (Pixel{0, 255, 0, 255}));
   glPopAttrib();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_STACK_UNDERFLOW));
+  EXPECT_EQ(glGetError(), kStackUnderflow);
   first->make_current();
   glPopAttrib();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   EXPECT_EQ(general_combiners(), 1);
   // Both draw in turn, and neither disturbs the other.
   for (int i = 0; i < 10; ++i) {
@@ -52,11 +49,9 @@ TEST(LayerContexts, EachHasItsOwnState) {
     first->make_current();
     glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color);
     second->make_current();
-    draw_square();
-    EXPECT_EQ(center_pixel(), (Pixel{0, 255, 0, 255})) << i;
+    EXPECT_EQ(drawn_pixel(), (Pixel{0, 255, 0, 255})) << i;
     first->make_current();
-    draw_square();
-    EXPECT_EQ(center_pixel(), (Pixel{byte, byte, byte, 255})) << i;
+    EXPECT_EQ(drawn_pixel(), (Pixel{byte, byte, byte, 255})) << i;
   }
 }
 
@@ -93,7 +88,7 @@ TEST(LayerContexts, ListsAreShared) {
   const auto alone = GlContext::make(why_not);
   glCallList(1);
   EXPECT_EQ(glIsEnabled(GL_REGISTER_COMBINERS_NV), GL_FALSE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
 }
 
 // Draws with programs and constants of its own; returns how many pictures were wrong.
@@ -160,8 +155,7 @@ TEST(LayerContexts, DestroyedWhileCurrent) {
   NINEBIT_GL_CONTEXT(first);
   show_constant({0, 1, 0, 1});
   eglDestroyContext(eglGetCurrentDisplay(), eglGetCurrentContext());
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 255, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 255, 0, 255}));
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 4);
   EXPECT_EQ(general_combiners(), 4);
   // A new one, perhaps at the same address, begins with the defaults.
@@ -190,9 +184,7 @@ TEST(LayerContexts, NoContext) {
       const CombinerCommand command = random_command(random, profiles::nv2a, false);
       EXPECT_EQ(execute(kLayerFunctions, command), (std::array<GLfloat, 4>{-1, -1, -1, -1}));
     }
-    GLint value = -1;
-    glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &value);
-    EXPECT_EQ(value, -1);
+    EXPECT_EQ(general_combiners(), -2);
     EXPECT_EQ(glIsEnabled(GL_REGISTER_COMBINERS_NV), GL_FALSE);
     glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
     glNewList(1, GL_COMPILE);
@@ -209,7 +201,6 @@ TEST(LayerContexts, NoContext) {
   }
   context->make_current();
   EXPECT_EQ(general_combiners(), 2);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 }  // namespace

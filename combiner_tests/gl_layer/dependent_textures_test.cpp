@@ -116,8 +116,7 @@ void upload(const UnitTexture& texture) {
       glTexImage2D(target, 0, texture.internal, kSide, kSide, 0, texture.format, texture.type, bytes);
       break;
   }
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  use_nearest(target);
 }
 
 // The texel at a coordinate that repeats; `is_tie`: so near to a border that float error decides.
@@ -246,7 +245,7 @@ TEST(LayerDependentTextures, EveryOperationGivesTheReferencesTexels) {
       upload(drawing.textures[unit]);
       kinds[unit] = drawing.textures[unit].kind;
     }
-    ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    ASSERT_EQ(glGetError(), kNoError);
     const auto program = compile(drawing.state, kinds, profiles::nv2a);
     ASSERT_TRUE(program.ok()) << program.error().message;
     EXPECT_TRUE(program->warnings().empty()) << program->warnings().front();
@@ -276,27 +275,23 @@ TEST(LayerDependentTextures, EveryOperationGivesTheReferencesTexels) {
       EXPECT_EQ(consistent, GL_TRUE);
     }
     glActiveTexture(GL_TEXTURE0);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_EQ(glGetError(), kNoError);
   }
 }
 
 void draw_with(GLfloat third, const std::array<GLfloat, 3>& first_row, const std::array<GLfloat, 3>& second_row) {
-  glBegin(GL_QUADS);
-  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+  draw_corners([&](GLfloat x, GLfloat y) {
     glMultiTexCoord2f(GL_TEXTURE0, 0.5F, 0.5F);
     glMultiTexCoord3fv(GL_TEXTURE1, first_row.data());
     glMultiTexCoord3fv(GL_TEXTURE2, second_row.data());
-    glVertex3f(static_cast<GLfloat>(x), static_cast<GLfloat>(y), third);
-  }
-  glEnd();
+    glVertex3f(x, y, third);
+  });
 }
 
 // The quotient of two dot products takes the place of the polygon's depth in the depth test.
 TEST(LayerDependentTextures, DepthReplace) {
   NINEBIT_GL_CONTEXT(context);
-  const std::uint8_t white[]{255, 255, 255, 255};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_texel({255, 255, 255, 255});
   glEnable(GL_DEPTH_TEST);
   glClearDepth(1.0);
   glClear(GL_DEPTH_BUFFER_BIT);
@@ -316,20 +311,17 @@ TEST(LayerDependentTextures, DepthReplace) {
   GLfloat depth = 0.0F;
   glReadPixels(kPictureSize / 2, kPictureSize / 2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
   EXPECT_NEAR(depth, 0.4F, 1e-5F);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // An inconsistent stage is black, OpenGL reports it, and so it does for all that reads it.
 TEST(LayerDependentTextures, InconsistentStages) {
   NINEBIT_GL_CONTEXT(context);
-  const std::uint8_t texel[]{10, 20, 30, 40};
   for (GLenum unit = 0; unit < 3; ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
     GLuint name = 0;
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    set_texel({10, 20, 30, 40});
   }
   set_stage(0, {.operation = TextureOperation::texture_2d});
   set_stage(1, {.operation = TextureOperation::offset_2d});  // needs DSDT texels
@@ -343,10 +335,8 @@ TEST(LayerDependentTextures, InconsistentStages) {
     EXPECT_EQ(consistent, expected[unit]) << unit;
     show_register(GL_TEXTURE0 + unit);
     clear_picture();
-    draw_square();
-    EXPECT_EQ(center_pixel(), unit == 0 ? (Pixel{10, 20, 30, 40}) : (Pixel{0, 0, 0, 0})) << unit;
+    EXPECT_EQ(drawn_pixel(), unit == 0 ? (Pixel{10, 20, 30, 40}) : (Pixel{0, 0, 0, 0})) << unit;
   }
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // Signed texels without texture shaders: twice their value, at least the lowest code.
@@ -358,16 +348,12 @@ TEST(LayerDependentTextures, SignedTexelsReachTheCombiners) {
   glEnable(GL_TEXTURE_2D);
   show_register(GL_TEXTURE0);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{200, 60, 0, 254}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{200, 60, 0, 254}));
   // An alpha that a format does not have is 1, not a signed byte.
   glTexImage2D(GL_TEXTURE_2D, 0, GL_SIGNED_RGB8_NV, 1, 1, 0, GL_RGBA, GL_BYTE, texel);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{200, 60, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{200, 60, 0, 255}));
   glTexImage2D(GL_TEXTURE_2D, 0, GL_SIGNED_LUMINANCE8_NV, 1, 1, 0, GL_LUMINANCE, GL_BYTE, texel);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{200, 200, 200, 255}));
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(drawn_pixel(), (Pixel{200, 200, 200, 255}));
 }
 
 // HILO and DSDT texels are for stages; combiners see nothing.
@@ -383,10 +369,8 @@ TEST(LayerDependentTextures, TexelsForStagesAreNoColours) {
     if (!is_hilo) glTexImage2D(GL_TEXTURE_2D, 0, GL_DSDT8_MAG8_NV, 1, 1, 0, GL_DSDT_MAG_NV, GL_BYTE, bytes);
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    draw_square();
-    EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 0})) << is_hilo;
+    EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 0})) << is_hilo;
   }
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 }  // namespace

@@ -13,12 +13,6 @@ void set_constant(GLfloat red, GLfloat green, GLfloat blue) {
   glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color);
 }
 
-// The picture after a draw.
-Pixel drawn() {
-  draw_square();
-  return center_pixel();
-}
-
 // A list that makes a constant what is shown.
 void make_constant_list(GLuint list, GLfloat red, GLfloat green, GLfloat blue) {
   glNewList(list, GL_COMPILE);
@@ -27,9 +21,7 @@ void make_constant_list(GLuint list, GLfloat red, GLfloat green, GLfloat blue) {
 }
 
 GLint number_of_combiners() {
-  GLint number = 0;
-  glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &number);
-  return number;
+  return integer_of(GL_NUM_GENERAL_COMBINERS_NV);
 }
 
 TEST(LayerLists, CompilingExecutesNothing) {
@@ -37,14 +29,13 @@ TEST(LayerLists, CompilingExecutesNothing) {
   show_constant({1, 0, 0, 1});
   make_constant_list(1, 0, 1, 0);
   EXPECT_EQ(glIsList(1), GL_TRUE);
-  EXPECT_EQ(drawn(), kRed);
+  EXPECT_EQ(drawn_pixel(), kRed);
   glCallList(1);
-  EXPECT_EQ(drawn(), kGreen);
+  EXPECT_EQ(drawn_pixel(), kGreen);
   // Gets are executed at once.
-  GLint value = 0;
   glNewList(2, GL_COMPILE);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 5);
-  glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &value);
+  const GLint value = number_of_combiners();
   EXPECT_EQ(glIsEnabled(GL_REGISTER_COMBINERS_NV), GL_TRUE);
   glEndList();
   EXPECT_EQ(value, 1);
@@ -66,7 +57,6 @@ TEST(LayerLists, TwentyThousandConstants) {
   Pixel last{};
   glReadPixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, last.data());
   EXPECT_EQ(last, (Pixel{0, 19999 % 256, 19999 / 256, 255}));
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST(LayerLists, ErrorsAreRaisedWhenAListIsCalled) {
@@ -79,9 +69,9 @@ TEST(LayerLists, ErrorsAreRaisedWhenAListIsCalled) {
   glEnable(GL_REGISTER_COMBINERS_NV);
   glEnd();
   glEndList();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   glCallList(1);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   EXPECT_EQ(glIsEnabled(GL_REGISTER_COMBINERS_NV), GL_FALSE);
   glNewList(1, GL_COMPILE);
   glBegin(GL_POINTS);
@@ -90,15 +80,15 @@ TEST(LayerLists, ErrorsAreRaisedWhenAListIsCalled) {
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
   glEnd();
   glEndList();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   for (int i = 0; i < 2; ++i) {
     glCallList(1);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+    EXPECT_EQ(glGetError(), kInvalidOperation);
     EXPECT_EQ(number_of_combiners(), 1);
   }
   glNewList(1, GL_COMPILE_AND_EXECUTE);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 0);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   glEndList();
 }
 
@@ -106,16 +96,16 @@ TEST(LayerLists, WrongListCommands) {
   NINEBIT_GL_CONTEXT(context);
   show_constant({1, 0, 0, 1});
   glNewList(0, GL_COMPILE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   glNewList(1, GL_RGBA);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   glEndList();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);  // no list is open
   EXPECT_EQ(number_of_combiners(), 2);
   glNewList(1, GL_COMPILE);
   glNewList(2, GL_COMPILE_AND_EXECUTE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 3);
   glEndList();
   EXPECT_EQ(number_of_combiners(), 2);
@@ -125,7 +115,7 @@ TEST(LayerLists, WrongListCommands) {
   glNewList(1, GL_COMPILE);
   glEndList();
   glEnd();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 4);
   EXPECT_EQ(number_of_combiners(), 4);
 }
@@ -161,7 +151,7 @@ TEST(LayerLists, DeletedWhileItIsCompiled) {
   GLfloat clear[4];
   glGetFloatv(GL_COLOR_CLEAR_VALUE, clear);
   EXPECT_EQ(clear[1], 1);
-  EXPECT_EQ(drawn(), kGreen);
+  EXPECT_EQ(drawn_pixel(), kGreen);
 }
 
 // As an error of a program's own call, and as nothing where a list has it.
@@ -169,15 +159,15 @@ TEST(LayerLists, ACallOfListZero) {
   NINEBIT_GL_CONTEXT(context);
   show_constant({1, 0, 0, 1});
   glCallList(0);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   glNewList(1, GL_COMPILE);
   set_constant(0, 1, 0);
   glCallList(0);
   glEndList();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   glCallList(1);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-  EXPECT_EQ(drawn(), kGreen);
+  EXPECT_EQ(glGetError(), kNoError);
+  EXPECT_EQ(drawn_pixel(), kGreen);
 }
 
 TEST(LayerLists, RedefinitionAndDeletion) {
@@ -187,37 +177,36 @@ TEST(LayerLists, RedefinitionAndDeletion) {
   make_constant_list(list, 0, 1, 0);
   make_constant_list(list, 0, 0, 1);
   glCallList(list);
-  EXPECT_EQ(drawn(), kBlue);
+  EXPECT_EQ(drawn_pixel(), kBlue);
   // To a list of the driver's commands alone, and back.
   glNewList(list, GL_COMPILE);
   glColor4ub(1, 2, 3, 4);
   glEndList();
   set_constant(1, 0, 0);
   glCallList(list);
-  EXPECT_EQ(drawn(), kRed);
+  EXPECT_EQ(drawn_pixel(), kRed);
   make_constant_list(list, 0, 1, 0);
   make_constant_list(list + 1, 0, 0, 1);
   glDeleteLists(list, 1);
   EXPECT_EQ(glIsList(list), GL_FALSE);
   EXPECT_EQ(glIsList(list + 1), GL_TRUE);
   glCallList(list);
-  EXPECT_EQ(drawn(), kRed);
+  EXPECT_EQ(drawn_pixel(), kRed);
   glCallList(list + 1);
-  EXPECT_EQ(drawn(), kBlue);
+  EXPECT_EQ(drawn_pixel(), kBlue);
   glDeleteLists(1, -1);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   glDeleteLists(0, 10000);
   set_constant(1, 0, 0);
   glCallList(list + 1);
-  EXPECT_EQ(drawn(), kRed);
+  EXPECT_EQ(drawn_pixel(), kRed);
   // The layer's own lists are not in the way.
   const GLuint many = glGenLists(100000);
   EXPECT_NE(many, 0U);
   glDeleteLists(many, 100000);
   make_constant_list(list, 0, 1, 0);
   glCallList(list);
-  EXPECT_EQ(drawn(), kGreen);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(drawn_pixel(), kGreen);
 }
 
 // Lists by number: the base is that of the call's execution, and every type works.
@@ -231,7 +220,7 @@ TEST(LayerLists, NumbersOfAllTypes) {
     set_constant(1, 0, 0);
     glListBase(1000);
     glCallLists(n, type, numbers);
-    EXPECT_EQ(drawn(), pixel) << std::hex << type;
+    EXPECT_EQ(drawn_pixel(), pixel) << std::hex << type;
     // The same from a list that was compiled with another base.
     glListBase(5);
     glNewList(1, GL_COMPILE);
@@ -240,7 +229,7 @@ TEST(LayerLists, NumbersOfAllTypes) {
     set_constant(1, 0, 0);
     glListBase(1000);
     glCallList(1);
-    EXPECT_EQ(drawn(), pixel) << std::hex << type << " in a list";
+    EXPECT_EQ(drawn_pixel(), pixel) << std::hex << type << " in a list";
     glListBase(0);
   };
   const GLbyte bytes[]{7}, negative[]{-9};
@@ -262,19 +251,18 @@ TEST(LayerLists, NumbersOfAllTypes) {
   expect(GL_UNSIGNED_INT, uints, 2, kBlue);
   expect(GL_FLOAT, floats, 1, kGreen);
   expect(GL_INT, nullptr, 0, kRed);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   glCallLists(1, GL_DOUBLE, uints);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   glCallLists(-1, GL_INT, uints);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
 }
 
 // A list that changes what shaders depend on, called before one that draws, both of the driver's commands alone.
 TEST(LayerLists, AListChangesWhatTheNextOneNeeds) {
   NINEBIT_GL_CONTEXT(context);
   const Pixel texel{9, 99, 199, 149};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_texel(texel);
   glNewList(1, GL_COMPILE);
   glEnable(GL_TEXTURE_2D);
   glEndList();
@@ -282,8 +270,7 @@ TEST(LayerLists, AListChangesWhatTheNextOneNeeds) {
   draw_square();
   glEndList();
   show_register(GL_TEXTURE0);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 255}));
   const GLubyte lists[]{1, 2};
   glCallLists(2, GL_UNSIGNED_BYTE, lists);
   EXPECT_EQ(center_pixel(), texel);
@@ -306,33 +293,30 @@ TEST(LayerLists, HalfABegin) {
   glCallList(1);
   refused();
   glCallList(2);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   EXPECT_EQ(number_of_combiners(), 1);
   glBegin(GL_POINTS);
   refused();
   glCallList(2);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   EXPECT_EQ(glIsEnabled(GL_REGISTER_COMBINERS_NV), GL_FALSE);
   glCallList(1);
   refused();
   glEnd();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   EXPECT_EQ(number_of_combiners(), 1);
   refused();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   EXPECT_EQ(number_of_combiners(), 2);
   // glEndList between glBegin and glEnd of a list that executes.
   glNewList(3, GL_COMPILE_AND_EXECUTE);
   glBegin(GL_POINTS);
   glEndList();
   glEnd();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
-  GLint open = -1;
-  glGetIntegerv(GL_LIST_INDEX, &open);
-  if (open != 0) glEndList();
+  EXPECT_EQ(glGetError(), kInvalidOperation);
+  if (integer_of(GL_LIST_INDEX) != 0) glEndList();
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 3);
   EXPECT_EQ(number_of_combiners(), 3);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // A list that calls itself ends.
@@ -344,8 +328,7 @@ TEST(LayerLists, AListThatCallsItself) {
   glCallList(1);
   glEndList();
   glCallList(1);
-  EXPECT_EQ(drawn(), kGreen);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(drawn_pixel(), kGreen);
 }
 
 }  // namespace

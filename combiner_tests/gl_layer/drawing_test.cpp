@@ -138,7 +138,7 @@ void expect_colors_of(const std::vector<WayToDraw>& ways, bool in_list) {
       way.draw();
     }
     EXPECT_EQ(center_pixel(), (Pixel{byte, 77, 33, 66})) << way.name << (in_list ? " in a list" : "");
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << way.name;
+    EXPECT_EQ(glGetError(), kNoError) << way.name;
   }
 }
 

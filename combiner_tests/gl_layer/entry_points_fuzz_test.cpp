@@ -123,11 +123,7 @@ void some_list_call(Random& random, Caller& caller) {
   switch (random.below(6)) {
     case 0:
       glNewList(list, random.one_in(8) ? some_enum(random) : random.pick<GLenum>({GL_COMPILE, GL_COMPILE_AND_EXECUTE}));
-      {
-        GLint number = 0;
-        glGetIntegerv(GL_LIST_INDEX, &number);
-        open = static_cast<GLuint>(number) == list ? list : open;
-      }
+      open = static_cast<GLuint>(integer_of(GL_LIST_INDEX)) == list ? list : open;
       return;
     case 1:
     case 2:
@@ -299,8 +295,7 @@ TEST(LayerEntryPoints, RandomCallsFromThreads) {
   wanted.reset();
   const auto third = GlContext::make(why_not);
   show_constant({0, 1, 0, 1});
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 255, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 255, 0, 255}));
 }
 
 }  // namespace

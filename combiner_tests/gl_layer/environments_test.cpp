@@ -22,14 +22,7 @@ void random_texture(Random& random) {
   std::array<std::uint8_t, 64> texels{};
   for (std::uint8_t& byte : texels) byte = static_cast<std::uint8_t>(random.below(256));
   glTexImage2D(GL_TEXTURE_2D, 0, format, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
-// The 2D texture that is bound has one texel.
-void set_one_texel(const Pixel& texel, GLint format = GL_RGBA8) {
-  glTexImage2D(GL_TEXTURE_2D, 0, format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  use_nearest(GL_TEXTURE_2D);
 }
 
 void random_combine(Random& random, GLenum function, GLenum source, GLenum operand, GLenum scale, bool is_rgb) {
@@ -126,48 +119,42 @@ TEST(LayerEnvironments, EqualTheDriversFixedFunctions) {
     }
   }
   EXPECT_GT(distinct, 10);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST(LayerEnvironments, DecalBlendsByTheTexelsAlpha) {
   NINEBIT_GL_CONTEXT(context);
-  set_one_texel({200, 100, 0, 51});
+  set_texel({200, 100, 0, 51});
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_SHADER_NV);
   glColor4ub(100, 200, 255, 7);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{120, 180, 204, 7}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{120, 180, 204, 7}));
 }
 
 // The environment is read when it has changed, and not before combiners are disabled.
 TEST(LayerEnvironments, CombinersComeFirst) {
   NINEBIT_GL_CONTEXT(context);
-  set_one_texel({50, 60, 70, 80});
+  set_texel({50, 60, 70, 80});
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_SHADER_NV);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{50, 60, 70, 80}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{50, 60, 70, 80}));
   show_constant({0, 1, 0, 1});
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 255, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 255, 0, 255}));
   glDisable(GL_REGISTER_COMBINERS_NV);
   glColor4ub(255, 0, 255, 255);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{50, 0, 70, 80}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{50, 0, 70, 80}));
   glDisable(GL_TEXTURE_SHADER_NV);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 0, 255, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 0, 255, 255}));
 }
 
 // NV_texture_shader's mode GL_NONE: the unit leaves the colour as it is.
 TEST(LayerEnvironments, NoneLeavesTheColour) {
   NINEBIT_GL_CONTEXT(context);
-  set_one_texel({50, 60, 70, 80});
+  set_texel({50, 60, 70, 80});
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_SHADER_NV);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_NONE);
@@ -176,19 +163,15 @@ TEST(LayerEnvironments, NoneLeavesTheColour) {
   EXPECT_EQ(mode, GL_NONE);
   glColor4ub(1, 2, 3, 4);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{1, 2, 3, 4}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{1, 2, 3, 4}));
   glNewList(1, GL_COMPILE);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
   glEndList();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{1, 2, 3, 4}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{1, 2, 3, 4}));
   glCallList(1);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{50, 60, 70, 80}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{50, 60, 70, 80}));
   glGetTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, &mode);
   EXPECT_EQ(mode, GL_REPLACE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // It is kept from the first command of a program on, ends with the next mode, and is part of the texture attributes.
@@ -213,7 +196,7 @@ TEST(LayerEnvironments, NoneFollowsTheAttributes) {
   EXPECT_EQ(mode(), GL_MODULATE);
   glActiveTexture(GL_TEXTURE5);  // of the driver alone, which does not have the mode
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_NONE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), kInvalidEnum);
 }
 
 // Each list of glCallLists gets the shader that fits when it begins, also without combiners.
@@ -223,7 +206,7 @@ TEST(LayerEnvironments, ListsHaveShadersOfTheirOwn) {
   glGenTextures(2, textures);
   for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) {
     glBindTexture(GL_TEXTURE_2D, textures[i]);
-    set_one_texel({50, 60, 70, 128}, i == 0 ? GL_RGBA8 : GL_ALPHA8);
+    set_texel({50, 60, 70, 128}, i == 0 ? GL_RGBA8 : GL_ALPHA8);
   }
   glNewList(1, GL_COMPILE);
   glBindTexture(GL_TEXTURE_2D, textures[1]);

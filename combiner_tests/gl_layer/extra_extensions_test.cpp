@@ -14,15 +14,9 @@ void glXFreeMemoryNV(void*);
 namespace ninebit::test {
 namespace {
 
-constexpr auto kNoFault = static_cast<GLenum>(GL_NO_ERROR);
-
 bool is_listed(const std::string& name) {
   const std::string all = std::string(" ") + reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)) + ' ';
   return all.find(' ' + name + ' ') != std::string::npos;
-}
-
-GLenum taken_error() {
-  return glGetError();
 }
 
 TEST(LayerExtras, AreListedIfTheyAreWanted) {
@@ -36,30 +30,28 @@ TEST(LayerExtras, AreListedIfTheyAreWanted) {
     int bits = 0;
     for (int i = 0; i < 4; ++i) bits |= is_listed(names[i]) ? 1 << i : 0;
     EXPECT_EQ(bits, expected) << list;
-    GLint length = -1;
-    glGetIntegerv(GL_VERTEX_ARRAY_RANGE_LENGTH_NV, &length);
-    EXPECT_EQ(taken_error(), (bits & 2) != 0 ? kNoFault : GLenum{GL_INVALID_ENUM}) << list;
+    integer_of(GL_VERTEX_ARRAY_RANGE_LENGTH_NV);
+    EXPECT_EQ(glGetError(), (bits & 2) != 0 ? kNoError : kInvalidEnum) << list;
     GLuint fence = 0;
     glGenFencesNV(1, &fence);  // without the extension nothing happens
     EXPECT_EQ(fence, static_cast<GLuint>(bits & 1)) << list;
-    EXPECT_EQ(taken_error(), kNoFault) << list;
+    EXPECT_EQ(glGetError(), kNoError) << list;
   }
 }
 
 TEST(LayerExtras, Fences) {
   const WithExtensions wanted("all");
   NINEBIT_GL_CONTEXT(context);
-  constexpr GLenum kNotAllowed = GL_INVALID_OPERATION, kBadValue = GL_INVALID_VALUE, kBadEnum = GL_INVALID_ENUM;
   GLuint fences[3]{};
   glGenFencesNV(3, fences);
   EXPECT_NE(fences[0], fences[1]);
   EXPECT_EQ(glIsFenceNV(fences[0]), GL_FALSE) << "it was never set";
   EXPECT_EQ(glTestFenceNV(fences[0]), GL_TRUE);
-  EXPECT_EQ(taken_error(), kNotAllowed);
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   glFinishFenceNV(fences[0]);
-  EXPECT_EQ(taken_error(), kNotAllowed);
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   glSetFenceNV(fences[0], GL_FENCE_STATUS_NV);
-  EXPECT_EQ(taken_error(), kBadEnum);
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   glSetFenceNV(fences[0], GL_ALL_COMPLETED_NV);
   EXPECT_EQ(glIsFenceNV(fences[0]), GL_TRUE);
   EXPECT_EQ(glTestFenceNV(fences[0]), GL_TRUE);
@@ -69,9 +61,9 @@ TEST(LayerExtras, Fences) {
   glGetFenceivNV(fences[0], GL_FENCE_CONDITION_NV, &condition);
   EXPECT_EQ(status, GL_TRUE);
   EXPECT_EQ(condition, GL_ALL_COMPLETED_NV);
-  EXPECT_EQ(taken_error(), kNoFault);
+  EXPECT_EQ(glGetError(), kNoError);
   glGetFenceivNV(fences[0], GL_ALL_COMPLETED_NV, &condition);
-  EXPECT_EQ(taken_error(), kBadEnum);
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   glNewList(1, GL_COMPILE);
   glSetFenceNV(fences[1], GL_ALL_COMPLETED_NV);
   glEndList();
@@ -81,13 +73,13 @@ TEST(LayerExtras, Fences) {
   glBegin(GL_POINTS);
   glSetFenceNV(fences[2], GL_ALL_COMPLETED_NV);
   glEnd();
-  EXPECT_EQ(taken_error(), kNotAllowed);
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   glDeleteFencesNV(3, fences);
   EXPECT_EQ(glIsFenceNV(fences[0]), GL_FALSE);
   glDeleteFencesNV(-1, fences);
-  EXPECT_EQ(taken_error(), kBadValue);
+  EXPECT_EQ(glGetError(), kInvalidValue);
   glGenFencesNV(-1, fences);
-  EXPECT_EQ(taken_error(), kBadValue);
+  EXPECT_EQ(glGetError(), kInvalidValue);
 }
 
 TEST(LayerExtras, VertexArrayRange) {
@@ -99,15 +91,11 @@ TEST(LayerExtras, VertexArrayRange) {
   glVertexArrayRangeNV(4096, memory);
   glEnableClientState(GL_VERTEX_ARRAY_RANGE_NV);
   EXPECT_EQ(glIsEnabled(GL_VERTEX_ARRAY_RANGE_NV), GL_TRUE);
-  GLint length = 0, valid = 0, most = 0;
   GLvoid* pointer = nullptr;
-  glGetIntegerv(GL_VERTEX_ARRAY_RANGE_LENGTH_NV, &length);
-  glGetIntegerv(GL_VERTEX_ARRAY_RANGE_VALID_NV, &valid);
-  glGetIntegerv(GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV, &most);
   glGetPointerv(GL_VERTEX_ARRAY_RANGE_POINTER_NV, &pointer);
-  EXPECT_EQ(length, 4096);
-  EXPECT_EQ(valid, 1);
-  EXPECT_GE(most, 65535);
+  EXPECT_EQ(integer_of(GL_VERTEX_ARRAY_RANGE_LENGTH_NV), 4096);
+  EXPECT_EQ(integer_of(GL_VERTEX_ARRAY_RANGE_VALID_NV), 1);
+  EXPECT_GE(integer_of(GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV), 65535);
   EXPECT_EQ(pointer, memory);
   // What is written after a draw call is not drawn.
   constexpr GLfloat kSquare[]{-1, -1, 1, -1, 1, 1, -1, 1}, kNowhere[8]{};
@@ -130,9 +118,9 @@ TEST(LayerExtras, VertexArrayRange) {
   EXPECT_EQ(glIsEnabled(GL_VERTEX_ARRAY_RANGE_NV), GL_FALSE) << "pixels alone were saved";
   glPopClientAttrib();
   EXPECT_EQ(glIsEnabled(GL_VERTEX_ARRAY_RANGE_NV), GL_TRUE);
-  EXPECT_EQ(taken_error(), kNoFault);
+  EXPECT_EQ(glGetError(), kNoError);
   glVertexArrayRangeNV(-1, memory);
-  EXPECT_EQ(taken_error(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   glXFreeMemoryNV(memory);
 }
 
@@ -144,8 +132,7 @@ TEST(LayerExtras, ShadowMaps) {
   constexpr GLint kLequalSgix = 0x819C, kGequalSgix = 0x819D;
   const GLfloat half = 0.5F;
   glTexImage2D(GL_TEXTURE_2D, 0, 0x81A6, 1, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &half);  // GL_DEPTH_COMPONENT24_SGIX
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  use_nearest(GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_2D);
   glMatrixMode(GL_TEXTURE);
   const auto shown = [](GLfloat reference) {
@@ -180,9 +167,9 @@ TEST(LayerExtras, ShadowMaps) {
     EXPECT_EQ(get(kCompareSgix), 0);
     EXPECT_EQ(shown(0.25F), shown(0.75F)) << combiners;
   }
-  EXPECT_EQ(taken_error(), kNoFault);
+  EXPECT_EQ(glGetError(), kNoError);
   glTexParameteri(GL_TEXTURE_2D, kOperatorSgix, GL_LEQUAL);
-  EXPECT_EQ(taken_error(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), kInvalidEnum);
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ namespace {
 
 Pixel shown(GLenum reg) {
   show_register(reg);
-  draw_square();
-  return center_pixel();
+  return drawn_pixel();
 }
 
 void set_light(GLint color_control) {
@@ -79,9 +78,7 @@ TEST(LayerFixedFunctions, FogFactors) {
   glFogf(GL_FOG_START, 0.0F);
   glFogf(GL_FOG_END, 1.0F);
   show_register(GL_FOG);
-  glBegin(GL_QUADS);
-  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) glVertex3f(GLfloat(x), GLfloat(y), -0.75F);
-  glEnd();
+  draw_corners([](GLfloat x, GLfloat y) { glVertex3f(x, y, -0.75F); });
   EXPECT_NEAR(center_pixel()[3], 0.25 * 255.0, 1.01);
 }
 
@@ -93,14 +90,11 @@ TEST(LayerFixedFunctions, FogBetweenOtherChanges) {
   glFogf(GL_FOG_START, 1.0F);
   glFogf(GL_FOG_END, 3.0F);
   glFogCoordf(2.5F);
-  const std::uint8_t texel[]{1, 2, 3, 77};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_texel({1, 2, 3, 77}, GL_RGBA);
   const auto alpha = [](bool fog) {
     (fog ? glEnable : glDisable)(GL_FOG);
     clear_picture();
-    draw_square();
-    return int{center_pixel()[3]};
+    return int{drawn_pixel()[3]};
   };
   show_register(GL_FOG);
   glDisable(GL_FOG);
@@ -126,8 +120,7 @@ TEST(LayerFixedFunctions, FogBetweenOtherChanges) {
   EXPECT_EQ(alpha(false), without);
   glPopAttrib();
   clear_picture();
-  draw_square();
-  EXPECT_NEAR(center_pixel()[3], 255.0 * std::exp(-0.5), 1.01);
+  EXPECT_NEAR(drawn_pixel()[3], 255.0 * std::exp(-0.5), 1.01);
 }
 
 TEST(LayerFixedFunctions, ShadeModel) {
@@ -161,18 +154,15 @@ TEST(LayerFixedFunctions, AlphaTestAndBlendingComeAfterCombiners) {
   glEnable(GL_ALPHA_TEST);
   glAlphaFunc(GL_GREATER, 0.5F);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 0}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 0}));
   glAlphaFunc(GL_LESS, 0.5F);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 102, 51, 51}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 102, 51, 51}));
   glDisable(GL_ALPHA_TEST);
   glClearColor(0, 1, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  draw_square();
-  const Pixel blended = center_pixel();
+  const Pixel blended = drawn_pixel();
   EXPECT_NEAR(blended[0], 51, 1);
   EXPECT_NEAR(blended[1], 0.2 * 102 + 0.8 * 255, 1);
   EXPECT_NEAR(blended[2], 0.2 * 51, 1);
@@ -184,14 +174,11 @@ TEST(LayerFixedFunctions, OwnShadersTakePrecedence) {
   const GLuint program = make_green_program();
   show_constant({1.0F, 0.2F, 0.2F, 0.2F});
   for (int i = 0; i < 2; ++i) {
-    draw_square();
-    EXPECT_EQ(center_pixel(), constant);
+    EXPECT_EQ(drawn_pixel(), constant);
     glUseProgram(program);
-    draw_square();
-    EXPECT_EQ(center_pixel(), green);
+    EXPECT_EQ(drawn_pixel(), green);
     glDisable(GL_REGISTER_COMBINERS_NV);
-    draw_square();
-    EXPECT_EQ(center_pixel(), green);
+    EXPECT_EQ(drawn_pixel(), green);
     glEnable(GL_REGISTER_COMBINERS_NV);
     glUseProgramObjectARB(0);
   }
@@ -200,11 +187,9 @@ TEST(LayerFixedFunctions, OwnShadersTakePrecedence) {
   glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(std::strlen(text)),
                      text);
   for (int i = 0; i < 2; ++i) {
-    draw_square();
-    EXPECT_EQ(center_pixel(), constant);
+    EXPECT_EQ(drawn_pixel(), constant);
     glEnable(GL_FRAGMENT_PROGRAM_ARB);
-    draw_square();
-    EXPECT_EQ(center_pixel(), green);
+    EXPECT_EQ(drawn_pixel(), green);
     glDisable(GL_FRAGMENT_PROGRAM_ARB);
   }
   // A vertex program gives combiners its colours.
@@ -220,23 +205,19 @@ TEST(LayerFixedFunctions, OwnShadersTakePrecedence) {
   EXPECT_EQ(shown(GL_PRIMARY_COLOR_NV), (Pixel{51, 102, 153, 204}));
   const Pixel secondary = shown(GL_SECONDARY_COLOR_NV);
   EXPECT_EQ((std::array{secondary[0], secondary[1], secondary[2]}), (std::array<std::uint8_t, 3>{102, 51, 0}));
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // The texture environment, colour sum and fog are not applied to what combiners give.
 TEST(LayerFixedFunctions, NothingElseChangesTheColor) {
   NINEBIT_GL_CONTEXT(context);
   show_constant({0.2F, 0.4F, 0.6F, 0.8F});
-  const std::uint8_t texel[]{99, 9, 200, 77};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set_texel({99, 9, 200, 77});
   glEnable(GL_TEXTURE_2D);
   glEnable(GL_FOG);
   glEnable(GL_COLOR_SUM);
   glSecondaryColor3ub(255, 255, 255);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_ADD);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{51, 102, 153, 204}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{51, 102, 153, 204}));
 }
 
 // Names of shaders advance by one for each that is made: this program's own between two draws, and the layer's.
@@ -259,8 +240,7 @@ TEST(LayerFixedFunctions, AChangedConstantCompilesNothing) {
       const GLfloat level = static_cast<GLfloat>(byte) / 255.0F, color[]{level, 1.0F, level, level};
       per_stage ? glCombinerStageParameterfvNV(GL_COMBINER0_NV, GL_CONSTANT_COLOR1_NV, color)
                 : glCombinerParameterfvNV(GL_CONSTANT_COLOR1_NV, color);
-      draw_square();
-      EXPECT_EQ(center_pixel(), (Pixel{byte, 255, byte, byte})) << per_stage;
+      EXPECT_EQ(drawn_pixel(), (Pixel{byte, 255, byte, byte})) << per_stage;
     }
     const GLuint after = glCreateShader(GL_FRAGMENT_SHADER);
     EXPECT_EQ(after, before + 1) << per_stage;

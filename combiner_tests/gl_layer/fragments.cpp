@@ -28,8 +28,7 @@ void upload_texture(const Fragments& fragments, std::size_t unit) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_2D, 1 + static_cast<GLuint>(unit));
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kPictureSize, kPictureSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  use_nearest(GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_2D);
 }
 
@@ -43,6 +42,12 @@ void set_fog(const Fragments& fragments) {
 }
 
 }  // namespace
+
+std::string name_of_case(const ::testing::TestParamInfo<HardwareProfile>& profile) {
+  std::string name(profile.param.name);
+  std::erase(name, '-');
+  return name;
+}
 
 CombinerState random_gl_state(Random& random, const HardwareProfile& profile) {
   CombinerState state = random_state(random, profile);
@@ -69,7 +74,7 @@ Fragments random_fragments(Random& random, const HardwareProfile& profile) {
   return fragments;
 }
 
-std::vector<std::array<std::uint8_t, 4>> draw(const Fragments& fragments, const HardwareProfile& profile) {
+std::vector<Pixel> draw(const Fragments& fragments, const HardwareProfile& profile) {
   for (std::size_t u = 0; u < 4; ++u) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(u));
     glDisable(GL_TEXTURE_2D);
@@ -92,14 +97,11 @@ std::vector<std::array<std::uint8_t, 4>> draw(const Fragments& fragments, const 
     glVertex2f(2.0F * x - 1.0F, 2.0F * y - 1.0F);
   }
   glEnd();
-  std::vector<std::array<std::uint8_t, 4>> picture(kFragments);
-  glReadPixels(0, 0, kPictureSize, kPictureSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
-  return picture;
+  return read_picture();
 }
 
-std::vector<std::array<std::uint8_t, 4>> compute(const Program& program, const HardwareProfile& profile,
-                                                 const Fragments& fragments) {
-  std::vector<std::array<std::uint8_t, 4>> picture;
+std::vector<Pixel> compute(const Program& program, const HardwareProfile& profile, const Fragments& fragments) {
+  std::vector<Pixel> picture;
   for (const FragmentInputs& in : fragments.inputs) {
     const Rgba9 codes = evaluate(program, initial_registers(profile, in));
     picture.push_back({to_byte(profile, codes[0]), to_byte(profile, codes[1]), to_byte(profile, codes[2]),

@@ -1,10 +1,13 @@
 // 256 fragments with inputs of their own, drawn by OpenGL and computed by the library.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
+#include <string>
 #include <vector>
 
-#include "combiner_tests/gl_layer/gl_context.h"
+#include "combiner_tests/gl_layer/pictures.h"
 #include "combiner_tests/support/random.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/program.h"
@@ -20,6 +23,9 @@ struct Fragments {
   std::array<FragmentInputs, kFragments> inputs{};
 };
 
+// What a parametrized test is called under a profile.
+std::string name_of_case(const ::testing::TestParamInfo<HardwareProfile>& profile);
+
 // A state that OpenGL can set.
 CombinerState random_gl_state(Random& random, const HardwareProfile& profile);
 
@@ -28,10 +34,9 @@ Fragments random_fragments(Random& random, const HardwareProfile& profile);
 
 // Draws them as points, one a pixel, with nearest textures; returns the picture, red, green, blue, alpha, by rows from
 // below.
-std::vector<std::array<std::uint8_t, 4>> draw(const Fragments& fragments, const HardwareProfile& profile);
+std::vector<Pixel> draw(const Fragments& fragments, const HardwareProfile& profile);
 
 // The same as the library computes it.
-std::vector<std::array<std::uint8_t, 4>> compute(const Program& program, const HardwareProfile& profile,
-                                                 const Fragments& fragments);
+std::vector<Pixel> compute(const Program& program, const HardwareProfile& profile, const Fragments& fragments);
 
 }  // namespace ninebit::test

@@ -2,6 +2,7 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cstdlib>
@@ -32,26 +33,18 @@ EGLDisplay display_of_tests() {
 }
 
 EGLConfig find_config(EGLDisplay display) {
-  constexpr std::array<EGLint, 17> wanted{EGL_SURFACE_TYPE,
-                                          EGL_PBUFFER_BIT,
-                                          EGL_RENDERABLE_TYPE,
-                                          EGL_OPENGL_BIT,
-                                          EGL_RED_SIZE,
-                                          8,
-                                          EGL_GREEN_SIZE,
-                                          8,
-                                          EGL_BLUE_SIZE,
-                                          8,
-                                          EGL_ALPHA_SIZE,
-                                          8,
-                                          EGL_DEPTH_SIZE,
-                                          24,
-                                          EGL_STENCIL_SIZE,
-                                          8,
-                                          EGL_NONE};
+  constexpr EGLint wanted[][2]{{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT},
+                               {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT},
+                               {EGL_RED_SIZE, 8},
+                               {EGL_GREEN_SIZE, 8},
+                               {EGL_BLUE_SIZE, 8},
+                               {EGL_ALPHA_SIZE, 8},
+                               {EGL_DEPTH_SIZE, 24},
+                               {EGL_STENCIL_SIZE, 8},
+                               {EGL_NONE, EGL_NONE}};
   EGLConfig config = nullptr;
   EGLint number = 0;
-  eglChooseConfig(display, wanted.data(), &config, 1, &number);
+  eglChooseConfig(display, wanted[0], &config, 1, &number);
   return number > 0 ? config : nullptr;
 }
 
@@ -116,6 +109,10 @@ WithExtensions::WithExtensions(const char* list) {
 
 WithExtensions::~WithExtensions() {
   unsetenv("NINEBIT_GL_EXTENSIONS");
+}
+
+NoErrorIsLeft::~NoErrorIsLeft() {
+  EXPECT_EQ(glGetError(), kNoError) << "an error that the test has not asked for";
 }
 
 void set_combiners(const CombinerState& state, const HardwareProfile& profile) {

@@ -46,13 +46,24 @@ class WithExtensions {
 
 inline constexpr int kPictureSize = 16;
 
+// What glGetError returns, of its type.
+inline constexpr GLenum kNoError = GL_NO_ERROR, kInvalidEnum = GL_INVALID_ENUM, kInvalidValue = GL_INVALID_VALUE,
+                        kInvalidOperation = GL_INVALID_OPERATION, kStackOverflow = GL_STACK_OVERFLOW,
+                        kStackUnderflow = GL_STACK_UNDERFLOW;
+
+// A test that ends has asked for all errors of its context.
+struct NoErrorIsLeft {
+  ~NoErrorIsLeft();
+};
+
 // Sets the combiners to a valid state by GL's calls, and enables them.
 void set_combiners(const CombinerState& state, const HardwareProfile& profile);
 
 }  // namespace ninebit::test
 
-// Begins a test: a current context, or a skipped test that says why.
+// Begins a test: a current context, without an error at the test's end; or a skipped test that says why.
 #define NINEBIT_GL_CONTEXT(name, ...)                                                   \
   std::string why_not;                                                                  \
   const auto name = ninebit::test::GlContext::make(why_not __VA_OPT__(, ) __VA_ARGS__); \
-  if (name == nullptr) GTEST_SKIP() << why_not
+  if (name == nullptr) GTEST_SKIP() << why_not;                                         \
+  [[maybe_unused]] const ninebit::test::NoErrorIsLeft name##_has_no_error

@@ -42,14 +42,9 @@ TEST_P(LayerInputs, EveryRegister) {
       }
     }
   }
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, LayerInputs, ::testing::ValuesIn(integer_profiles()), [](const auto& profile) {
-  std::string name(profile.param.name);
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Profiles, LayerInputs, ::testing::ValuesIn(integer_profiles()), name_of_case);
 
 }  // namespace
 }  // namespace ninebit::test

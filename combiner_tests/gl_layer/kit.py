@@ -95,9 +95,11 @@ class Kit:
         return [[int(line.split(",")[i]) for i in order] for line in lines[1:]]
 
 
-def build(command):
-    """Compiles something. A compiler's complaint is a failure of the test."""
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+def build(source, program, *options, compiler="gcc"):
+    """Compiles a source of this folder: options of the compiler and libraries. A complaint is a failure of the test."""
+    flags = ["-std=gnu99", "-O2", "-Wall", "-Wextra", "-Wno-cast-function-type", "-Werror"] if source.endswith(".c") else ["-O1"]
+    done = subprocess.run([compiler, *flags, str(HERE / source), "-o", str(program), *map(str, options)], capture_output=True, text=True)
     if done.returncode != 0:
         sys.stderr.write(done.stderr)
-        raise RuntimeError(f"{command[0]} failed")
+        raise RuntimeError(f"{compiler} failed")
+    return program

@@ -42,59 +42,52 @@ TEST(LayerNames, ProgramsAreHidden) {
   NINEBIT_GL_CONTEXT(context);
   const GLuint before = make_green_program();
   draw_by_two_programs();
-  constexpr auto kInvalid = static_cast<GLenum>(GL_INVALID_VALUE);
   for (GLuint name = before + 1; name < before + 60; ++name) {
     EXPECT_EQ(glIsProgram(name), GL_FALSE) << name;
     EXPECT_EQ(glIsShader(name), GL_FALSE) << name;
-    EXPECT_EQ(error_of_use(name), kInvalid) << name;
+    EXPECT_EQ(error_of_use(name), kInvalidValue) << name;
     GLint value = -1;
     glGetProgramiv(name, GL_LINK_STATUS, &value);
-    EXPECT_EQ(glGetError(), kInvalid) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
     EXPECT_EQ(value, -1) << name;
     glLinkProgram(name);
-    EXPECT_EQ(glGetError(), kInvalid) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
     glDeleteProgram(name);
-    EXPECT_EQ(glGetError(), kInvalid) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
   }
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), kShown);
+  EXPECT_EQ(drawn_pixel(), kShown);
   show_register(GL_PRIMARY_COLOR_NV);
   glColor4f(1, 0, 0, 1);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 0, 0, 255}));
   // The program's own is its own.
   EXPECT_EQ(glIsProgram(before), GL_TRUE);
-  EXPECT_EQ(error_of_use(before), static_cast<GLenum>(GL_NO_ERROR));
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 255, 0, 255}));
+  EXPECT_EQ(error_of_use(before), kNoError);
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 255, 0, 255}));
   glUseProgram(0);
   glDeleteProgram(before);
   EXPECT_EQ(glIsProgram(before), GL_FALSE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST(LayerNames, UniformsOfTheLayersProgramsCannotBeSet) {
   NINEBIT_GL_CONTEXT(context);
   const GLuint before = make_green_program();
   draw_by_two_programs();
-  constexpr auto kNoProgram = static_cast<GLenum>(GL_INVALID_OPERATION);
-  constexpr auto kNoName = static_cast<GLenum>(GL_INVALID_VALUE);
   const std::array<GLint, 256> zeros{};
   const std::array<GLfloat, 256> zero_floats{};
   for (GLint location = -1; location < 4; ++location) {
     for (GLsizei count = 1; count <= 32; ++count) {
       glUniform4iv(location, count, zeros.data());
-      EXPECT_EQ(glGetError(), kNoProgram) << location << " " << count;
+      EXPECT_EQ(glGetError(), kInvalidOperation) << location << " " << count;
     }
     glUniform4f(location, 0, 0, 0, 0);
-    EXPECT_EQ(glGetError(), kNoProgram) << location;
+    EXPECT_EQ(glGetError(), kInvalidOperation) << location;
     glUniform1i(location, 3);
-    EXPECT_EQ(glGetError(), kNoProgram) << location;
+    EXPECT_EQ(glGetError(), kInvalidOperation) << location;
     glUniform4fvARB(location, 1, zero_floats.data());
-    EXPECT_EQ(glGetError(), kNoProgram) << location;
+    EXPECT_EQ(glGetError(), kInvalidOperation) << location;
     glUniformMatrix4fv(location, 1, GL_FALSE, zero_floats.data());
-    EXPECT_EQ(glGetError(), kNoProgram) << location;
+    EXPECT_EQ(glGetError(), kInvalidOperation) << location;
   }
   const IsProgram is_program = drivers_is_program();
   ASSERT_NE(is_program, nullptr);
@@ -102,18 +95,18 @@ TEST(LayerNames, UniformsOfTheLayersProgramsCannotBeSet) {
   for (GLuint name = before + 1; name < before + 10; ++name) {
     hidden += is_program(name) == GL_TRUE ? 1 : 0;
     glProgramUniform4iv(name, 0, 1, zeros.data());
-    EXPECT_EQ(glGetError(), kNoName) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
     GLint resources = -1;
     glGetProgramInterfaceiv(name, GL_UNIFORM, GL_ACTIVE_RESOURCES, &resources);
-    EXPECT_EQ(glGetError(), kNoName) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
     EXPECT_EQ(resources, -1) << name;
     glProgramParameteri(name, GL_PROGRAM_SEPARABLE, GL_TRUE);
-    EXPECT_EQ(glGetError(), kNoName) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
     glBindFragDataLocation(name, 0, "color");
-    EXPECT_EQ(glGetError(), kNoName) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
     std::array<char, 9> label{};
     glGetObjectLabel(GL_PROGRAM, name, 9, nullptr, label.data());
-    EXPECT_EQ(glGetError(), kNoName) << name;
+    EXPECT_EQ(glGetError(), kInvalidValue) << name;
   }
   EXPECT_GE(hidden, 2);
   // Also in a display list, which keeps the numbers.
@@ -123,24 +116,20 @@ TEST(LayerNames, UniformsOfTheLayersProgramsCannotBeSet) {
     glUniform4iv(0, 1, gone.data());
   }
   glEndList();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   glCallList(7);
-  EXPECT_EQ(glGetError(), kNoProgram);
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), kShown);
+  EXPECT_EQ(drawn_pixel(), kShown);
   // The program's own program takes them.
   const GLuint own = make_program("uniform vec4 color; void main() { gl_FragColor = color; }");
   glUseProgram(own);
   const GLint color = glGetUniformLocation(own, "color");
   glUniform4f(color, 1, 0, 1, 1);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 0, 255, 255}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 0, 255, 255}));
   const std::array<GLfloat, 4> yellow{1, 1, 0, 1};
   glProgramUniform4fv(own, color, 1, yellow.data());
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{255, 255, 0, 255}));
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(drawn_pixel(), (Pixel{255, 255, 0, 255}));
 }
 
 TEST(LayerNames, ProgramsGoWithTheirContext) {
@@ -160,8 +149,7 @@ TEST(LayerNames, ProgramsGoWithTheirContext) {
   int left = 0;
   for (GLuint name = 1; name < next; ++name) left += is_program(name) == GL_TRUE ? 1 : 0;
   EXPECT_EQ(left, 2);  // those of the first context
-  draw_square();
-  EXPECT_EQ(center_pixel(), kShown);
+  EXPECT_EQ(drawn_pixel(), kShown);
 }
 
 TEST(LayerNames, ListsAreHidden) {
@@ -182,24 +170,22 @@ TEST(LayerNames, ListsAreHidden) {
   glEndList();
   glDeleteLists(kFirst, 0x2000);
   EXPECT_EQ(glIsList(kFirst + 5), GL_FALSE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   clear_picture();
   glCallList(7);
   EXPECT_EQ(center_pixel(), kShown);
   glDeleteLists(6, 2);
   EXPECT_EQ(glIsList(7), GL_FALSE);
   glDeleteLists(6, -1);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
 }
 
 TEST(LayerNames, TheListThatIsCompiledHasItsNumber) {
   NINEBIT_GL_CONTEXT(context);
   const auto index = [] {
-    GLint number = -1;
     GLfloat same = -1;
-    glGetIntegerv(GL_LIST_INDEX, &number);
     glGetFloatv(GL_LIST_INDEX, &same);
-    return std::array{static_cast<GLfloat>(number), same};
+    return std::array{static_cast<GLfloat>(integer_of(GL_LIST_INDEX)), same};
   };
   for (const GLenum mode : {GLenum{GL_COMPILE}, GLenum{GL_COMPILE_AND_EXECUTE}}) {
     glNewList(9, mode);
@@ -217,20 +203,20 @@ TEST(LayerNames, CallListsTakesNameZero) {
     glCallLists(3, GL_UNSIGNED_BYTE, names);
     return glGetError();
   };
-  EXPECT_EQ(error(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(error(), kNoError);
   glNewList(9, GL_COMPILE);
   show_constant({0, 0, 1, 1});
   draw_square();
   glEndList();
-  EXPECT_EQ(error(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(error(), kNoError);
   EXPECT_EQ(center_pixel(), kShown);
   glNewList(10, GL_COMPILE);
   glCallLists(3, GL_UNSIGNED_BYTE, names);
   glEndList();
   glCallList(10);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   glCallList(0);  // the driver's own answer
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
 }
 
 }  // namespace

@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "combiner_tests/gl_layer/combiner_commands.h"
+#include "combiner_tests/gl_layer/pictures.h"
 
 namespace ninebit::test {
 namespace {
-
-constexpr GLenum kNoError = GL_NO_ERROR;
 
 // Three errors of the driver and three of the layer, by the error.
 void fail_in_driver(GLenum error) {
@@ -54,8 +53,7 @@ TEST(LayerPendingErrors, AnErrorBeforeBeginIsTheFirst) {
   glCombinerParameteriNV(GL_COLOR_SUM_CLAMP_NV, 1);
   glEnd();
   fail_in_driver(GL_INVALID_VALUE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
-  EXPECT_EQ(glGetError(), kNoError);
+  EXPECT_EQ(glGetError(), kInvalidOperation);
 }
 
 TEST(LayerPendingErrors, EveryCommandIsRefusedBetweenBeginAndEnd) {
@@ -69,7 +67,7 @@ TEST(LayerPendingErrors, EveryCommandIsRefusedBetweenBeginAndEnd) {
     glBegin(GL_TRIANGLES);
     const auto written = execute(kLayerFunctions, command);
     glEnd();
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION)) << "function " << function;
+    EXPECT_EQ(glGetError(), kInvalidOperation) << "function " << function;
     EXPECT_EQ(glGetError(), kNoError) << "function " << function;
     EXPECT_EQ(written, (std::array<GLfloat, 4>{-1, -1, -1, -1})) << "function " << function;
   }
@@ -86,7 +84,7 @@ TEST(LayerPendingErrors, EveryCommandIsRefusedBetweenBeginAndEnd) {
   glEnd();
   EXPECT_EQ(value, -1);
   EXPECT_EQ(values[0], -1.0F);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
   EXPECT_EQ(glGetError(), kNoError);
   EXPECT_EQ(read_state(kLayerFunctions, profiles::nv2a), before);
 }
@@ -95,12 +93,10 @@ TEST(LayerPendingErrors, EveryCommandIsRefusedBetweenBeginAndEnd) {
 TEST(LayerPendingErrors, ARefusedBeginBeginsNothing) {
   NINEBIT_GL_CONTEXT(context);
   glBegin(0x1234);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 3);
   EXPECT_EQ(glGetError(), kNoError);
-  GLint value = 0;
-  glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, &value);
-  EXPECT_EQ(value, 3);
+  EXPECT_EQ(integer_of(GL_NUM_GENERAL_COMBINERS_NV), 3);
 }
 
 }  // namespace

@@ -33,12 +33,12 @@ void clear_picture() {
 }
 
 void draw_square() {
-  glBegin(GL_QUADS);
-  for (const auto& [x, y] : {std::pair{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 1.0F}}) {
-    for (GLenum unit = 0; unit < 4; ++unit) glMultiTexCoord2f(GL_TEXTURE0 + unit, x, y);
-    glVertex2f(2.0F * x - 1.0F, 2.0F * y - 1.0F);
-  }
-  glEnd();
+  draw_corners([](float x, float y) {
+    for (GLenum unit = 0; unit < 4; ++unit) {
+      glMultiTexCoord2f(GL_TEXTURE0 + unit, 0.5F * x + 0.5F, 0.5F * y + 0.5F);
+    }
+    glVertex2f(x, y);
+  });
 }
 
 std::vector<Pixel> read_picture() {
@@ -51,6 +51,27 @@ Pixel center_pixel() {
   Pixel pixel{};
   glReadPixels(kPictureSize / 2, kPictureSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
   return pixel;
+}
+
+Pixel drawn_pixel() {
+  draw_square();
+  return center_pixel();
+}
+
+GLint integer_of(GLenum name) {
+  GLint value = -2;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+void use_nearest(GLenum target) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void set_texel(const Pixel& texel, GLint internal, GLenum format) {
+  glTexImage2D(GL_TEXTURE_2D, 0, internal, 1, 1, 0, format, GL_UNSIGNED_BYTE, texel.data());
+  use_nearest(GL_TEXTURE_2D);
 }
 
 std::string differences(const std::vector<Pixel>& got, const std::vector<Pixel>& expected) {

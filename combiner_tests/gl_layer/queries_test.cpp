@@ -19,8 +19,7 @@ std::multiset<std::string> words_of_the_extension_string() {
 }
 
 std::multiset<std::string> indexed_extensions() {
-  GLint number = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &number);
+  const GLint number = integer_of(GL_NUM_EXTENSIONS);
   std::multiset<std::string> words;
   for (GLint i = 0; i < number; ++i) {
     const GLubyte* const word = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
@@ -28,7 +27,7 @@ std::multiset<std::string> indexed_extensions() {
     if (word != nullptr) words.insert(reinterpret_cast<const char*>(word));
   }
   EXPECT_EQ(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(number)), nullptr);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   return words;
 }
 
@@ -49,7 +48,7 @@ TEST(LayerQueries, Extensions) {
     EXPECT_EQ(glGetString(GL_EXTENSIONS), text) << "the string moves";
     EXPECT_NE(glGetString(GL_VENDOR), nullptr);
     EXPECT_EQ(glGetString(GL_ZERO), nullptr);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+    EXPECT_EQ(glGetError(), kInvalidEnum);
     GLfloat as_float = 0;
     GLdouble as_double = 0;
     GLboolean as_boolean = 0;
@@ -74,7 +73,7 @@ void expect_values(GLenum name, std::vector<GLfloat> floats, std::vector<GLint> 
   glGetDoublev(name, got_doubles.data());
   glGetIntegerv(name, got_integers.data());
   glGetBooleanv(name, got_booleans.data());
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << std::hex << name;
+  EXPECT_EQ(glGetError(), kNoError) << std::hex << name;
   for (const GLfloat value : floats) booleans.push_back(value == -7.0F ? 77 : value != 0.0F ? 1 : 0);
   EXPECT_EQ(got_floats, floats) << std::hex << name;
   EXPECT_EQ(got_doubles, std::vector<GLdouble>(floats.begin(), floats.end())) << std::hex << name;
@@ -118,20 +117,18 @@ TEST(LayerQueries, TheFirstGenerationHasNothingOfTheSecond) {
   NINEBIT_GL_CONTEXT(context, profiles::geforce2);
   for (const int cap : {GL_PER_STAGE_CONSTANTS_NV, GL_TEXTURE_SHADER_NV}) {
     const auto name = static_cast<GLenum>(cap);
-    GLint value = -1;
     glEnable(name);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+    EXPECT_EQ(glGetError(), kInvalidEnum);
     EXPECT_EQ(glIsEnabled(name), GL_FALSE);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
-    glGetIntegerv(name, &value);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
-    EXPECT_EQ(value, -1);
+    EXPECT_EQ(glGetError(), kInvalidEnum);
+    EXPECT_EQ(integer_of(name), -2);
+    EXPECT_EQ(glGetError(), kInvalidEnum);
   }
   GLint value = -1;
   glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_TEXTURE_2D);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   glGetTexEnviv(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, &value);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   EXPECT_EQ(value, -1);
 }
 
@@ -147,11 +144,10 @@ TEST(LayerQueries, EnablesAndTheDriversOwnValues) {
   }
   glLineWidth(3.0F);
   expect_values(GL_LINE_WIDTH, {3.0F}, {3});
-  GLint value = -1;
-  glGetIntegerv(GL_VARIABLE_A_NV, &value);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  integer_of(GL_VARIABLE_A_NV);
+  EXPECT_EQ(glGetError(), kInvalidEnum);
   glGetIntegerv(GL_NUM_GENERAL_COMBINERS_NV, nullptr);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
 }
 
 // The layer's own shader is none of the program's.
@@ -159,8 +155,7 @@ TEST(LayerQueries, NoProgramIsCurrentWhileTheLayersIsBound) {
   NINEBIT_GL_CONTEXT(context);
   expect_values(GL_CURRENT_PROGRAM, {0}, {0});
   show_constant({0.2F, 0.4F, 0.6F, 0.8F});
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{51, 102, 153, 204}));  // so the layer's shader is bound
+  EXPECT_EQ(drawn_pixel(), (Pixel{51, 102, 153, 204}));  // so the layer's shader is bound
   expect_values(GL_CURRENT_PROGRAM, {0}, {0});
   EXPECT_EQ(glGetHandleARB(GL_PROGRAM_OBJECT_ARB), 0U);
   const GLuint own = make_green_program();
@@ -173,11 +168,10 @@ TEST(LayerQueries, NoProgramIsCurrentWhileTheLayersIsBound) {
   expect_values(GL_CURRENT_PROGRAM, {0}, {0});
   // A program that does not exist leaves none.
   glUseProgram(own + 1000);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(glGetError(), kInvalidValue);
   expect_values(GL_CURRENT_PROGRAM, {0}, {0});
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{51, 102, 153, 204}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{51, 102, 153, 204}));
 }
 
 }  // namespace

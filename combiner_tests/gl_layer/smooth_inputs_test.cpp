@@ -71,8 +71,7 @@ void draw_in_perspective(Random& random) {
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
   glFrustum(-1, 1, -1, 1, 1, 20);
-  glBegin(GL_QUADS);
-  for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
+  draw_corners([&](float x, float y) {
     const float depth = random.real_f(1.1, 8.0);
     glColor4f(random.real_f(0, 1), random.real_f(0, 1), random.real_f(0, 1), random.real_f(0, 1));
     glSecondaryColor3f(random.real_f(0, 1), random.real_f(0, 1), random.real_f(0, 1));
@@ -81,8 +80,7 @@ void draw_in_perspective(Random& random) {
       glMultiTexCoord4f(GL_TEXTURE0 + u, random.real_f(-1, 2), random.real_f(-1, 2), 0, random.real_f(0.5, 2));
     }
     glVertex3f(1.5F * x * depth, 1.5F * y * depth, -depth);
-  }
-  glEnd();
+  });
 }
 
 std::uint8_t byte_of(float value) {
@@ -140,7 +138,7 @@ TEST_P(LayerSmoothInputs, TheColorIsTheLibrarysForTheWrittenInputs) {
     set_textures(random, units);
     draw_in_perspective(random);
     const WrittenInputs written = read_targets();
-    ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    ASSERT_EQ(glGetError(), kNoError);
     for (std::size_t p = 0; p < written[0].size(); ++p) {
       const Rgba9 codes = evaluate(*program, initial_registers(profile, inputs_of(written, p, profile, fog, units)));
       const Bytes4 expected{to_byte(profile, codes[0]), to_byte(profile, codes[1]), to_byte(profile, codes[2]),
@@ -169,11 +167,7 @@ TEST(LayerWrittenInputs, NothingIsWrittenWithoutTheVariable) {
     EXPECT_EQ(bytes_of(written[i][100]), (Bytes4{51, 102, 153, 204})) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, LayerSmoothInputs, ::testing::ValuesIn(integer_profiles()), [](const auto& profile) {
-  std::string name(profile.param.name);
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Profiles, LayerSmoothInputs, ::testing::ValuesIn(integer_profiles()), name_of_case);
 
 }  // namespace
 }  // namespace ninebit::test

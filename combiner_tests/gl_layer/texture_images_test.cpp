@@ -71,9 +71,7 @@ TEST(LayerTextureImages, PixelTransfer) {
   EXPECT_EQ(scale, 0.8F);
   glPushAttrib(GL_PIXEL_MODE_BIT);
   glPixelTransferi(GL_DT_SCALE_NV, -3);
-  GLint whole = 0;
-  glGetIntegerv(GL_DT_SCALE_NV, &whole);
-  EXPECT_EQ(whole, -3);
+  EXPECT_EQ(integer_of(GL_DT_SCALE_NV), -3);
   glPopAttrib();
   glGetFloatv(GL_DT_SCALE_NV, &scale);
   EXPECT_EQ(scale, 0.8F);
@@ -89,7 +87,6 @@ TEST(LayerTextureImages, PixelTransfer) {
   expect_texel({0.4F, 0.35F}, "by a list");
   glGetFloatv(GL_DS_SCALE_NV, &scale);
   EXPECT_EQ(scale, 0.0F);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // Colours of signed formats are scaled and biased as other colours are, and keep their sign.
@@ -101,7 +98,6 @@ TEST(LayerTextureImages, PixelTransferOfSignedColours) {
   glPixelTransferf(GL_BLUE_SCALE, 2.0F);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_SIGNED_RGBA8_NV, 1, 1, 0, GL_RGBA, GL_FLOAT, texel);
   expect_texel({-0.5F, -0.5F, 1.0F, 1.0F}, "signed colours");
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // Two signed and two unsigned bytes in a word, in both orders, in 1D, 2D, 3D and parts of images.
@@ -126,9 +122,7 @@ TEST(LayerTextureImages, PackedPixels) {
   glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_DSDT_MAG_VIB_NV, GL_UNSIGNED_INT_8_8_S8_S8_REV_NV, words);
   expect_texel(reversed, "a part");
-  GLint kept = 0;
-  glGetIntegerv(GL_UNPACK_SKIP_PIXELS, &kept);
-  EXPECT_EQ(kept, 1);
+  EXPECT_EQ(integer_of(GL_UNPACK_SKIP_PIXELS), 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DSDT_MAG_INTENSITY_NV, 1, 1, 0, GL_DSDT_MAG_VIB_NV, GL_UNSIGNED_INT_S8_S8_8_8_NV,
                nullptr);
   glTexImage3D(GL_TEXTURE_3D, 0, GL_DSDT_MAG_INTENSITY_NV, 1, 1, 2, 0, GL_DSDT_MAG_VIB_NV, GL_UNSIGNED_INT_S8_S8_8_8_NV,
@@ -137,7 +131,6 @@ TEST(LayerTextureImages, PackedPixels) {
   glGetTexImage(GL_TEXTURE_3D, 0, GL_RGBA, GL_FLOAT, volume.data());
   EXPECT_NEAR(volume[0], 1.0F, 0.01F);
   EXPECT_NEAR(volume[7], 6.0F / 255.0F, 1e-6F) << "the second image follows the first row";
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // Combiners see the intensity in alpha, with texture shaders and without.
@@ -150,13 +143,10 @@ TEST(LayerTextureImages, IntensityOfOffsets) {
   glEnable(GL_TEXTURE_2D);
   show_register(GL_TEXTURE0);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 0x40}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 0x40}));
   use_operation(0, GL_TEXTURE_2D);
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 0x40}));
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 0x40}));
 }
 
 // A stage whose texture misses a mip-map that its filter needs is inconsistent until the mip-map is there.
@@ -171,15 +161,13 @@ TEST(LayerTextureImages, CompletenessOfMipmaps) {
   image(0, 8, 2);
   EXPECT_FALSE(is_consistent(0)) << "the default filter has mip-maps";
   clear_picture();
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 0}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 0}));
   image(1, 4, 1);
   image(2, 2, 1);
   EXPECT_FALSE(is_consistent(0));
   image(3, 1, 1);
   EXPECT_TRUE(is_consistent(0));
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{200, 200, 200, 200}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{200, 200, 200, 200}));
   image(1, 4, 2);
   EXPECT_FALSE(is_consistent(0)) << "a level of another size";
   use_filter(GL_TEXTURE_2D, GL_LINEAR);
@@ -191,11 +179,9 @@ TEST(LayerTextureImages, CompletenessOfMipmaps) {
   EXPECT_FALSE(is_consistent(0)) << "a base above the last level";
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{0, 0, 0, 0}));
+  EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 0}));
   glGenerateMipmap(GL_TEXTURE_2D);
-  draw_square();
-  EXPECT_EQ(center_pixel(), (Pixel{200, 200, 200, 200})) << "levels that the driver makes";
+  EXPECT_EQ(drawn_pixel(), (Pixel{200, 200, 200, 200})) << "levels that the driver makes";
   EXPECT_TRUE(is_consistent(0));
   GLuint storage = 0;
   glGenTextures(1, &storage);
@@ -212,19 +198,19 @@ TEST(LayerTextureImages, CompletenessOfMipmaps) {
   EXPECT_TRUE(is_consistent(0));
   use_filter(GL_TEXTURE_CUBE_MAP, GL_NEAREST_MIPMAP_NEAREST);
   EXPECT_FALSE(is_consistent(0));
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-// The square with two texels of level 0 a pixel in each direction, so that level 1 is read.
+// The square with two texels of level 0 a pixel in each direction in unit 0, so that level 1 is read. The coordinates
+// of units 1 and 2 are rows of dot products.
 void draw_square_smaller(float side) {
   const float end = 2.0F * static_cast<float>(kPictureSize) / side;
   clear_picture();
-  glBegin(GL_QUADS);
-  for (const auto& [x, y] : {std::pair{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 1.0F}}) {
-    for (GLenum unit = 0; unit < 4; ++unit) glMultiTexCoord3f(GL_TEXTURE0 + unit, end * x, end * y, 0.5F);
-    glVertex2f(2.0F * x - 1.0F, 2.0F * y - 1.0F);
-  }
-  glEnd();
+  draw_corners([end](float x, float y) {
+    glMultiTexCoord3f(GL_TEXTURE0, end * (0.5F * x + 0.5F), end * (0.5F * y + 0.5F), 0.5F);
+    glMultiTexCoord3f(GL_TEXTURE1, 0.75F, 0.0F, 0.0F);
+    glMultiTexCoord3f(GL_TEXTURE2, 0.0F, 0.0F, 0.5F);
+    glVertex2f(x, y);
+  });
 }
 
 // What the layer remembers of a texture's levels ends with any change of them.
@@ -241,8 +227,7 @@ TEST(LayerTextureImages, CompletenessIsNotRememberedForTooLong) {
   };
   const auto expect = [&](bool complete, const char* why) {
     glColor4f(0, 0, 0, 0);
-    draw_square();
-    EXPECT_EQ(center_pixel(), complete ? (Pixel{200, 200, 200, 200}) : (Pixel{0, 0, 0, 0})) << why;
+    EXPECT_EQ(drawn_pixel(), complete ? (Pixel{200, 200, 200, 200}) : (Pixel{0, 0, 0, 0})) << why;
   };
   use_operation(0, GL_TEXTURE_2D);
   show_register(GL_TEXTURE0);
@@ -335,7 +320,6 @@ TEST(LayerTextureImages, MipmapsOf3dTextures) {
   EXPECT_TRUE(is_consistent(0));
   draw_square_smaller(4);
   EXPECT_EQ(center_pixel(), (Pixel{100, 100, 100, 100}));
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 // Two dot products read a HILO texel of level 1, and so the right half of a texture.
@@ -358,19 +342,9 @@ TEST(LayerTextureImages, MipmapsOfHiloTextures) {
   use_operation(1, GL_DOT_PRODUCT_NV);
   use_operation(2, GL_DOT_PRODUCT_TEXTURE_2D_NV);
   show_register(GL_TEXTURE2);
-  const float end = 2.0F * static_cast<float>(kPictureSize) / 4.0F;
-  clear_picture();
-  glBegin(GL_QUADS);
-  for (const auto& [x, y] : {std::pair{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 1.0F}}) {
-    glMultiTexCoord2f(GL_TEXTURE0, end * x, end * y);
-    glMultiTexCoord3f(GL_TEXTURE1, 0.75F, 0.0F, 0.0F);
-    glMultiTexCoord3f(GL_TEXTURE2, 0.0F, 0.0F, 0.5F);
-    glVertex2f(2.0F * x - 1.0F, 2.0F * y - 1.0F);
-  }
-  glEnd();
+  draw_square_smaller(4);
   EXPECT_EQ(center_pixel(), (Pixel{90, 90, 90, 90}));
   for (GLenum unit = 0; unit < 3; ++unit) EXPECT_TRUE(is_consistent(unit)) << unit;
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 }  // namespace

@@ -21,12 +21,10 @@ void set_operation(GLint operation) {
 // Draws the square with a texture coordinate of unit 0.
 Pixel drawn_with(GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
   clear_picture();
-  glBegin(GL_QUADS);
-  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+  draw_corners([=](GLfloat x, GLfloat y) {
     glTexCoord4f(s, t, r, q);
-    glVertex2f(static_cast<GLfloat>(x), static_cast<GLfloat>(y));
-  }
-  glEnd();
+    glVertex2f(x, y);
+  });
   return center_pixel();
 }
 
@@ -69,7 +67,6 @@ TEST(LayerTextureShader, TargetsOfOperations) {
     EXPECT_EQ(drawn_with(0.5F, 0.5F, 0.5F, 1.0F)[0], red);
     glEnable(kShader);
   }
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST(LayerTextureShader, PassThroughClampsCoordinates) {
@@ -138,7 +135,7 @@ TEST(LayerTextureShader, Values) {
   glGetTexEnviv(kShader, GL_CONST_EYE_NV, eye);
   EXPECT_EQ((std::array{eye[0], eye[1], eye[2]}), (std::array{1, 2, 5}));
   EXPECT_EQ(shader_value(GL_SHADER_OPERATION_NV), GL_PASS_THROUGH_NV);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), kNoError);
   // The driver's own environments are as ever.
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
   GLint mode = 0;
@@ -187,7 +184,7 @@ TEST(LayerTextureShader, RefusedValuesLeaveTheState) {
   EXPECT_EQ(value, -1);
   glActiveTexture(GL_TEXTURE5);  // combiners cannot read it
   set_operation(GL_TEXTURE_2D);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+  EXPECT_EQ(glGetError(), kInvalidOperation);
 }
 
 }  // namespace

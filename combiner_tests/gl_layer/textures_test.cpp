@@ -24,8 +24,7 @@ void make_texture(GLenum target, GLint internal, GLenum format, const Pixel& tex
   } else {
     glTexImage2D(target, 0, internal, 1, 1, 0, format, GL_UNSIGNED_BYTE, texel.data());
   }
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  use_nearest(target);
 }
 
 constexpr GLenum kTextureTargets[]{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D,
@@ -33,11 +32,6 @@ constexpr GLenum kTextureTargets[]{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECT
 
 Pixel texel_of(std::size_t unit, std::size_t target) {
   return {static_cast<std::uint8_t>(10 + 40 * target), static_cast<std::uint8_t>(5 + 50 * unit), 200, 100};
-}
-
-Pixel drawn_pixel() {
-  draw_square();
-  return center_pixel();
 }
 
 // Of the enabled targets the last in this order is drawn with: each combination, on each unit of the profile.
@@ -63,7 +57,6 @@ TEST(LayerTextures, TargetsInOrderOfPrecedence) {
       }
       for (const GLenum target : kTextureTargets) glDisable(target);
     }
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
 }
 
@@ -74,9 +67,7 @@ TEST(LayerTextures, TheActiveUnitStays) {
     glActiveTexture(static_cast<GLenum>(unit));
     show_constant({1, 1, 1, 1});
     draw_square();
-    GLint active = 0;
-    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-    EXPECT_EQ(active, unit);
+    EXPECT_EQ(integer_of(GL_ACTIVE_TEXTURE), unit);
   }
 }
 
@@ -151,7 +142,6 @@ TEST(LayerTextures, DepthTextures) {
       EXPECT_EQ(drawn_pixel(), (Pixel{9, 8, 7, 6}));
       glDisable(target);
     }
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
 }
 
@@ -167,9 +157,7 @@ TEST(LayerTextures, ChangesOfTheBoundTexture) {
   EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 50}));
   glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA8, 1, 1, 0, GL_ALPHA, GL_UNSIGNED_BYTE, bytes + 1);
   EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 60}));
-  GLint name = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &name);
-  const auto texture = static_cast<GLuint>(name);
+  const auto texture = static_cast<GLuint>(integer_of(GL_TEXTURE_BINDING_2D));
   glBindTexture(GL_TEXTURE_2D, 0);
   EXPECT_EQ(drawn_pixel(), (Pixel{0, 0, 0, 255}));  // it has no image
   glBindTexture(GL_TEXTURE_2D, texture);

@@ -9,8 +9,6 @@
 namespace ninebit::test {
 namespace {
 
-constexpr auto kNone = static_cast<GLenum>(GL_NO_ERROR);
-
 void expect_near(const Floats& got, const Floats& expected, const std::string& what) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(got[i], expected[i], 2e-4F * std::max(1.0F, std::fabs(expected[i]))) << what << " component " << i;
@@ -81,7 +79,7 @@ TEST(LayerVertexPrograms, EachInstruction) {
   for (const Opcode& opcode : kOpcodes) {
     const std::string text = showing("MOV R0, v[TEX0]; MOV R1, v[WGHT]; MOV R2, c[7]; " + opcode.name + " R3, " +
                                      operands_of(opcode) + "; MOV o[TEX0], R3;");
-    ASSERT_EQ(use_vertex_program(1, text), kNone) << text;
+    ASSERT_EQ(use_vertex_program(1, text), kNoError) << text;
     for (const auto& [a, b, c] : kInputs) {
       glVertexAttrib4fvNV(8, a.data());
       glVertexAttrib4fvNV(1, b.data());
@@ -89,7 +87,6 @@ TEST(LayerVertexPrograms, EachInstruction) {
       expect_near(drawn_point(), expected_result(opcode.name, a, b, c), opcode.name);
     }
   }
-  EXPECT_EQ(glGetError(), kNone);
 }
 
 TEST(LayerVertexPrograms, EachInstructionOfStatePrograms) {
@@ -109,7 +106,6 @@ TEST(LayerVertexPrograms, EachInstructionOfStatePrograms) {
       expect_near(got, expected_result(opcode.name, a, b, c), opcode.name);
     }
   }
-  EXPECT_EQ(glGetError(), kNone);
 }
 
 TEST(LayerVertexPrograms, OperandsAndRegisters) {
@@ -133,7 +129,7 @@ TEST(LayerVertexPrograms, OperandsAndRegisters) {
       {"ARL A0.x, c[2].x; ADD R0, c[A0.x], -c[A0.x].y; MOV R1, c[1]; MAD o[TEX0], R1, c[A0.x - 2], R0;", {1, 4, 9, 16}},
   };
   for (const auto& [text, expected] : cases) {
-    ASSERT_EQ(use_vertex_program(1, showing(text)), kNone) << text;
+    ASSERT_EQ(use_vertex_program(1, showing(text)), kNoError) << text;
     glProgramParameter4fNV(GL_VERTEX_PROGRAM_NV, 0, 7, 7, 7, 7);
     glProgramParameter4dNV(GL_VERTEX_PROGRAM_NV, 1, 1, 2, 3, 4);
     glProgramParameter4fNV(GL_VERTEX_PROGRAM_NV, 2, 3.9F, -0.5F, 32, 1e9F);
@@ -146,7 +142,7 @@ TEST(LayerVertexPrograms, OperandsAndRegisters) {
 TEST(LayerVertexPrograms, ClampedReciprocals) {
   NINEBIT_VERTEX_CONTEXT(context);
   show_coordinates();
-  ASSERT_EQ(use_vertex_program(1, showing("RCC o[TEX0], c[0].x;")), kNone);
+  ASSERT_EQ(use_vertex_program(1, showing("RCC o[TEX0], c[0].x;")), kNoError);
   const std::pair<GLfloat, GLfloat> cases[]{{0.0F, 0x1p64F},        {-0.0F, -0x1p64F},   {INFINITY, 0x1p-64F},
                                             {-INFINITY, -0x1p-64F}, {0x1p70F, 0x1p-64F}, {0x1p-70F, 0x1p64F},
                                             {-4.0F, -0.25F}};
@@ -184,7 +180,7 @@ TEST(LayerVertexPrograms, TrackedMatrices) {
     glLoadIdentity();
     for (GLuint k = 0; k < 4; ++k) {
       const std::string text = showing("MOV o[TEX0], c[" + std::to_string(20 + k) + "];");
-      ASSERT_EQ(use_vertex_program(1, text), kNone);
+      ASSERT_EQ(use_vertex_program(1, text), kNoError);
       for (GLenum transform = GL_IDENTITY_NV; transform <= GL_INVERSE_TRANSPOSE_NV; ++transform) {
         glTrackMatrixNV(GL_VERTEX_PROGRAM_NV, 20, one.matrix, transform);
         glLoadMatrixf(kMatrix);  // after it is tracked
@@ -204,9 +200,7 @@ TEST(LayerVertexPrograms, TrackedMatrices) {
   EXPECT_EQ(value, GL_MATRIX7_NV);
   glGetTrackMatrixivNV(GL_VERTEX_PROGRAM_NV, 20, GL_TRACK_MATRIX_TRANSFORM_NV, &value);
   EXPECT_EQ(value, GL_INVERSE_TRANSPOSE_NV);
-  glGetIntegerv(GL_MATRIX_MODE, &value);
-  EXPECT_EQ(value, GL_MATRIX7_NV);
-  EXPECT_EQ(glGetError(), kNone);
+  EXPECT_EQ(integer_of(GL_MATRIX_MODE), GL_MATRIX7_NV);
 }
 
 TEST(LayerVertexPrograms, ModelviewTimesProjection) {
@@ -217,7 +211,7 @@ TEST(LayerVertexPrograms, ModelviewTimesProjection) {
   glMatrixMode(GL_MODELVIEW);
   glTranslatef(3, 0, 0);
   glTrackMatrixNV(GL_VERTEX_PROGRAM_NV, 0, GL_MODELVIEW_PROJECTION_NV, GL_IDENTITY_NV);
-  ASSERT_EQ(use_vertex_program(1, showing("DP4 o[TEX0].x, c[0], v[TEX0]; MOV o[TEX0].yzw, c[0].xyzw;")), kNone);
+  ASSERT_EQ(use_vertex_program(1, showing("DP4 o[TEX0].x, c[0], v[TEX0]; MOV o[TEX0].yzw, c[0].xyzw;")), kNoError);
   glMultiTexCoord4f(GL_TEXTURE0, 10, 0, 0, 1);
   EXPECT_EQ(drawn_point(), (Floats{26, 0, 0, 6}));
   // Its values stay when it is no longer tracked.
@@ -228,7 +222,7 @@ TEST(LayerVertexPrograms, ModelviewTimesProjection) {
   EXPECT_EQ(drawn_point(), (Floats{10, 0, 0, 0}));
   // Relative reads see tracked matrices, too.
   glTrackMatrixNV(GL_VERTEX_PROGRAM_NV, 92, GL_PROJECTION, GL_IDENTITY_NV);
-  ASSERT_EQ(use_vertex_program(2, showing("ARL A0.x, v[TEX0].x; MOV o[TEX0], c[A0.x];")), kNone);
+  ASSERT_EQ(use_vertex_program(2, showing("ARL A0.x, v[TEX0].x; MOV o[TEX0], c[A0.x];")), kNoError);
   glMultiTexCoord4f(GL_TEXTURE0, 92, 0, 0, 1);
   EXPECT_EQ(drawn_point(), (Floats{2, 0, 0, 0}));
 }
@@ -238,7 +232,7 @@ TEST(LayerVertexPrograms, PositionInvariance) {
   show_coordinates();
   glMatrixMode(GL_MODELVIEW);
   glTranslatef(-50, 0, 0);
-  ASSERT_EQ(use_vertex_program(1, "!!VP1.1 OPTION NV_position_invariant; MOV o[TEX0], c[0];END"), kNone);
+  ASSERT_EQ(use_vertex_program(1, "!!VP1.1 OPTION NV_position_invariant; MOV o[TEX0], c[0];END"), kNoError);
   glProgramParameter4fNV(GL_VERTEX_PROGRAM_NV, 0, 1, 2, 3, 4);
   EXPECT_EQ(drawn_point(), (Floats{})) << "moved out";
   glLoadIdentity();
@@ -249,24 +243,21 @@ TEST(LayerVertexPrograms, PositionInvariance) {
 TEST(LayerVertexPrograms, WithCombiners) {
   NINEBIT_VERTEX_CONTEXT(context);
   const std::string text = showing("MOV o[COL0], v[COL0].yxzw; MOV o[TEX0], v[TEX1]; MOV o[BFC0], c[0];", "!!VP1.0");
-  ASSERT_EQ(use_vertex_program(1, text), kNone);
+  ASSERT_EQ(use_vertex_program(1, text), kNoError);
   glProgramParameter4fNV(GL_VERTEX_PROGRAM_NV, 0, 1, 1, 1, 1);
   glVertexAttrib4ubNV(3, 200, 100, 50, 25);
   glSecondaryColor3f(1, 1, 1);
   constexpr GLubyte kTexels[2][4]{{10, 20, 30, 40}, {50, 60, 70, 80}};
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexels);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  use_nearest(GL_TEXTURE_2D);
   glEnable(GL_TEXTURE_2D);
   const auto shown = [](GLenum reg) {
     show_register(reg);
     clear_picture();
-    glBegin(GL_QUADS);
-    for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
+    draw_corners([](GLfloat x, GLfloat y) {
       glMultiTexCoord2f(GL_TEXTURE1, 0.75F, 0);
       glVertexAttrib2fNV(0, x, y);
-    }
-    glEnd();
+    });
     return center_pixel();
   };
   EXPECT_EQ(shown(GL_PRIMARY_COLOR_NV), (Pixel{100, 200, 50, 25}));
@@ -280,8 +271,8 @@ TEST(LayerVertexPrograms, WithCombiners) {
 TEST(LayerVertexPrograms, DisplayLists) {
   NINEBIT_VERTEX_CONTEXT(context);
   show_coordinates();
-  ASSERT_EQ(use_vertex_program(1, showing("DP4 o[TEX0].x, c[4], v[TEX0]; MOV o[TEX0].y, c[0];")), kNone);
-  ASSERT_EQ(use_vertex_program(2, showing("MOV o[TEX0], v[COL0];")), kNone);
+  ASSERT_EQ(use_vertex_program(1, showing("DP4 o[TEX0].x, c[4], v[TEX0]; MOV o[TEX0].y, c[0];")), kNoError);
+  ASSERT_EQ(use_vertex_program(2, showing("MOV o[TEX0], v[COL0];")), kNoError);
   const auto draw = [] {
     glBegin(GL_POINTS);
     glVertexAttrib1sNV(8, 5);
@@ -303,9 +294,7 @@ TEST(LayerVertexPrograms, DisplayLists) {
     glProgramParameter4fNV(GL_VERTEX_PROGRAM_NV, 0, 1, 42, 3, 4);
     draw();
     glEndList();
-    GLint bound = 0;
-    glGetIntegerv(GL_VERTEX_PROGRAM_BINDING_NV, &bound);
-    EXPECT_EQ(bound, mode == GL_COMPILE ? 2 : 1);
+    EXPECT_EQ(integer_of(GL_VERTEX_PROGRAM_BINDING_NV), mode == GL_COMPILE ? 2 : 1);
     EXPECT_EQ(float_pixel()[1], mode == GL_COMPILE ? 0.0F : 42.0F);
     if (mode == GL_COMPILE) {
       EXPECT_EQ(drawn_point(), (Floats{9, 8, 7, 6}));
@@ -313,8 +302,7 @@ TEST(LayerVertexPrograms, DisplayLists) {
     glScalef(3, 1, 1);
     glCallList(1);
     EXPECT_EQ(float_pixel()[0], 15);
-    glGetIntegerv(GL_VERTEX_PROGRAM_BINDING_NV, &bound);
-    EXPECT_EQ(bound, 1);
+    EXPECT_EQ(integer_of(GL_VERTEX_PROGRAM_BINDING_NV), 1);
   }
   // A state program in a list is executed when the list is called.
   const std::string text = "!!VSP1.0 ADD c[9], c[9], v[0];END";
@@ -328,7 +316,6 @@ TEST(LayerVertexPrograms, DisplayLists) {
   GLdouble sum[4]{};
   glGetProgramParameterdvNV(GL_VERTEX_PROGRAM_NV, 9, GL_PROGRAM_PARAMETER_NV, sum);
   EXPECT_EQ(sum[3], 3);
-  EXPECT_EQ(glGetError(), kNone);
 }
 
 }  // namespace

@@ -23,8 +23,7 @@ Scene room() {
 TEST(PlaygroundShadow, DrawsTheRoomAndItsCube) {
   Engine engine;
   const PageJson request{{"do", "shadow"}, {"size", {64, 48}}, {"map_size", 64}, {"step", 2}};
-  const PageJson answer = ask(engine, request);
-  ASSERT_EQ(fault_of_answer(answer), "");
+  const PageJson answer = good(engine, request);
   EXPECT_EQ(answer["width"], 64);
   EXPECT_EQ(answer["height"], 48);
   EXPECT_EQ(answer["cube"]["width"], 256);
@@ -38,8 +37,7 @@ TEST(PlaygroundShadow, DrawsTheRoomAndItsCube) {
   // Another camera gives another picture.
   PageJson moved = request;
   moved["camera"] = {{"position", {0, 3, 6}}, {"target", {0, 1, 0}}, {"fov", 40}};
-  const PageJson other = ask(engine, moved);
-  ASSERT_EQ(fault_of_answer(other), "");
+  const PageJson other = good(engine, moved);
   EXPECT_NE(other["hash"], answer["hash"]);
   EXPECT_EQ(other["view"]["fov"], 40);
   moved["hash"] = false;
@@ -125,11 +123,8 @@ TEST(PlaygroundShadow, ANewJudgementReplacesTheOneThatRuns) {
 TEST(PlaygroundShadow, ReadsAMeshThatWasPut) {
   Engine engine;
   const std::string mesh = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-  const auto buffer = engine.buffer(mesh.size());
-  std::copy(mesh.begin(), mesh.end(), buffer.begin());
-  ASSERT_EQ(fault_of_answer(ask(engine, {{"do", "put"}, {"name", "my.off"}, {"kind", "file"}})), "");
-  const PageJson answer = ask(engine, {{"do", "shadow"}, {"scene", "my.off"}, {"size", {32, 32}}, {"map_size", 32}});
-  ASSERT_EQ(fault_of_answer(answer), "");
+  put_file(engine, "my.off", mesh);
+  const PageJson answer = good(engine, {{"do", "shadow"}, {"scene", "my.off"}, {"size", {32, 32}}, {"map_size", 32}});
   EXPECT_EQ(answer["triangles"], 4 + 2) << "the mesh and its floor";
 }
 
@@ -148,9 +143,7 @@ TEST(PlaygroundShadow, RefusesWhatItCannotDraw) {
   EXPECT_NE(refused({{"camera", {{"position", {0, 1e30, 0}}}}}).find("three numbers"), std::string::npos);
   EXPECT_NE(refused({{"order", "random"}}).find("expected file or neighbour"), std::string::npos);
   const std::string named = R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4, "uri": "secret.bin"}]})";
-  const auto buffer = engine.buffer(named.size());
-  std::copy(named.begin(), named.end(), buffer.begin());
-  ASSERT_EQ(fault_of_answer(ask(engine, {{"do", "put"}, {"name", "named.gltf"}, {"kind", "file"}})), "");
+  put_file(engine, "named.gltf", named);
   EXPECT_NE(refused({{"scene", "named.gltf"}}).find("files are read alone here"), std::string::npos);
 }
 

@@ -1,7 +1,9 @@
 // Asks the engine of the playground, and reads its answers.
 #pragma once
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,24 @@ inline PageJson ask(const PageJson& request) {
 // The message of an answer that is a fault; empty if it is none.
 inline std::string fault_of_answer(const PageJson& answer) {
   return answer.contains("fault") ? answer["fault"]["message"].get<std::string>() : std::string();
+}
+
+// The answer to a request; a fault ends the test.
+inline PageJson good(Engine& engine, const PageJson& request) {
+  PageJson answer = ask(engine, request);
+  if (answer.contains("fault")) throw std::runtime_error(fault_of_answer(answer));
+  return answer;
+}
+inline PageJson good(const PageJson& request) {
+  Engine engine;
+  return good(engine, request);
+}
+
+// Puts a file into the engine.
+template <class Bytes>
+void put_file(Engine& engine, const std::string& name, const Bytes& content) {
+  std::copy(content.begin(), content.end(), engine.buffer(content.size()).begin());
+  good(engine, {{"do", "put"}, {"name", name}, {"kind", "file"}});
 }
 
 // A program, GL calls: the texel times the primary colour.

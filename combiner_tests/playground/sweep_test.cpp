@@ -53,7 +53,7 @@ TEST(PlaygroundSweep, NeedsADrawing) {
 TEST(PlaygroundSweep, IsTheProductForEachByte) {
   Engine engine;
   PageJson drawn = draw_request();
-  ASSERT_EQ(fault_of_answer(ask(engine, drawn)), "");
+  good(engine, drawn);
   const PageJson answer = sweep(engine, "tex0.rgb", "out.g");
   ASSERT_EQ(fault_of_answer(answer), "");
   EXPECT_EQ(answer["inputs"],
@@ -71,7 +71,7 @@ TEST(PlaygroundSweep, IsTheProductForEachByte) {
 
 TEST(PlaygroundSweep, OffersWhatTheStagesWrite) {
   Engine engine;
-  ASSERT_EQ(fault_of_answer(ask(engine, lossy_request())), "");
+  good(engine, lossy_request());
   const PageJson answer = sweep(engine, "const0.r", "spare1.r");
   ASSERT_EQ(fault_of_answer(answer), "");
   EXPECT_EQ(answer["inputs"], (PageJson{"tex0", "primary", "const0"}));
@@ -86,7 +86,7 @@ TEST(PlaygroundSweep, OffersWhatTheStagesWrite) {
 
 TEST(PlaygroundSweep, ReadsARegisterAfterItsStage) {
   Engine engine;
-  ASSERT_EQ(fault_of_answer(ask(engine, lossy_request())), "");
+  good(engine, lossy_request());
   PageJson request{{"do", "sweep"}, {"x", 3}, {"y", 5}, {"input", "tex0.r"}, {"output", "spare1.r"}, {"stage", 0}};
   EXPECT_EQ(ask(engine, request)["curves"][0]["codes"][200], 0);  // not yet written
   request["stage"] = 1;
@@ -103,7 +103,7 @@ void draw_texel(Engine& engine, const std::vector<std::uint8_t>& rgba, std::stri
   PageJson request = draw_request();
   request["effect"]["textures"]["squares"]["source"] = "a.png";
   request["files"]["mine.gl"] = program;
-  ASSERT_EQ(fault_of_answer(ask(engine, request)), "");
+  good(engine, request);
 }
 
 TEST(PlaygroundSweep, MarksAByteOnlyIfAllComponentsHaveIt) {
@@ -138,14 +138,13 @@ out.a = spare0;
 
 TEST(PlaygroundSweep, ComparesProfilesAndLeavesTheDrawing) {
   Engine engine;
-  ASSERT_EQ(fault_of_answer(ask(engine, draw_request())), "");
+  good(engine, draw_request());
   const PageJson pixel{{"do", "pixel"}, {"x", 3}, {"y", 5}};
   const PageJson before = ask(engine, pixel);
   PageJson request{{"do", "sweep"}, {"x", 3}, {"y", 5}, {"input", "tex0.r"}, {"output", "out.r"}};
   const PageJson own{{"base", "geforce2"}, {"name", "mine"}, {"general_narrowing", "nearest-halves-up"}};
   request["profiles"] = PageJson::array({"geforce2", "geforce256-8bit", own});
-  const PageJson answer = ask(engine, request);
-  ASSERT_EQ(fault_of_answer(answer), "");
+  const PageJson answer = good(engine, request);
   ASSERT_EQ(answer["curves"].size(), 3U);
   EXPECT_EQ(answer["curves"][1]["profile"], "geforce256-8bit");
   EXPECT_EQ(answer["curves"][2]["profile"], "mine");
@@ -158,7 +157,7 @@ TEST(PlaygroundSweep, ComparesProfilesAndLeavesTheDrawing) {
 
 TEST(PlaygroundSweep, RefusesOtherPlaces) {
   Engine engine;
-  ASSERT_EQ(fault_of_answer(ask(engine, draw_request())), "");
+  good(engine, draw_request());
   for (const char* wrong : {"", "tex0", "tex0.", "tex0.x", "zero.r", "out.r", "nothing.r"}) {
     EXPECT_NE(fault_of_answer(sweep(engine, wrong, "out.r")).find("is not valid; expected a register"),
               std::string::npos)
@@ -172,9 +171,8 @@ TEST(PlaygroundSweep, RefusesOtherPlaces) {
 
 TEST(PlaygroundLosses, MarksTruncationClampsAndDistances) {
   Engine engine;
-  ASSERT_EQ(fault_of_answer(ask(engine, lossy_request())), "");
-  const PageJson answer = ask(engine, {{"do", "losses"}, {"pass", 0}});
-  ASSERT_EQ(fault_of_answer(answer), "");
+  good(engine, lossy_request());
+  const PageJson answer = good(engine, {{"do", "losses"}, {"pass", 0}});
   EXPECT_EQ(answer["general_combiners"], 2);
   const std::size_t plane = 32 * 16;
   ASSERT_EQ(engine.bytes().size(), 3 * plane);
@@ -212,7 +210,7 @@ TEST(PlaygroundLosses, RefusesOtherPasses) {
   Engine engine;
   PageJson request = draw_request();
   request["effect"]["passes"].push_back({{"name", "plain"}, {"primary", "constant:1,0,0"}});
-  ASSERT_EQ(fault_of_answer(ask(engine, request)), "");
+  good(engine, request);
   EXPECT_NE(fault_of_answer(ask(engine, {{"do", "losses"}, {"pass", 1}})).find("has no program"), std::string::npos);
   EXPECT_NE(fault_of_answer(ask(engine, {{"do", "losses"}, {"pass", 2}})), "");
 }
@@ -223,8 +221,7 @@ TEST(PlaygroundTime, MovesAnEffect) {
   EXPECT_EQ(ask(engine, request)["moves"], false);
   request["effect"]["passes"][0]["units"][0]["matrix"] =
       PageJson::parse(R"([[1, 0, 0, "time / 8"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])");
-  const PageJson still = ask(engine, request);
-  ASSERT_EQ(fault_of_answer(still), "");
+  const PageJson still = good(engine, request);
   EXPECT_EQ(still["moves"], true);
   request["time"] = 1.0;
   const PageJson moved = ask(engine, request);

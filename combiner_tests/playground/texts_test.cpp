@@ -22,8 +22,7 @@ namespace ninebit::test {
 namespace {
 
 TEST(PlaygroundAbout, ListsProfilesAsProfileFilesHaveThem) {
-  const PageJson answer = ask({{"do", "about"}});
-  ASSERT_EQ(fault_of_answer(answer), "");
+  const PageJson answer = good({{"do", "about"}});
   ASSERT_EQ(answer["profiles"].size(), hardware_profiles().size());
   int fields = 0;
   for (const PageJson& profile : answer["profiles"]) {
@@ -50,8 +49,7 @@ TEST(PlaygroundAbout, ListsProfilesAsProfileFilesHaveThem) {
 }
 
 TEST(PlaygroundVocabulary, HasHelpForEveryNameThatIsRead) {
-  const PageJson answer = ask({{"do", "vocabulary"}});
-  ASSERT_EQ(fault_of_answer(answer), "");
+  const PageJson answer = good({{"do", "vocabulary"}});
   std::set<std::string> words;
   for (const PageJson& word : answer["words"]) {
     words.insert(word["kind"].get<std::string>() + " " + word["word"].get<std::string>());
@@ -70,8 +68,7 @@ TEST(PlaygroundVocabulary, HasHelpForEveryNameThatIsRead) {
 }
 
 TEST(PlaygroundRead, FindsTheFormAndWhatIsComputed) {
-  const PageJson answer = ask({{"do", "read"}, {"text", kTexelTimesColor}});
-  ASSERT_EQ(fault_of_answer(answer), "");
+  const PageJson answer = good({{"do", "read"}, {"text", kTexelTimesColor}});
   EXPECT_EQ(answer["form"], "gl");
   EXPECT_TRUE(answer["valid"]);
   EXPECT_EQ(answer["faults"], PageJson::array());
@@ -211,11 +208,10 @@ TEST(PlaygroundRead, SaysThatATextOfAnotherFormHasNoChoice) {
 }
 
 TEST(PlaygroundConvert, WritesTheChosenFunction) {
-  const PageJson answer = ask({{"do", "convert"},
-                               {"text", kTwoFunctions},
-                               {"to", "json"},
-                               {"choice", {{"function", "by_constant"}, {"defines", {{"color", "1,0.5,0,1"}}}}}});
-  ASSERT_EQ(fault_of_answer(answer), "");
+  const PageJson answer = good({{"do", "convert"},
+                                {"text", kTwoFunctions},
+                                {"to", "json"},
+                                {"choice", {{"function", "by_constant"}, {"defines", {{"color", "1,0.5,0,1"}}}}}});
   const PageJson constants = ask({{"do", "read"}, {"text", answer["text"]}})["constants"];
   EXPECT_EQ(constants["const0"], PageJson::parse("[1.0, 0.5, 0.0, 1.0]"));
 }
@@ -235,10 +231,9 @@ TEST(PlaygroundConvert, WritesWhatConvertWrites) {
 }
 
 TEST(PlaygroundTrace, StepsThroughTheGivenCodes) {
-  const PageJson answer = ask({{"do", "trace"},
-                               {"text", kTexelTimesColor},
-                               {"registers", {{"tex0", {255, 128, 0, 255}}, {"primary", {100, 100, 100, 50}}}}});
-  ASSERT_EQ(fault_of_answer(answer), "") << answer;
+  const PageJson answer = good({{"do", "trace"},
+                                {"text", kTexelTimesColor},
+                                {"registers", {{"tex0", {255, 128, 0, 255}}, {"primary", {100, 100, 100, 50}}}}});
   EXPECT_EQ(answer["command"], "trace");
   EXPECT_EQ(answer["program"], nullptr);
   // Texture 0's alpha is spare0's at the start, unless that is given.
@@ -266,12 +261,11 @@ TEST(PlaygroundEvaluate, IsTheReferenceTexelByTexel) {
     const auto buffer = engine.buffer(8 * kPixels);
     for (std::size_t i = 0; i < buffer.size(); ++i) buffer[i] = static_cast<std::uint8_t>(i * 37 + i / 256);
     const std::vector<std::uint8_t> given(buffer.begin(), buffer.end());
-    const PageJson answer = ask(engine, {{"do", "evaluate"},
-                                         {"text", text},
-                                         {"profile", profile.name},
-                                         {"pictures", {"tex1", "tex0"}},
-                                         {"registers", {{"const0", {7, 0, 3, 0}}}}});
-    ASSERT_EQ(fault_of_answer(answer), "");
+    const PageJson answer = good(engine, {{"do", "evaluate"},
+                                          {"text", text},
+                                          {"profile", profile.name},
+                                          {"pictures", {"tex1", "tex0"}},
+                                          {"registers", {{"const0", {7, 0, 3, 0}}}}});
     ASSERT_EQ(engine.bytes().size(), 4 * kPixels);
     Program program = normalize(parse_rc10({text, ""}, profile).value(), profile);
     const Rgba9 constant{7, 0, 3, 0};

@@ -1,7 +1,7 @@
 /** Links: what is written is what is read, and everything else is an error in words. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addressOf, opened, stateOfAddress } from '../../../src/playground/web/permalink.js';
+import { addressOf, opened } from '../../../src/playground/web/permalink.js';
 import { newState } from '../../../src/playground/web/state.js';
 
 const plain = (value) => JSON.parse(JSON.stringify(value));
@@ -11,7 +11,7 @@ test('a state comes back from its address', async () => {
   const address = await addressOf(state);
   assert.match(address, /^#1\.[A-Za-z0-9_-]+$/);
   assert.ok(address.length < 600, `${address.length} characters`);
-  assert.deepEqual(plain(await stateOfAddress(address)), plain(state));
+  assert.deepEqual(plain((await opened(address)).state), plain(state));
 });
 
 test('what is looked at comes back, and a link without it has none', async () => {
@@ -43,6 +43,6 @@ test('a small address that unpacks to too much is refused', async () => {
 test('names such as __proto__ are names', async () => {
   const state = newState();
   state.files.__proto__ = 'text';
-  const found = await stateOfAddress(await addressOf(state));
+  const { state: found } = await opened(await addressOf(state));
   assert.equal(Object.getPrototypeOf(found.files), null);
 });

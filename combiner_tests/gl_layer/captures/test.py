@@ -10,7 +10,7 @@ import zipfile
 import numpy
 
 import pictures
-from kit import HERE, build, display, require
+from kit import build, display, require
 
 PACKAGES = "freeglut3-dev, gcc, python3-numpy and xvfb"
 WIDTH, HEIGHT = 96, 64
@@ -95,8 +95,7 @@ def check_archives(kit, folder, environment):
 def run(kit):
     require(PACKAGES, ["gcc", "Xvfb"], ["/usr/include/GL/freeglut.h"])
     folder = kit.folder("captures")
-    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Wno-cast-function-type", "-Werror", HERE / "captures/captures.c", "-o",
-           folder / "captures", "-lglut", "-lGL"])
+    build("captures/captures.c", folder / "captures", "-lglut", "-lGL")
     with display() as environment:
         for mode in ("linear", "exp2", "none"):
             for profile in ("geforce2", "nv2a"):

@@ -5,7 +5,7 @@ depth comparison makes the combiners' alpha 0. The expected picture is computed 
 """
 import numpy
 
-from kit import HERE, build, display, require
+from kit import build, display, require
 
 PACKAGES = "libcoin-dev, freeglut3-dev, python3-numpy and xvfb"
 SIDE = 256
@@ -33,7 +33,7 @@ def expected():
 def run(kit):
     require(PACKAGES, ["Xvfb", "g++"], ["/usr/include/Inventor/SoDB.h", "/usr/include/GL/freeglut.h"])
     folder = kit.folder("coin")
-    build(["g++", "-O1", HERE / "coin/layers.cpp", "-o", folder / "layers", "-lCoin", "-lglut", "-lGL"])
+    build("coin/layers.cpp", folder / "layers", "-lCoin", "-lglut", "-lGL", compiler="g++")
     row, ties = expected()
     with display() as environment:
         environment["COIN_SORTED_LAYERS_USE_NVIDIA_RC"] = "1"

@@ -7,7 +7,7 @@ rounds decide.
 import re
 import statistics
 
-from kit import HERE, build, display, require
+from kit import build, display, require
 
 PACKAGES = "freeglut3-dev, gcc and xvfb"
 MODES = (("fixed", False), ("fixed", True), ("glsl", False), ("combiners", True), ("stages", True))
@@ -54,9 +54,7 @@ class Figures:
 
 def run(kit):
     require(PACKAGES, ["gcc", "Xvfb"], ["/usr/include/GL/freeglut.h"])
-    program = kit.folder("costs") / "costs"
-    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Wno-cast-function-type", "-Werror", HERE / "costs/costs.c",
-           "-o", program, "-lglut", "-lGL"])
+    program = build("costs/costs.c", kit.folder("costs") / "costs", "-lglut", "-lGL")
     rounds = []
     with display() as environment:
         environment |= {"LP_NUM_THREADS": "0"}

@@ -1,14 +1,10 @@
 /* Random calls of OpenGL without combiners: random_calls SEED. Prints errors, values that can be read back and hashes
  * of pictures. With the layer and without it, the output must be the same. */
-#define GL_GLEXT_PROTOTYPES
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GL/gl.h>
-#include <GL/glext.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
+
+#include "../egl_context.h"
 
 enum { SIDE = 24, CALLS = 240, TEXTURES = 4, LISTS = 6 };
 #define COUNT(a) (sizeof(a) / sizeof *(a))
@@ -301,31 +297,10 @@ static GLuint make_program(void) {
 
 int main(int argc, char** argv) {
   state = 0x9E3779B97F4A7C15ULL * (1 + strtoull(argc > 1 ? argv[1] : "0", NULL, 10));
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                           EGL_PBUFFER_BIT,
-                           EGL_RENDERABLE_TYPE,
-                           EGL_OPENGL_BIT,
-                           EGL_RED_SIZE,
-                           8,
-                           EGL_ALPHA_SIZE,
-                           8,
-                           EGL_DEPTH_SIZE,
-                           24,
-                           EGL_STENCIL_SIZE,
-                           8,
-                           EGL_NONE};
-  const EGLint size[] = {EGL_WIDTH, SIDE, EGL_HEIGHT, SIDE, EGL_NONE};
-  EGLConfig config;
-  EGLint found = 0;
-  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API) ||
-      !eglChooseConfig(display, wanted, &config, 1, &found) || found == 0) {
+  if (!make_context(SIDE)) {
     puts("no driver");
     return 77;
   }
-  const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, NULL);
-  if (!eglMakeCurrent(display, surface, surface, context)) return 77;
   for (int i = 0; i < 32; ++i) {
     for (int k = 0; k < 2; ++k) vertices[i][k] = position();
     for (int k = 0; k < 4; ++k) colors[i][k] = fraction();
@@ -354,6 +329,6 @@ int main(int argc, char** argv) {
   }
   if (open_list()) glEndList();
   print_picture();
-  eglTerminate(display);
+  eglTerminate(eglGetCurrentDisplay());
   return 0;
 }

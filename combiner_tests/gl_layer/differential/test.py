@@ -2,14 +2,12 @@
 import os
 
 from differential.compare import compare
-from kit import HERE, build, require
+from kit import build, require
 
 
 def run(kit):
     require("gcc, libegl-dev and libgl-dev", ["gcc"], ["/usr/include/EGL/egl.h", "/usr/include/GL/glext.h"])
-    folder = kit.folder("differential")
-    program = folder / "random_calls"
-    build(["gcc", "-std=gnu99", "-O2", HERE / "differential/random_calls.c", "-o", program, "-lEGL", "-lGL"])
+    program = build("differential/random_calls.c", kit.folder("differential") / "random_calls", "-lEGL", "-lGL")
     count = int(os.environ.get("NINEBIT_GL_PROCESSES", "60"))
     found = compare(program, kit.ninebit_path.parent / "libninebit_gl.so", count)
     kit.check(found.good(), found.text())

@@ -101,9 +101,7 @@ def run(kit):
     folder, here = kit.folder("index_cube_2000"), HERE / "index_cube_2000"
     room = ROOT / "scenes/index_room.gltf"
     (folder / "room.txt").write_text(scene_text(room))
-    program = folder / "index_cube_2000"
-    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", here / "index_cube_2000.c", "-o", program, "-lglut",
-           "-lGLU", "-lGL"])
+    program = build("index_cube_2000/index_cube_2000.c", folder / "index_cube_2000", "-lglut", "-lGLU", "-lGL")
 
     def render(name, step, profile):
         kit.ninebit("render", room, "-o", folder / name, "--size", SIZE, "--map-size", MAP_SIZE, "--index-step", step,

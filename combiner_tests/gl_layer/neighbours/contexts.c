@@ -1,29 +1,10 @@
 /* Contexts that have no combiners, and processes that fork: contexts core|gles|fork. Prints what it draws. */
-#define GL_GLEXT_PROTOTYPES
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GL/gl.h>
-#include <GL/glext.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-static int make_context(EGLenum api, EGLint renderable, const EGLint* attributes) {
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, renderable, EGL_RED_SIZE, 8,
-                           EGL_NONE};
-  const EGLint size[] = {EGL_WIDTH, 8, EGL_HEIGHT, 8, EGL_NONE};
-  EGLConfig config;
-  EGLint found = 0;
-  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(api) ||
-      !eglChooseConfig(display, wanted, &config, 1, &found) || !found) {
-    return 0;
-  }
-  const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
-  return eglMakeCurrent(display, surface, surface, context);
-}
+#include "../egl_context.h"
 
 static void print_pixel(const char* who) {
   unsigned char pixel[4];
@@ -34,15 +15,13 @@ static void print_pixel(const char* who) {
 
 static int draw_by_combiners(const char* who) {
   const float green[] = {0, 1, 0, 1};
-  if (!make_context(EGL_OPENGL_API, EGL_OPENGL_BIT, NULL)) return 77;
-  void (*parameter)(GLenum, const float*) =
-      (void (*)(GLenum, const float*))eglGetProcAddress("glCombinerParameterfvNV");
-  void (*input)(GLenum, GLenum, GLenum, GLenum) =
-      (void (*)(GLenum, GLenum, GLenum, GLenum))eglGetProcAddress("glFinalCombinerInputNV");
+  if (!make_context(8)) return 77;
+  LOOK_UP(PFNGLCOMBINERPARAMETERFVNVPROC, CombinerParameterfvNV);
+  LOOK_UP(PFNGLFINALCOMBINERINPUTNVPROC, FinalCombinerInputNV);
   if (strstr((const char*)glGetString(GL_EXTENSIONS), "GL_NV_register_combiners")) {
-    parameter(GL_CONSTANT_COLOR0_NV, green);
-    for (GLenum v = GL_VARIABLE_A_NV; v <= GL_VARIABLE_C_NV; ++v) input(v, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
-    input(GL_VARIABLE_D_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    CombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, green);
+    for (GLenum v = GL_VARIABLE_A_NV; v <= GL_VARIABLE_C_NV; ++v) FinalCombinerInputNV(v, GL_ZERO, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
+    FinalCombinerInputNV(GL_VARIABLE_D_NV, GL_CONSTANT_COLOR0_NV, GL_UNSIGNED_IDENTITY_NV, GL_RGB);
     glEnable(GL_REGISTER_COMBINERS_NV);
   }
   glRectf(-1, -1, 1, 1);
@@ -81,8 +60,8 @@ int main(int argc, char** argv) {
     return status ? 1 : draw_by_combiners("parent");
   }
   const int is_core = !strcmp(kind, "core");
-  if (!(is_core ? make_context(EGL_OPENGL_API, EGL_OPENGL_BIT, core)
-                : make_context(EGL_OPENGL_ES_API, EGL_OPENGL_ES3_BIT, es))) {
+  if (!(is_core ? make_context_of(EGL_OPENGL_API, EGL_OPENGL_BIT, core, 8)
+                : make_context_of(EGL_OPENGL_ES_API, EGL_OPENGL_ES3_BIT, es, 8))) {
     return 77;
   }
   print_answers();

@@ -6,7 +6,7 @@ import os
 import re
 import subprocess
 
-from kit import HERE, build, display, require
+from kit import build, display, require
 
 PACKAGES = "freeglut3-dev, gcc, libosmesa6, apitrace, renderdoccmd and xvfb"
 RENDERDOC = "/usr/lib/librenderdoc.so"
@@ -14,10 +14,7 @@ WAYS = ("library", "default", "next")
 
 
 def compiled(kit, name, options, libraries=(), output=None):
-    program = kit.output / "neighbours" / (output or name)
-    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", *options, HERE / f"neighbours/{name}.c", "-o", program,
-           *libraries])
-    return program
+    return build(f"neighbours/{name}.c", kit.output / "neighbours" / (output or name), *options, *libraries)
 
 
 def logs(kit, draws, environment):

@@ -5,15 +5,14 @@ in 200 pixels may be. Combiners in their default state draw fog and a separate h
 """
 import re
 
-from kit import HERE, build, display, require
+from kit import build, display, require
 
 PACKAGES = "freeglut3-dev, gcc, python3-numpy and xvfb"
 FIXED_FUNCTION = ("highlight", "fog")  # compared with itself, within 2
 
 
 def compile_old_ways(program, *options, libraries=("-lglut", "-lGLU", "-lGL")):
-    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Wno-cast-function-type", "-Werror", *options,
-           HERE / "old_ways/old_ways.c", "-o", program, *libraries])
+    build("old_ways/old_ways.c", program, *options, *libraries)
 
 
 def check_ways(kit, done, name):

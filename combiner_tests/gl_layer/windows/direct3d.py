@@ -6,7 +6,7 @@ replicates the dot product into alpha by GLSL alone.
 """
 import numpy
 
-from kit import HERE, build
+from kit import build
 
 PROFILE = "nv2a"
 LIBRARIES = {7: ["-lddraw", "-ldxguid"], 8: [], 9: ["-ld3d9"]}
@@ -27,8 +27,7 @@ def results(text):
 
 def check_version(kit, folder, planes, environment, compiler, version):
     stem = f"direct3d{version}"
-    build([compiler, "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", f"-DDIRECT3D={version}", HERE / "windows/texture_stages.c",
-           "-o", folder / f"{stem}.exe", *LIBRARIES[version]])
+    build("windows/texture_stages.c", folder / f"{stem}.exe", f"-DDIRECT3D={version}", *LIBRARIES[version], compiler=compiler)
     command = ["wine", f"{stem}.exe", "inputs.bin"]
     usual = results(kit.run(command, environment, cwd=folder).stdout)
     dump = folder / stem

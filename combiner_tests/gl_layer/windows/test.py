@@ -70,8 +70,7 @@ def run(kit):
     require(PACKAGES, [COMPILER, "wine", "wineserver", "Xvfb"])
     folder = kit.folder("windows")
     planes = make_inputs(folder / "inputs.bin")
-    build([COMPILER, "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "windows/combiners.c", "-o",
-           folder / "combiners.exe", "-lopengl32", "-lgdi32"])
+    build("windows/combiners.c", folder / "combiners.exe", "-lopengl32", "-lgdi32", compiler=COMPILER)
     prefix = folder / "prefix"
     with display() as environment:
         environment |= {**QUIET, "WINEPREFIX": str(prefix)}

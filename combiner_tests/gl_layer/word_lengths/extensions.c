@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "egl_context.h"
+#include "../egl_context.h"
 
 static void print_pixel(const char* what) {
   GLubyte p[4];

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "egl_context.h"
+#include "../egl_context.h"
 
 enum { SIDE = 16, COLORS = 4, STAGES = 2 };
 

@@ -25,8 +25,7 @@ another colour in its palette: 90 80 70 60, error 0x0000
 def check_loading(kit, folder):
     found = {"": "%d bits, glCombinerParameteriNV of nobody\n", "layer": "%d bits, glCombinerParameteriNV of libninebit_gl.so\n"}
     for bits, options in ((64, []), (32, ["-m32", "-mpreferred-stack-boundary=2"])):
-        program = folder / f"loads{bits}"
-        build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", *options, HERE / "word_lengths/loads.c", "-o", program])
+        program = build("word_lengths/loads.c", folder / f"loads{bits}", *options)
         for layer in ("", "layer"):
             done = kit.run([program], None, layer=bool(layer))
             kit.check(done.returncode == 0 and done.stdout == found[layer] % bits,
@@ -51,8 +50,7 @@ def check_missing(kit, folder):
 
 
 def check_extensions(kit, folder, bits, options, environment):
-    program = folder / f"extensions{bits}"
-    build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "word_lengths/extensions.c", "-o", program, *options])
+    program = build("word_lengths/extensions.c", folder / f"extensions{bits}", *options)
     done = kit.run([program], {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **environment}, layer=True,
                    options=("--extensions", "all"))
     kit.check(done.returncode == 0 and done.stdout == DRAWN, f"further extensions, {bits} bits: {'; '.join(done.stdout.splitlines())}")
@@ -63,9 +61,7 @@ def check_random_programs(kit, folder, of_each):
     count = int(os.environ.get("NINEBIT_GL_PROGRAMS", 60))
     printed = {}
     for bits, (options, environment) in of_each.items():
-        program = folder / f"random_programs{bits}"
-        build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "word_lengths/random_programs.c", "-o", program,
-               *options])
+        program = build("word_lengths/random_programs.c", folder / f"random_programs{bits}", *options)
         printed[bits] = kit.run([program, count], {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **environment}, layer=True,
                                 timeout=60 + count).stdout.splitlines()
         good = [line for line in printed[bits] if line.endswith("error 0x0000")]
@@ -81,9 +77,7 @@ def check_index_cube(kit, folder, libraries, of_32_bits):
     (folder / "room.txt").write_text(scene_text(ROOT / "scenes/index_room.gltf"))
     with display() as environment:
         for bits, options, more in ((64, ["-lglut", "-lGLU", "-lGL"], {}), (32, ["-m32", *libraries, "-lm"], of_32_bits)):
-            program = folder / f"index_cube_2000_{bits}"
-            build(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", HERE / "index_cube_2000/index_cube_2000.c", "-o", program,
-                   *options])
+            program = build("index_cube_2000/index_cube_2000.c", folder / f"index_cube_2000_{bits}", *options)
             done = kit.run([program, folder / "room.txt", "--size", "320x240", "--map-size", 128, "--step", 2, "--frames", 1,
                             "--output", folder / f"room{bits}"], environment | more, layer=True)
             kit.check(done.returncode == 0, f"index_cube_2000, {bits} bits: exit status {done.returncode} {done.stdout.strip()[-200:]}")

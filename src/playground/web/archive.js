@@ -3,19 +3,7 @@
  * read, too.
  */
 import { plainPath } from './files.js';
-
-const table = Uint32Array.from({ length: 256 }, (_, byte) => {
-  let value = byte;
-  for (let bit = 0; bit < 8; bit++) value = value & 1 ? 0xEDB88320 ^ (value >>> 1) : value >>> 1;
-  return value;
-});
-
-/** CRC-32, which both formats use. @param {Uint8Array[]} parts */
-function crc32(...parts) {
-  let crc = 0xFFFFFFFF;
-  for (const part of parts) for (const byte of part) crc = table[(crc ^ byte) & 255] ^ (crc >>> 8);
-  return (crc ^ 0xFFFFFFFF) >>> 0;
-}
+import { crc32 } from './png.js';
 
 /** Whole numbers as bytes. @param {boolean} little the lowest byte first @param {...[number, number]} fields sizes in bytes, and values */
 function bytesOf(little, ...fields) {

@@ -23,7 +23,7 @@ const generatedMesh = /^(sphere:|torus:|plane:|cube$)/;
  * The effect in a text; `undefined`: it is something else, such as a program as JSON.
  * @param {string} text
  */
-export function effectIn(text) {
+function effectIn(text) {
   try {
     const found = JSON.parse(text);
     return found?.ninebit === 'effect' ? found : undefined;

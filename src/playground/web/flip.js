@@ -2,7 +2,7 @@
  * The picture under the other profile, in place of the usual one: a button, and the key F.
  */
 import { Replaced } from './engine_client.js';
-import { element } from './dom.js';
+import { element, messageOf } from './dom.js';
 
 /** The engine's word for the same chip with exact combiners. */
 export const exactCombiners = 'arithmetic';
@@ -61,7 +61,7 @@ export class Flip {
       badge.textContent = `${titleOfOther(other)}: ${pixels.toLocaleString('en')} pixels differ, by ${max} at most`;
     } catch (error) {
       if (error instanceof Replaced || !this.on) return;
-      badge.textContent = `${titleOfOther(other)}: ${error instanceof Error ? error.message : error}`;
+      badge.textContent = `${titleOfOther(other)}: ${messageOf(error)}`;
     }
     badge.hidden = false;
   }

@@ -2,7 +2,7 @@
  * The gallery: every effect with a thumbnail that the engine draws when the gallery is opened, in the order in which they
  * are best learnt.
  */
-import { element, paint } from './dom.js';
+import { element, messageOf, paint } from './dom.js';
 import { stateOf } from './state.js';
 
 const side = 128;
@@ -71,7 +71,7 @@ export class Gallery {
         paint(card.canvas, bytes, answer.width, answer.height);
         card.drawn = true;
       } catch (error) {
-        card.canvas.title = error instanceof Error ? error.message : String(error);
+        card.canvas.title = messageOf(error);
       }
     }
   }

@@ -1,7 +1,7 @@
 /**
  * The playground: opens what the address or the browser has, starts the engine, and shows the page.
  */
-import { byId } from './dom.js';
+import { byId, messageOf } from './dom.js';
 import { Engine, Replaced } from './engine_client.js';
 import { keptFiles, keptState } from './kept.js';
 import { Page, say } from './page.js';
@@ -51,7 +51,7 @@ async function firstStore() {
     try {
       return await get();
     } catch (error) {
-      faults.push(`${what} cannot be opened: ${error instanceof Error ? error.message : error}.`);
+      faults.push(`${what} cannot be opened: ${messageOf(error)}.`);
       return null;
     }
   };

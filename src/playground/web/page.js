@@ -4,7 +4,7 @@
 import { CommandPanel, commandsOf } from './command_line.js';
 import { Clock } from './clock.js';
 import { ConvertPanel } from './convert_panel.js';
-import { afterPause, byId, choice, element, nextFrame, replaceChildren } from './dom.js';
+import { afterPause, byId, choice, element, messageOf, nextFrame, replaceChildren } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { Flip } from './flip.js';
 import { Gallery } from './gallery.js';
@@ -403,7 +403,7 @@ export class Page {
     try {
       await this.writeAddress();
     } catch (error) {
-      say(`The link cannot be written: ${error instanceof Error ? error.message : error}.`);
+      say(`The link cannot be written: ${messageOf(error)}.`);
       return;
     }
     const { length } = location.href;
@@ -453,7 +453,7 @@ export class Page {
         open(found.state, true);
         this.look(found.view);
       } catch (error) {
-        say(`This link cannot be opened: ${error instanceof Error ? error.message : error}.`);
+        say(`This link cannot be opened: ${messageOf(error)}.`);
       }
     });
   }

@@ -58,6 +58,3 @@ export async function opened(hash) {
   const view = typeof found?.view === 'object' && found.view !== null ? bare(found.view, 'what the link looks at') : {};
   return { state: checkedState(found), view };
 }
-
-/** The state alone. @param {string} hash @returns {Promise<import('./state.js').State|null>} */
-export const stateOfAddress = async (hash) => (await opened(hash))?.state ?? null;

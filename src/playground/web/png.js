@@ -21,8 +21,12 @@ const table = Uint32Array.from({ length: 256 }, (_, byte) => {
   return sum;
 });
 
-/** @param {Uint8Array} bytes */
-const checksum = (bytes) => ~bytes.reduce((sum, byte) => table[(sum ^ byte) & 255] ^ (sum >>> 8), ~0) >>> 0;
+/** CRC-32, the checksum of PNG and of ZIP. @param {Uint8Array[]} parts */
+export function crc32(...parts) {
+  let sum = ~0;
+  for (const part of parts) for (const byte of part) sum = table[(sum ^ byte) & 255] ^ (sum >>> 8);
+  return ~sum >>> 0;
+}
 
 /** @typedef {{IHDR: Uint8Array|null, PLTE: Uint8Array|null, tRNS: Uint8Array|null, IDAT: Uint8Array[]}} Chunks */
 
@@ -37,7 +41,7 @@ function chunksOf(bytes) {
     if (end + 4 > bytes.length) break;
     if (name === 'IEND') return chunks;
     if (name in chunks) {
-      if (checksum(bytes.subarray(at + 4, end)) !== view.getUint32(end)) throw new Error(`the checksum of its chunk ${name} is wrong`);
+      if (crc32(bytes.subarray(at + 4, end)) !== view.getUint32(end)) throw new Error(`the checksum of its chunk ${name} is wrong`);
       const data = bytes.subarray(at + 8, end);
       if (name === 'IDAT') chunks.IDAT.push(data);
       else chunks[/** @type {'IHDR'|'PLTE'|'tRNS'} */ (name)] = data;

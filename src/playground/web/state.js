@@ -137,12 +137,6 @@ export const passOf = (state) => state.effect.passes[state.pass] ?? state.effect
 /** The text of that pass's program, or `undefined`. @param {State} state @returns {string|undefined} */
 export const programOf = (state) => state.files[programFile(state) ?? ''];
 
-/** A size as a pair. @param {State} state @returns {[number, number]} */
-export function sizeOf(state) {
-  const size = state.effect.size ?? 512;
-  return Array.isArray(size) ? [size[0], size[1]] : [size, size];
-}
-
 /** So many steps can be undone. */
 export const mostSteps = 20;
 
