@@ -2,7 +2,6 @@
 #include "ninebit/shadow/reflective.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,6 @@
 #include <string>
 
 #include "combiner_tests/shadow/support.h"
-#include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/shadow_map.h"
 #include "src/shadow/reflective/reflective_reference.h"
@@ -439,27 +437,6 @@ TEST(Reflective, WallsBleedTheirColours) {
   }
 }
 
-TEST(Reflective, SameBitsForAnyNumberOfThreads) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  for (const SamplePattern pattern : {SamplePattern::poisson, SamplePattern::polar}) {
-    RenderSettings settings = reflective_settings(pattern);
-    settings.reflective.gather_scale = pattern == SamplePattern::polar ? 3 : 1;
-    settings.layers = true;
-    std::optional<Rendering> first;
-    for (const std::size_t threads : {1U, 2U, 7U}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      Rendering r = rendered(cornell_box(), settings);
-      if (first) {
-        for (int c = 0; c < 3; ++c) EXPECT_EQ(r.frame.color(c), first->frame.color(c));
-        for (const char* channel : {"R", "G", "B"}) EXPECT_EQ(indirect(r, channel), indirect(*first, channel));
-        for (std::size_t m = 0; m < r.maps.size(); ++m) EXPECT_EQ(r.maps[m].samples, first->maps[m].samples);
-      } else {
-        first.emplace(std::move(r));
-      }
-    }
-  }
-}
-
 TEST(Reflective, LowResolutionGatheringIsCloseToTheFullOne) {
   const Scene scene = cornell_box();
   RenderSettings settings = reflective_settings();
@@ -601,28 +578,6 @@ TEST(Reflective, SettingsOutOfRange) {
   const auto result = render_reflective(point, reflective_settings(), {});
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("spot or directional"), std::string::npos);
-}
-
-TEST(Reflective, CancellingEndsTheWork) {
-  const Scene scene = lit_square();
-  RenderSettings settings = reflective_settings();
-  settings.evidence = true;
-  int all = 0;
-  double last = 0.0;
-  ASSERT_TRUE(render_reflective(scene, settings, [&](std::string_view, double done) {
-                EXPECT_GE(done, last);
-                last = done;
-                return ++all > 0;
-              }).ok());
-  EXPECT_GT(all, 8);
-  EXPECT_LE(last, 1.0);
-  for (int passes = 0; passes < all; ++passes) {
-    int asked = 0;
-    const auto result = render_reflective(scene, settings, [&](std::string_view, double) { return asked++ < passes; });
-    ASSERT_FALSE(result.ok()) << passes;
-    EXPECT_EQ(result.error().fault, Fault::cancelled);
-    EXPECT_EQ(asked, passes + 1);
-  }
 }
 
 }  // namespace
