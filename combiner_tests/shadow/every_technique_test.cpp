@@ -55,11 +55,7 @@ class EveryTechnique : public testing::TestWithParam<Way> {
     GetParam().choose(settings_);
   }
 
-  [[nodiscard]] Rendering render() const {
-    auto rendering = technique_.render(scene_, settings_, {});
-    if (!rendering) throw std::runtime_error(rendering.error().text());
-    return *std::move(rendering);
-  }
+  [[nodiscard]] Rendering render() const { return shadow_test::render_by(technique_.name, scene_, settings_); }
 
   const Technique& technique_ = *find_technique(GetParam().technique);
   const Scene scene_ = ninebit::test::index_room(technique_.lights);

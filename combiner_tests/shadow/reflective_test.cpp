@@ -45,9 +45,7 @@ Scene cornell_box() {
 }
 
 Rendering rendered(const Scene& scene, const RenderSettings& settings) {
-  auto rendering = render_reflective(scene, settings, {});
-  if (!rendering) throw std::runtime_error(rendering.error().text());
-  return std::move(*rendering);
+  return shadow_test::render_by("reflective", scene, settings);
 }
 
 const std::vector<float>& indirect(const Rendering& rendering, const char* channel) {

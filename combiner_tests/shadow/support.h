@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -60,7 +61,11 @@ const T& fact(const ninebit::Rendering& rendering, const std::string& name) {
   throw std::runtime_error("no fact " + name);
 }
 
-// Renders, failing the test where that fails. The default settings are those of the tests: small.
+// Renders by a technique; throws where that fails.
+ninebit::Rendering render_by(std::string_view technique, const ninebit::Scene& scene,
+                             const ninebit::RenderSettings& settings);
+
+// Renders by index-cube. The default settings are those of the tests: small.
 ninebit::Rendering render(const ninebit::Scene& scene, const ninebit::RenderSettings& settings);
 ninebit::RenderSettings small_settings();
 

@@ -18,6 +18,7 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::render_by;
 
 using TexelBytes = std::vector<std::uint8_t>;  // planes of red, green, blue, alpha
 
@@ -40,12 +41,6 @@ void dress(Scene& scene, std::shared_ptr<const Texture> texture) {
     material.sampler = kNearestSampler;
   }
   scene.texture_coordinates.resize(scene.positions.size(), glm::vec2(0.5F));
-}
-
-Rendering render_by(const char* name, const Scene& scene, const RenderSettings& settings) {
-  auto result = find_technique(name)->render(scene, settings, {});
-  EXPECT_TRUE(result) << name << (result ? "" : ": " + result.error().text());
-  return result ? std::move(*result) : shadow_test::render(scene, settings);
 }
 
 // The rule of the general combiner on a GeForce 2: fractions are dropped.

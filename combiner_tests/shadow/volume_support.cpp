@@ -20,9 +20,7 @@ ninebit::RenderSettings volume_settings(ninebit::VolumeMethod method) {
 }
 
 ninebit::Rendering render_volumes(const Scene& scene, const ninebit::RenderSettings& settings) {
-  auto result = ninebit::render_shadow_volume(scene, settings, {});
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
+  return render_by("shadow-volume", scene, settings);
 }
 
 void add_object(Scene& scene, const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles) {

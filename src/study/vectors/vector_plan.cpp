@@ -15,6 +15,7 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace ninebit::vectors {
 namespace {
@@ -37,6 +38,8 @@ class Planner {
     for (const auto& one : given) programs_.push_back(one.program);
     all_.resize(given.size());
     std::iota(all_.begin(), all_.end(), std::size_t{0});
+    promising_.resize(mistakes.size());
+    std::iota(promising_.begin(), promising_.end(), std::size_t{0});
   }
 
   [[nodiscard]] bool plan(VectorVerdict& verdict) {
@@ -192,24 +195,27 @@ class Planner {
       if (count.gains <= count.breaks || count.breaks * gain_of_a_break > count.gains) return false;
       return !best || count.gains - count.breaks >= best_count.gains - best_count.breaks;
     };
-    std::vector<std::pair<std::size_t, Count>> counts;
-    for (std::size_t m = 0; m < mistakes_.size() && !stopped_ && !first.empty(); ++m) {
+    std::vector<Count> counts(mistakes_.size());
+    for (const std::size_t m : promising_) {
+      if (stopped_ || first.empty()) break;
       if (std::find(accepted.begin(), accepted.end(), m) != accepted.end()) continue;
-      const Count count = count_with(accepted, m, before, asked, useful);
+      const Count& count = counts[m] = count_with(accepted, m, before, asked, useful);
       if (count.gains == 0) continue;
-      counts.emplace_back(m, count);
-      const auto value = [&](std::size_t mistake, const Count& of) {
-        return std::pair(of.gains - of.breaks, mistakes_[mistake].group == first);
+      const auto value = [&](std::size_t mistake, const Count& of) {  // of two that are equal, the first is better
+        return std::tuple(of.gains - of.breaks, mistakes_[mistake].group == first, mistakes_.size() - mistake);
       };
       if (best && value(*best, best_count) >= value(m, count)) continue;
       best = m;
       best_count = count;
     }
-    if (best) rivals_[*best].clear();  // of an earlier round
-    for (const auto& [m, count] : counts) {
-      if (m != *best && count == best_count) rivals_[*best].push_back(m);
+    if (stopped_ || !best) return std::nullopt;
+    rivals_[*best].clear();  // of an earlier round
+    for (std::size_t m = 0; m < counts.size(); ++m) {
+      if (m != *best && counts[m] == best_count) rivals_[*best].push_back(m);
     }
-    return stopped_ ? std::nullopt : best;
+    std::stable_sort(promising_.begin(), promising_.end(),
+                     [&](std::size_t x, std::size_t y) { return counts[x].gains > counts[y].gains; });
+    return best;
   }
 
   std::size_t agreeing(const std::vector<std::size_t>& accepted, const std::vector<std::size_t>& programs) {
@@ -319,6 +325,7 @@ class Planner {
   const VectorProgress& go_on_;
   std::vector<std::size_t> programs_{};             // of the pack, by program of the results
   std::vector<std::size_t> sample_{}, all_{};       // programs of the results
+  std::vector<std::size_t> promising_{};            // all mistakes, those that explained most in the last round first
   std::vector<std::vector<std::size_t>> rivals_{};  // by mistake: others that explained as much when it was accepted
   bool stopped_ = false;
 };
