@@ -18,6 +18,7 @@ namespace {
 using namespace ninebit;
 using shadow_test::depth_cube_settings;
 using shadow_test::draw_depth_cube;
+using shadow_test::for_each_pixel;
 using shadow_test::on_plane;
 using shadow_test::samples_of;
 
@@ -35,19 +36,16 @@ struct Judged {
 Judged judge_square(const Scene& scene, const RenderSettings& settings, const Rendering& r) {
   const float texel = 6.0F / static_cast<float>(settings.map_size) * 1.5F;
   Judged judged;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      if (objects(r)[i] != 1) continue;
-      const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
-      const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
-      if (std::fabs(reach - 1.5F) < texel) continue;
-      const bool dark = r.frame.stencil()[i] != 0;
-      ++(reach < 1.5F ? judged.inside : judged.outside);
-      judged.false_lit += reach < 1.5F && !dark ? 1 : 0;
-      judged.false_shadowed += reach > 1.5F && dark ? 1 : 0;
-    }
-  }
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    if (objects(r)[i] != 1) return;
+    const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
+    const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
+    if (std::fabs(reach - 1.5F) < texel) return;
+    const bool dark = r.frame.stencil()[i] != 0;
+    ++(reach < 1.5F ? judged.inside : judged.outside);
+    judged.false_lit += reach < 1.5F && !dark ? 1 : 0;
+    judged.false_shadowed += reach > 1.5F && dark ? 1 : 0;
+  });
   return judged;
 }
 
@@ -141,17 +139,14 @@ TEST(DepthCube, MoreBitsLoseLessOfACloseShadow) {
       settings.depth_cube.bias = 0.01F;
       const Rendering r = draw_depth_cube(scene, settings);
       stencil[b] = r.frame.stencil();
-      for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-          const auto i = static_cast<std::size_t>(y * settings.width + x);
-          if (objects(r)[i] != 1) continue;
-          const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
-          // Where the ray from the light to p crosses the slope's plane, 0.1005 + 0.0995 x above the floor.
-          const float part = (height - 0.1005F) / (height + 0.0995F * p.x);
-          const bool shadowed = std::fabs(p.x * part) < 1.0F && std::fabs(p.z * part) < 1.0F;
-          lost[b] += shadowed && r.frame.stencil()[i] == 0 ? 1 : 0;
-        }
-      }
+      for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+        if (objects(r)[i] != 1) return;
+        const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
+        // Where the ray from the light to p crosses the slope's plane, 0.1005 + 0.0995 x above the floor.
+        const float part = (height - 0.1005F) / (height + 0.0995F * p.x);
+        const bool shadowed = std::fabs(p.x * part) < 1.0F && std::fabs(p.z * part) < 1.0F;
+        lost[b] += shadowed && r.frame.stencil()[i] == 0 ? 1 : 0;
+      });
     }
     for (std::size_t i = 0; i < stencil[2].size(); ++i) {
       // Each pixel that a code shadows is shadowed by the floats, too.

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::for_each_pixel;
 using shadow_test::render;
 using shadow_test::small_settings;
 
@@ -25,21 +26,18 @@ TEST(IndexCube, SquareOverFloorCastsTheSquareOfTheFormula) {
   // One map texel on the floor: the -Y face spans 2 × 3 units there; a step aside for the triangles' diagonals.
   const float texel = 6.0F / static_cast<float>(settings.map_size) * 1.5F;
   int inside = 0, outside = 0, background = 0;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y * settings.width + x);
-      const std::uint32_t object = layers.object[i];
-      if (object == 0) ++background;
-      if (object != 1) continue;
-      const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
-      const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
-      const bool near_edge = std::fabs(reach - 1.5F) < texel;
-      const bool near_joint = std::fabs(p.x - p.z) < 2 * texel || std::fabs(p.x + p.z) < 2 * texel;
-      if (near_edge || near_joint || reach > 3.9F) continue;
-      ASSERT_EQ(r.frame.stencil()[i], reach < 1.5F ? 1 : 0) << "floor at " << p.x << ", " << p.z;
-      ++(reach < 1.5F ? inside : outside);
-    }
-  }
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    const std::uint32_t object = layers.object[i];
+    if (object == 0) ++background;
+    if (object != 1) return;
+    const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
+    const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
+    const bool near_edge = std::fabs(reach - 1.5F) < texel;
+    const bool near_joint = std::fabs(p.x - p.z) < 2 * texel || std::fabs(p.x + p.z) < 2 * texel;
+    if (near_edge || near_joint || reach > 3.9F) return;
+    ASSERT_EQ(r.frame.stencil()[i], reach < 1.5F ? 1 : 0) << "floor at " << p.x << ", " << p.z;
+    ++(reach < 1.5F ? inside : outside);
+  });
   EXPECT_GT(inside, 300);
   EXPECT_GT(outside, 5000);
   EXPECT_EQ(r.background, static_cast<std::uint64_t>(background));

@@ -19,6 +19,7 @@ namespace {
 
 using namespace ninebit;
 using shadow_test::fact;
+using shadow_test::for_each_pixel;
 using shadow_test::samples_of;
 
 RenderSettings reflective_settings(SamplePattern pattern = SamplePattern::polar) {
@@ -386,24 +387,21 @@ TEST(Reflective, IsDirectLightPlusIndirect) {
   const Image8 &off = picture(r, "direct.png"), &difference = picture(r, "difference.png"),
                &light = picture(r, "indirect.png");
   int brighter = 0;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      const auto p = static_cast<std::size_t>((settings.height - 1 - y) * settings.width + x) * 3;
-      for (int c = 0; c < 3; ++c) {
-        const std::size_t at = p + static_cast<std::size_t>(c);
-        const std::string channel(1, "RGB"[c]);
-        ASSERT_EQ(off.pixels[at], direct->frame.color(c)[i]);
-        ASSERT_EQ(r.frame.color(c)[i], off.pixels[at] + difference.pixels[at]);
-        const float e = indirect(r, channel.c_str())[i];
-        ASSERT_TRUE(e >= 0.0F && e <= 1.0F);
-        ASSERT_EQ(light.pixels[at], static_cast<int>(e * 255.0F + 0.5F));
-        const float surface = samples_of<float>(r.layers, "surface_color", channel)[i];
-        ASSERT_EQ(difference.pixels[at], std::min(255 - off.pixels[at], static_cast<int>(surface * e * 255.0F + 0.5F)));
-        if (difference.pixels[at] > 0) ++brighter;
-      }
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    const auto p = static_cast<std::size_t>((settings.height - 1 - y) * settings.width + x) * 3;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = p + static_cast<std::size_t>(c);
+      const std::string channel(1, "RGB"[c]);
+      ASSERT_EQ(off.pixels[at], direct->frame.color(c)[i]);
+      ASSERT_EQ(r.frame.color(c)[i], off.pixels[at] + difference.pixels[at]);
+      const float e = indirect(r, channel.c_str())[i];
+      ASSERT_TRUE(e >= 0.0F && e <= 1.0F);
+      ASSERT_EQ(light.pixels[at], static_cast<int>(e * 255.0F + 0.5F));
+      const float surface = samples_of<float>(r.layers, "surface_color", channel)[i];
+      ASSERT_EQ(difference.pixels[at], std::min(255 - off.pixels[at], static_cast<int>(surface * e * 255.0F + 0.5F)));
+      if (difference.pixels[at] > 0) ++brighter;
     }
-  }
+  });
   EXPECT_GT(brighter, 3000);
   EXPECT_GT(fact<std::uint64_t>(r, "pixel_lights"), 10000U);
   EXPECT_EQ(fact<std::uint64_t>(r, "gathered_pixels"), r.lit + r.shadowed);

@@ -17,6 +17,7 @@ namespace {
 
 using namespace ninebit;
 using shadow_test::fact;
+using shadow_test::for_each_pixel;
 using shadow_test::render_map;
 using shadow_test::samples_of;
 using shadow_test::small_settings;
@@ -35,20 +36,17 @@ FloorCount expect_floor(const Scene& scene, const RenderSettings& settings, floa
   const Rendering r = render_map(scene, settings);
   const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
   FloorCount count;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      if (object[i] == 2) {
-        EXPECT_EQ(r.frame.stencil()[i], 0) << "the square at " << x << ", " << y;
-      }
-      if (object[i] != 1) continue;
-      const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
-      const float distance = inside_light(p);
-      if (std::fabs(distance) < 1.01F * texel || std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) continue;
-      EXPECT_EQ(r.frame.stencil()[i], distance > 0.0F ? 0 : 1) << "floor at " << p.x << ", " << p.z;
-      ++(distance > 0.0F ? count.lit : count.shadowed);
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    if (object[i] == 2) {
+      EXPECT_EQ(r.frame.stencil()[i], 0) << "the square at " << x << ", " << y;
     }
-  }
+    if (object[i] != 1) return;
+    const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
+    const float distance = inside_light(p);
+    if (std::fabs(distance) < 1.01F * texel || std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) return;
+    EXPECT_EQ(r.frame.stencil()[i], distance > 0.0F ? 0 : 1) << "floor at " << p.x << ", " << p.z;
+    ++(distance > 0.0F ? count.lit : count.shadowed);
+  });
   EXPECT_EQ(r.background + r.lit + r.shadowed, static_cast<std::uint64_t>(settings.width * settings.height));
   return count;
 }
@@ -104,17 +102,14 @@ TEST(ShadowMap, NoLightFallsBehindASpotLight) {
     settings.shadow_map.encoding = encoding;
     const Rendering r = render_map(scene, settings);
     int lit = 0, dark = 0;
-    for (int y = 0; y < settings.height; ++y) {
-      for (int x = 0; x < settings.width; ++x) {
-        const auto i = static_cast<std::size_t>(y * settings.width + x);
-        const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
-        if (std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) continue;
-        const float inside = std::sqrt(3.0F) * p.x - std::max(1.0F, std::fabs(p.z));
-        if (std::fabs(inside) < 0.1F) continue;
-        ASSERT_EQ(r.frame.stencil()[i], inside > 0.0F ? 0 : 1) << p.x << ' ' << p.z;
-        ++(inside > 0.0F ? lit : dark);
-      }
-    }
+    for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+      const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
+      if (std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) return;
+      const float inside = std::sqrt(3.0F) * p.x - std::max(1.0F, std::fabs(p.z));
+      if (std::fabs(inside) < 0.1F) return;
+      ASSERT_EQ(r.frame.stencil()[i], inside > 0.0F ? 0 : 1) << p.x << ' ' << p.z;
+      ++(inside > 0.0F ? lit : dark);
+    });
     EXPECT_GT(lit, 1500);
     EXPECT_GT(dark, 3000);
   }
@@ -349,23 +344,20 @@ TEST(ShadowMap, EvidenceNamesTheTriangleInTheMap) {
     EXPECT_EQ(r.evidence->in_map, std::vector<bool>(4, true));
     const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
     int dark = 0, outside = 0;
-    for (int y = 0; y < settings.height; ++y) {
-      for (int x = 0; x < settings.width; ++x) {
-        const auto i = static_cast<std::size_t>(y * settings.width + x);
-        const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
-        const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
-        const std::uint32_t fetched = r.evidence->fetched[i];
-        if (object[i] == 0 || (object[i] == 1 && reach > 3.05F)) {
-          ASSERT_EQ(fetched, 0U);
-          outside += object[i] == 1 ? 1 : 0;
-        } else if (object[i] == 1 && reach < 1.45F) {
-          ASSERT_TRUE(fetched == 3 || fetched == 4) << fetched;
-          ++dark;
-        } else if (object[i] == 1 && reach > 1.55F && reach < 2.95F) {
-          ASSERT_TRUE(fetched == 1 || fetched == 2) << fetched;
-        }
+    for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+      const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
+      const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
+      const std::uint32_t fetched = r.evidence->fetched[i];
+      if (object[i] == 0 || (object[i] == 1 && reach > 3.05F)) {
+        ASSERT_EQ(fetched, 0U);
+        outside += object[i] == 1 ? 1 : 0;
+      } else if (object[i] == 1 && reach < 1.45F) {
+        ASSERT_TRUE(fetched == 3 || fetched == 4) << fetched;
+        ++dark;
+      } else if (object[i] == 1 && reach > 1.55F && reach < 2.95F) {
+        ASSERT_TRUE(fetched == 1 || fetched == 2) << fetched;
       }
-    }
+    });
     EXPECT_GT(dark, 300);
     EXPECT_GT(outside, 500);
   }

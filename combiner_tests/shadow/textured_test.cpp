@@ -18,6 +18,7 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::for_each_pixel;
 using shadow_test::render_by;
 
 using TexelBytes = std::vector<std::uint8_t>;  // planes of red, green, blue, alpha
@@ -414,17 +415,14 @@ TEST(Layers, NameThePolygonThatTheDepthTestLeft) {
       const Rendering r = shadow_test::render(*drawn, settings);
       const auto layers = shadow_test::comparison_layers(r);
       int overlapped = 0;
-      for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-          const auto at = static_cast<std::size_t>(y * settings.width + x);
-          if (layers.polygon[at] == 0) continue;
-          const bool is_left = shadow_test::on_plane(scene, settings, x, y, 0.0F).x < 1.0F;
-          ASSERT_EQ(layers.object[at], is_left ? 1U : 2U) << x << ' ' << y;
-          const bool compared = !light_facing || drawn != &turned || is_left;
-          ASSERT_EQ(layers.own(r.codes, at), compared ? layers.polygon[at] : 0U) << x << ' ' << y;
-          overlapped += is_left && shadow_test::on_plane(scene, settings, x, y, 0.0F).x > -1.0F ? 1 : 0;
-        }
-      }
+      for_each_pixel(settings, [&](int x, int y, std::size_t at) {
+        if (layers.polygon[at] == 0) return;
+        const bool is_left = shadow_test::on_plane(scene, settings, x, y, 0.0F).x < 1.0F;
+        ASSERT_EQ(layers.object[at], is_left ? 1U : 2U) << x << ' ' << y;
+        const bool compared = !light_facing || drawn != &turned || is_left;
+        ASSERT_EQ(layers.own(r.codes, at), compared ? layers.polygon[at] : 0U) << x << ' ' << y;
+        overlapped += is_left && shadow_test::on_plane(scene, settings, x, y, 0.0F).x > -1.0F ? 1 : 0;
+      });
       EXPECT_GT(overlapped, 1000);
     }
   }
