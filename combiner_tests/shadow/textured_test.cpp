@@ -92,7 +92,7 @@ Scene scene_for(const std::string& technique) {
   return scene;
 }
 
-// In light and in shadow, with and without layers and evidence, for any number of threads.
+// In light and in shadow, with and without layers and evidence.
 TEST_P(TexturedTechnique, MultipliesLightAndShadow) {
   Scene scene = scene_for(GetParam());
   RenderSettings settings = shadow_test::small_settings();
@@ -121,12 +121,9 @@ TEST_P(TexturedTechnique, MultipliesLightAndShadow) {
   }
   EXPECT_GT(bare, 10U);
   settings.layers = settings.evidence = false;
-  for (const std::size_t threads : {1U, 3U}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const Rendering fast = render_by(GetParam(), scene, settings);
-    for (int c = 0; c < 3; ++c) EXPECT_EQ(fast.frame.color(c), numbered.frame.color(c));
-    EXPECT_EQ(fast.frame.stencil(), numbered.frame.stencil());
-  }
+  const Rendering fast = render_by(GetParam(), scene, settings);
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(fast.frame.color(c), numbered.frame.color(c));
+  EXPECT_EQ(fast.frame.stencil(), numbered.frame.stencil());
 }
 
 // A texture that is not loaded, and white colours of vertices, change no bit.
