@@ -1,7 +1,7 @@
 // The arithmetic of the combiners with rules broken, in codes or, for models that compute in real numbers, without
 // narrowing. It is written here a second time, in floating point, because mistakes are made together: any set of them
 // is a model. Without a mistake it gives what combiner/arithmetic.inl gives:
-// VectorModels.WithoutMistakesIsTheReference.
+// VectorModels.WithoutBrokenRulesIsTheReference.
 #pragma once
 
 #include <algorithm>
@@ -27,12 +27,12 @@ class MistakenNumbers {
   MistakenNumbers(const Datapath& d, const BrokenRules& broken)
       : d_(d), broken_(broken), is_real_(d.arithmetic != Arithmetic::integer), one_(of_code(d.one)) {}
 
-  // Whether a rule is broken. Rules are asked for only where that makes a difference, so that asked() are few.
+  // Whether a rule is broken. Rules are looked up only where that makes a difference, so that asked() are few.
   [[nodiscard]] bool has(BrokenRule rule) const {
     asked_[static_cast<std::size_t>(rule)] = true;
     return broken_[static_cast<std::size_t>(rule)];
   }
-  // The rules that were asked for: others, broken or not, change nothing in what was computed.
+  // The rules that were looked up: others, broken or not, change nothing in what was computed.
   [[nodiscard]] const BrokenRules& asked() const { return asked_; }
   [[nodiscard]] bool is_real() const { return is_real_; }
   [[nodiscard]] T one() const { return one_; }

@@ -170,8 +170,8 @@ std::vector<Bytes4> ModelColors::operator()(std::size_t index, AskedRules* asked
   const VectorProgram& program = pack_.programs[index];
   const Program compiled = model_.program_of(program.state);
   // An edit that changes nothing gives what the pack expects.
-  if (asked == nullptr && model_.breaks_nothing() && compiled == normalize(program.state, pack_.profile))
-    return program.expected;
+  const bool may_be_unchanged = asked == nullptr && model_.breaks_nothing();
+  if (may_be_unchanged && compiled == normalize(program.state, pack_.profile)) return program.expected;
   Model::Registers kept = kept_.empty() ? Model::Registers{} : kept_[index];
   std::vector<Bytes4> colors;
   for (std::size_t i = 0; i < pack_.fragments; ++i) {
