@@ -565,7 +565,7 @@ TEST(ProgramErrors, UnitsAddUpInTheReport) {
 // A constant among the components stands in for the program's own.
 TEST(ProgramErrors, ConstantsVary) {
   const HardwareProfile& profile = profiles::geforce2;
-  CombinerState state = rc10("{ rgb { spare0 = col0 * const0; } }\nout.rgb = spare0;\n");
+  CombinerState state = rc10("const0 = (0, 0, 0, 0);\n{ rgb { spare0 = col0 * const0; } }\nout.rgb = spare0;\n");
   state.constant0 = {200.0F / 255.0F, 0.0F, 0.0F, 0.0F};
   const auto red = [](const Program& program, ProgramInputs inputs) {
     const auto study = valid(program_error_study({}, profiles::geforce2, program, std::move(inputs)));
