@@ -7,24 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "combiner_tests/effect/program_reader.h"
 #include "ninebit/combiner/program.h"
-#include "ninebit/language/rc10.h"
 #include "src/effect/combiner_record.h"
 #include "src/effect/effect_inputs.h"
 #include "src/effect/effect_targets.h"
 
 namespace ninebit::test {
 namespace {
-
-EffectReaders reader_of(const std::string& program) {
-  EffectReaders readers;
-  readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<TextProgram> {
-    auto parsed = parse_rc10({program, "test"}, profile);
-    if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
-    return TextProgram{.state = *parsed};
-  };
-  return readers;
-}
 
 // A pass that is not the first clears what it names. If that is all, the draw does it.
 TEST(EffectParts, AClearOfSomePlanesKeepsTheOthers) {

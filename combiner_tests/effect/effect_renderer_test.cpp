@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "combiner_tests/effect/program_reader.h"
 #include "combiner_tests/oracle/combiner_oracle.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -25,12 +26,7 @@ constexpr int kSize = 32;
 
 // Readers that know programs by their text and textures by a number.
 EffectReaders readers_of(const std::string& program, const Texture& texture) {
-  EffectReaders readers;
-  readers.program = [program](const std::filesystem::path&, const HardwareProfile& profile) -> Result<TextProgram> {
-    auto parsed = parse_rc10({program, "test"}, profile);
-    if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
-    return TextProgram{.state = *parsed};
-  };
+  EffectReaders readers = reader_of(program);
   readers.texture = [texture](std::span<const std::filesystem::path>, const HardwareProfile&) -> Result<Texture> {
     return texture;
   };

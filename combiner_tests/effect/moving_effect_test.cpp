@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "combiner_tests/effect/program_reader.h"
 #include "ninebit/effect/effect_json.h"
 #include "ninebit/effect/effect_renderer.h"
-#include "ninebit/language/rc10.h"
 #include "src/effect/moving_number.h"
 
 namespace ninebit::test {
@@ -138,20 +138,6 @@ TEST(MovingEffect, DoesNotMoveWithoutExpressions) {
   EXPECT_FALSE(constant->moves);
 }
 
-EffectReaders one_program() {
-  EffectReaders readers;
-  readers.program = [](const std::filesystem::path&, const HardwareProfile& profile) -> Result<TextProgram> {
-    const auto parsed =
-        parse_rc10({"!!RC1.0\n{ rgb { discard = tex0 * const0; discard = col0 * col0; spare0 = sum(); } }\n"
-                    "out.rgb = spare0; out.a = unsigned_invert(zero);\n",
-                    "test"},
-                   profile);
-    if (!parsed) return Diagnostic{.message = parsed.faults()[0].text()};
-    return TextProgram{.state = *parsed};
-  };
-  return readers;
-}
-
 std::vector<std::uint8_t> bytes_of(const Surface& surface) {
   std::vector<std::uint8_t> bytes;
   for (int c = 0; c < 4; ++c) bytes.insert(bytes.end(), surface.color(c).begin(), surface.color(c).end());
@@ -183,7 +169,9 @@ TEST(EffectRendererChange, GivesThePicturesOfANewRenderer) {
   effects.back().passes.back().geometry = EffectGeometry::rectangle;
   effects.push_back(effects[0]);
   effects.push_back(effects[0]);
-  const EffectReaders readers = one_program();
+  const EffectReaders readers = reader_of(
+      "!!RC1.0\n{ rgb { discard = tex0 * const0; discard = col0 * col0; spare0 = sum(); } }\n"
+      "out.rgb = spare0; out.a = unsigned_invert(zero);\n");
   auto kept = EffectRenderer::make(effects[0], profile, readers);
   ASSERT_TRUE(kept) << kept.error().message;
   std::vector<std::vector<std::uint8_t>> pictures;

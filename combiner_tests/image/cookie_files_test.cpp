@@ -1,12 +1,9 @@
 // The cubes that the project ships: made by their generator, and the same texels in both.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 
+#include "combiner_tests/support/generated_file.h"
 #include "ninebit/image/texture_io.h"
 #include "ninebit/numerics/hardware_profile.h"
 
@@ -18,19 +15,7 @@ const std::string kScenes = NINEBIT_SOURCE_DIR "/scenes/";
 
 TEST(CookieFiles, AreWhatTheirGeneratorMakes) {
   for (const std::string name : {"labels.dds", "labels_dxt1.dds"}) {
-    const std::string command = "/usr/bin/python3 '" + kScenes + "make_cookie_cube.py' --stdout " + name;
-    FILE* pipe = popen(command.c_str(), "r");
-    ASSERT_NE(pipe, nullptr);
-    std::string made;
-    std::array<char, 4096> part{};
-    for (std::size_t size = 0; (size = std::fread(part.data(), 1, part.size(), pipe)) > 0;) {
-      made.append(part.data(), size);
-    }
-    ASSERT_EQ(pclose(pipe), 0) << command;
-    std::ifstream file(kScenes + "cookies/" + name, std::ios::binary);
-    const std::string kept((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    EXPECT_GT(made.size(), 10000U);
-    EXPECT_TRUE(made == kept) << "run scenes/make_cookie_cube.py";
+    test::expect_makes(kScenes + "make_cookie_cube.py", name, kScenes + "cookies/" + name);
   }
 }
 

@@ -163,31 +163,19 @@ TEST_F(IsolatedReader, IsStoppedByTheCaller) {
 
 // Answers that no reader should give are not taken for pictures.
 TEST_F(IsolatedReader, IsNotBelievedWhereItIsMad) {
-  const std::string gave_none = "OpenImageIO's reader returned no picture";
-  EXPECT_EQ(complaint([](const PictureSource& file) {
-              Result<FileTexture> texture = good();
-              if (is_second(file)) texture->faces[0][0].width = 0;
-              return texture;
-            }),
-            gave_none);
-  EXPECT_EQ(complaint([](const PictureSource& file) {
-              Result<FileTexture> texture = good();
-              if (is_second(file)) texture->faces[0][0].height = 1 << 30;
-              return texture;
-            }),
-            gave_none);
-  EXPECT_EQ(complaint([](const PictureSource& file) {
-              Result<FileTexture> texture = good();
-              if (is_second(file)) texture->faces[0][0].samples = std::vector<std::uint8_t>(5);
-              return texture;
-            }),
-            gave_none);
-  EXPECT_EQ(complaint([](const PictureSource& file) {
-              Result<FileTexture> texture = good();
-              if (is_second(file)) texture->format = static_cast<ninebit::InternalFormat>(200);
-              return texture;
-            }),
-            gave_none);
+  static void (*madden)(FileTexture&) = nullptr;
+  for (void (*const each)(FileTexture&) : std::initializer_list<void (*)(FileTexture&)>{
+           [](FileTexture& t) { t.faces[0][0].width = 0; }, [](FileTexture& t) { t.faces[0][0].height = 1 << 30; },
+           [](FileTexture& t) { t.faces[0][0].samples = std::vector<std::uint8_t>(5); },
+           [](FileTexture& t) { t.format = static_cast<ninebit::InternalFormat>(200); }}) {
+    madden = each;
+    EXPECT_EQ(complaint([](const PictureSource& file) {
+                Result<FileTexture> texture = good();
+                if (is_second(file)) madden(*texture);
+                return texture;
+              }),
+              "OpenImageIO's reader returned no picture");
+  }
 }
 
 }  // namespace

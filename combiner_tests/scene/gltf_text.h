@@ -64,6 +64,33 @@ inline std::string triangle_gltf(const std::string& nodes, const std::string& sc
          more + "}";
 }
 
+// A file whose vertices of that triangle have more: `primitives` and further members of the root as given. Texture
+// coordinates as bytes are accessor 3; `accessors` adds others, on buffer view 4, which holds `last`.
+inline std::string vertex_data_gltf(const std::string& primitives, const std::string& accessors,
+                                    const std::string& last, const std::string& more = "") {
+  std::string data = triangle_bytes({0, 1, 2});
+  data.resize(80, '\0');
+  for (const unsigned value : {0U, 0U, 255U, 51U, 0U, 255U}) put(data, value, 1);
+  data.resize(88, '\0');
+  data += last;
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+  "meshes": [{"primitives": [)" +
+         primitives + R"(]}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+    {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
+    {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"},
+    {"bufferView": 3, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC2"})" +
+         accessors + R"(],
+  "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
+    {"buffer": 0, "byteOffset": 72, "byteLength": 6}, {"buffer": 0, "byteOffset": 80, "byteLength": 6},
+    {"buffer": 0, "byteOffset": 88, "byteLength": )" +
+         std::to_string(last.size()) + R"(}],
+  "buffers": [{"byteLength": )" +
+         std::to_string(data.size()) + R"(, "uri": "data:application/octet-stream;base64,)" + base64(data) + "\"}]" +
+         more + "}";
+}
+
 inline std::string chunk_3ds(std::uint32_t id, const std::string& body) {
   std::string out;
   put(out, id, 2);

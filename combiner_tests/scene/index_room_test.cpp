@@ -1,10 +1,9 @@
 // The scenes that the project ships: made by their generators, and fit for the techniques.
-#include <array>
-#include <cstdio>
 #include <map>
 #include <memory>
 
 #include "combiner_tests/scene/scene_test_support.h"
+#include "combiner_tests/support/generated_file.h"
 #include "combiner_tests/support/slow_build.h"
 
 namespace ninebit::scene_tests {
@@ -20,17 +19,7 @@ Scene index_room() {
 
 TEST(ShippedScenes, AreWhatTheirGeneratorsMake) {
   for (const std::string name : {"index_room", "cornell_box"}) {
-    const std::string command = "/usr/bin/python3 '" + (kScenes / ("make_" + name + ".py")).string() + "' --stdout";
-    FILE* pipe = popen(command.c_str(), "r");
-    ASSERT_NE(pipe, nullptr);
-    std::string made;
-    std::array<char, 4096> part{};
-    for (std::size_t size = 0; (size = std::fread(part.data(), 1, part.size(), pipe)) > 0;)
-      made.append(part.data(), size);
-    ASSERT_EQ(pclose(pipe), 0) << command;
-    const std::string kept = file_content(kScenes / (name + ".gltf"));
-    EXPECT_GT(made.size(), 10000U);
-    EXPECT_TRUE(made == kept) << "run scenes/make_" << name << ".py";
+    test::expect_makes((kScenes / ("make_" + name + ".py")).string(), "", (kScenes / (name + ".gltf")).string());
   }
 }
 

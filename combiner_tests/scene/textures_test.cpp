@@ -9,27 +9,9 @@ namespace {
 
 // A triangle with one material, and more members of the root.
 std::string textured_gltf(const std::string& material, const std::string& more) {
-  std::string data = triangle_bytes({0, 1, 2});
-  data.resize(80, '\0');
-  for (const unsigned value : {0U, 0U, 255U, 51U, 0U, 255U}) put(data, value, 1);
-  data.resize(88, '\0');
-  data += "picture!";
-  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [
-    {"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 3}, "indices": 2, "material": 0}]}],
-  "materials": [)" +
-         material + R"(],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
-    {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
-    {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"},
-    {"bufferView": 3, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC2"}],
-  "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
-    {"buffer": 0, "byteOffset": 72, "byteLength": 6}, {"buffer": 0, "byteOffset": 80, "byteLength": 6},
-    {"buffer": 0, "byteOffset": 88, "byteLength": 8}],
-  "buffers": [{"byteLength": )" +
-         std::to_string(data.size()) + R"(, "uri": "data:application/octet-stream;base64,)" + base64(data) + "\"}]" +
-         more + "}";
+  return vertex_data_gltf(
+      R"({"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 3}, "indices": 2, "material": 0})", "", "picture!",
+      R"(, "materials": [)" + material + "]" + more);
 }
 
 const std::string kTextured = R"({"name": "m", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})";

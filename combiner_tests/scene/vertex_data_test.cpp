@@ -9,26 +9,13 @@ namespace {
 
 // A triangle with texture coordinates as bytes and colours as shorts, and one without either, which shares its corners.
 std::string painted_gltf() {
-  std::string data = triangle_bytes({0, 1, 2});
-  data.resize(80, '\0');
-  for (const unsigned value : {0U, 0U, 255U, 51U, 0U, 255U}) put(data, value, 1);
-  data.resize(88, '\0');
-  for (const unsigned value : {65535U, 0U, 0U, 0U, 65535U, 13107U, 0U, 0U, 65535U}) put(data, value, 2);
-  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-  "meshes": [{"primitives": [
-    {"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 3, "COLOR_0": 4}, "indices": 2},
-    {"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2}]}],
-  "accessors": [
-    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
-    {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
-    {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"},
-    {"bufferView": 3, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC2"},
-    {"bufferView": 4, "componentType": 5123, "normalized": true, "count": 3, "type": "VEC3"}],
-  "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
-    {"buffer": 0, "byteOffset": 72, "byteLength": 6}, {"buffer": 0, "byteOffset": 80, "byteLength": 6},
-    {"buffer": 0, "byteOffset": 88, "byteLength": 18}],
-  "buffers": [{"byteLength": )" +
-         std::to_string(data.size()) + R"(, "uri": "data:application/octet-stream;base64,)" + base64(data) + "\"}]}";
+  std::string colors;
+  for (const unsigned value : {65535U, 0U, 0U, 0U, 65535U, 13107U, 0U, 0U, 65535U}) put(colors, value, 2);
+  return vertex_data_gltf(R"({"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 3, "COLOR_0": 4}, "indices": 2},
+    {"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2})",
+                          R"(,
+    {"bufferView": 4, "componentType": 5123, "normalized": true, "count": 3, "type": "VEC3"})",
+                          colors);
 }
 
 TEST_F(SceneFiles, GltfKeepsTextureCoordinatesAndColors) {

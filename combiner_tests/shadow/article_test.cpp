@@ -6,7 +6,6 @@
 #include <string>
 
 #include "combiner_tests/shadow/support.h"
-#include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
 #include "ninebit/combiner/normalize.h"
@@ -17,21 +16,6 @@ namespace {
 
 using namespace ninebit;
 using shadow_test::render;
-
-// Ordered pairs of different channel values, multiples of the step, that come out equal.
-int false_matches(const Program& program, const HardwareProfile& profile, int step) {
-  int count = 0;
-  for (int a = 0; a <= 255; a += step) {
-    for (int b = 0; b <= 255; b += step) {
-      if (a == b) continue;
-      FragmentInputs in;
-      in.primary = {static_cast<std::uint8_t>(a), 0, 0, 255};
-      in.texture[0] = Texel{.value = {static_cast<std::uint8_t>(b), 0, 0, 255}};
-      if (evaluate(program, initial_registers(profile, in))[kAlpha] == 0) ++count;
-    }
-  }
-  return count;
-}
 
 // docs/programs has the listing for those who read; the renderer makes the same calls.
 TEST(Article, TheListingIsWhatTheRendererSets) {
@@ -45,14 +29,6 @@ TEST(Article, TheListingIsWhatTheRendererSets) {
   }
 }
 
-TEST(Article, StepOneLosesNeighboursAndStepTwoNone) {
-  const HardwareProfile& profile = profiles::geforce2;
-  const auto program = compile(*index_comparison_state(profile), profile);
-  ASSERT_TRUE(program.ok()) << program.error().text();
-  EXPECT_EQ(false_matches(*program, profile, 1), 510);
-  EXPECT_EQ(false_matches(*program, profile, 2), 0);
-}
-
 TEST(Article, EqualIndicesAreAlwaysLit) {
   const HardwareProfile& profile = profiles::geforce2;
   const Program program = normalize(*index_comparison_state(profile), profile);
@@ -63,32 +39,6 @@ TEST(Article, EqualIndicesAreAlwaysLit) {
     in.texture[0] = Texel{.value = in.primary};
     ASSERT_EQ(evaluate(program, initial_registers(profile, in)), (Rgba9{0, 0, 0, 0})) << n;
   }
-}
-
-// The floor's second triangle has number 2, the triangle of the square above it 3. With step 1 the numbers 2 and 3
-// differ by one in red: the square is truncated to zero, and the floor below it is lit.
-TEST(Article, StepOneDropsTheShadowOfTheNextPolygon) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  Scene scene = shadow_test::square_over_floor();
-  std::swap(scene.triangles[2], scene.triangles[3]);
-  RenderSettings settings = shadow_test::small_settings();
-  const auto lost_pixels = [&](int step) {
-    settings.index.step = step;
-    const Rendering r = render(scene, settings);
-    int lost = 0, seen = 0;
-    const auto layers = shadow_test::comparison_layers(r);
-    for (std::size_t i = 0; i < r.frame.stencil().size(); ++i) {
-      if (layers.polygon[i] != 2 || layers.fetched(r.codes, i) != 3) continue;
-      ++seen;
-      lost += r.frame.stencil()[i] == 0 ? 1 : 0;
-    }
-    EXPECT_GT(seen, 100) << "step " << step;
-    return std::pair(lost, seen);
-  };
-  const auto [lost_1, seen_1] = lost_pixels(1);
-  EXPECT_EQ(lost_1, seen_1);
-  const auto [lost_2, seen_2] = lost_pixels(2);
-  EXPECT_EQ(lost_2, 0);
 }
 
 // "Errors at polygon joints" with an index a polygon, "no errors at polygon joints" with one an object. At the outline

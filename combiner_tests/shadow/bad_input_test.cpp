@@ -98,16 +98,4 @@ TEST(BadInput, LightOnAPlaneIsHarmless) {
   EXPECT_GT(r.lit, 1000U);
 }
 
-TEST(BadInput, CancellingEndsTheWork) {
-  const Scene scene = shadow_test::square_over_floor();
-  for (int passes = 0; passes < 3; ++passes) {
-    int asked = 0;
-    const auto result =
-        render_index_cube(scene, small_settings(), [&](std::string_view, double) { return asked++ < passes; });
-    ASSERT_FALSE(result.ok()) << passes;
-    EXPECT_EQ(result.error().fault, Fault::cancelled);
-    EXPECT_EQ(asked, passes + 1);
-  }
-}
-
 }  // namespace

@@ -48,15 +48,4 @@ TEST(Cartoon, EachPolygonHasOneColourInTheLightAndInkInTheShadow) {
   EXPECT_LT(brightest_ink + 40, darkest_light);
 }
 
-// Passes by themselves and passes drawn together give the same picture.
-TEST(Cartoon, LayersChangeNoColour) {
-  const Scene scene = shadow_test::square_over_floor();
-  RenderSettings settings = shadow_test::small_settings();
-  settings.cartoon = true;
-  const Rendering apart = shadow_test::render(scene, settings);
-  settings.layers = false;
-  const Rendering together = shadow_test::render(scene, settings);
-  for (int c = 0; c < 4; ++c) EXPECT_EQ(apart.frame.color(c), together.frame.color(c));
-}
-
 }  // namespace

@@ -146,9 +146,7 @@ RenderSettings cookie_settings() {
 }
 
 ninebit::Rendering render_cookie(const Scene& scene, const RenderSettings& settings) {
-  auto result = ninebit::find_technique("light-cookie")->render(scene, settings, {});
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
+  return render_by("light-cookie", scene, settings);
 }
 
 const std::vector<ninebit::s9>& codes_of(const ninebit::Rendering& rendering, const std::string& part, char channel) {

@@ -131,19 +131,6 @@ TEST(DepthCubeLayers, AreOneSetForEachComparison) {
   EXPECT_EQ(count(DepthCubeBits::real), 2 + kFrame);
 }
 
-TEST(DepthCubeLayers, ChangeNoBit) {
-  for (const DepthCubeBits bits : {DepthCubeBits::eight, DepthCubeBits::sixteen, DepthCubeBits::real}) {
-    RenderSettings settings = tiny_settings_of(bits);
-    const Rendering with = draw_depth_cube(box_over_floor(), settings);
-    settings.layers = false;
-    const Rendering without = draw_depth_cube(box_over_floor(), settings);
-    EXPECT_EQ(with.frame.stencil(), without.frame.stencil());
-    EXPECT_EQ(with.frame.color(kRed), without.frame.color(kRed));
-    EXPECT_TRUE(without.layers.empty());
-    EXPECT_EQ(without.maps.size(), 6U);
-  }
-}
-
 // With floats, the planes are those of the comparison.
 TEST(DepthCubeLayers, FloatsDecideByTheBias) {
   RenderSettings settings = tiny_settings_of(DepthCubeBits::real);

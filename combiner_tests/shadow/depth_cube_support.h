@@ -1,17 +1,12 @@
 #pragma once
 
-#include <stdexcept>
-#include <utility>
-
 #include "combiner_tests/shadow/support.h"
 #include "ninebit/shadow/depth_cube.h"
 
 namespace shadow_test {
 
 inline ninebit::Rendering draw_depth_cube(const ninebit::Scene& scene, const ninebit::RenderSettings& settings) {
-  auto result = ninebit::render_depth_cube(scene, settings, {});
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
+  return render_by("depth-cube", scene, settings);
 }
 
 inline ninebit::RenderSettings depth_cube_settings(ninebit::DepthCubeBits bits) {

@@ -2,7 +2,6 @@
 #include "ninebit/shadow/depth_cube.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +18,7 @@ namespace {
 using namespace ninebit;
 using shadow_test::depth_cube_settings;
 using shadow_test::draw_depth_cube;
+using shadow_test::for_each_pixel;
 using shadow_test::on_plane;
 using shadow_test::samples_of;
 
@@ -36,19 +36,16 @@ struct Judged {
 Judged judge_square(const Scene& scene, const RenderSettings& settings, const Rendering& r) {
   const float texel = 6.0F / static_cast<float>(settings.map_size) * 1.5F;
   Judged judged;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      if (objects(r)[i] != 1) continue;
-      const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
-      const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
-      if (std::fabs(reach - 1.5F) < texel) continue;
-      const bool dark = r.frame.stencil()[i] != 0;
-      ++(reach < 1.5F ? judged.inside : judged.outside);
-      judged.false_lit += reach < 1.5F && !dark ? 1 : 0;
-      judged.false_shadowed += reach > 1.5F && dark ? 1 : 0;
-    }
-  }
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    if (objects(r)[i] != 1) return;
+    const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
+    const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
+    if (std::fabs(reach - 1.5F) < texel) return;
+    const bool dark = r.frame.stencil()[i] != 0;
+    ++(reach < 1.5F ? judged.inside : judged.outside);
+    judged.false_lit += reach < 1.5F && !dark ? 1 : 0;
+    judged.false_shadowed += reach > 1.5F && dark ? 1 : 0;
+  });
   return judged;
 }
 
@@ -142,17 +139,14 @@ TEST(DepthCube, MoreBitsLoseLessOfACloseShadow) {
       settings.depth_cube.bias = 0.01F;
       const Rendering r = draw_depth_cube(scene, settings);
       stencil[b] = r.frame.stencil();
-      for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-          const auto i = static_cast<std::size_t>(y * settings.width + x);
-          if (objects(r)[i] != 1) continue;
-          const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
-          // Where the ray from the light to p crosses the slope's plane, 0.1005 + 0.0995 x above the floor.
-          const float part = (height - 0.1005F) / (height + 0.0995F * p.x);
-          const bool shadowed = std::fabs(p.x * part) < 1.0F && std::fabs(p.z * part) < 1.0F;
-          lost[b] += shadowed && r.frame.stencil()[i] == 0 ? 1 : 0;
-        }
-      }
+      for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+        if (objects(r)[i] != 1) return;
+        const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
+        // Where the ray from the light to p crosses the slope's plane, 0.1005 + 0.0995 x above the floor.
+        const float part = (height - 0.1005F) / (height + 0.0995F * p.x);
+        const bool shadowed = std::fabs(p.x * part) < 1.0F && std::fabs(p.z * part) < 1.0F;
+        lost[b] += shadowed && r.frame.stencil()[i] == 0 ? 1 : 0;
+      });
     }
     for (std::size_t i = 0; i < stencil[2].size(); ++i) {
       // Each pixel that a code shadows is shadowed by the floats, too.
@@ -211,43 +205,6 @@ TEST(DepthCube, AgreesWithTheIndexCubeByObject) {
   }
 }
 
-TEST(DepthCube, LightFacingShadowsWhatTurnsAway) {
-  Scene scene = shadow_test::scene_with({3.0F, 2.0F, 6.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 6.0F, 0.0F});
-  shadow_test::add_box(scene, "box", {-1, -1, -1}, {1, 1, 1});
-  for (const DepthCubeBits bits : kAllBits) {
-    RenderSettings settings = depth_cube_settings(bits);
-    settings.light_facing = true;
-    const Rendering r = draw_depth_cube(scene, settings);
-    const auto& polygon = samples_of<std::uint32_t>(r.layers, "polygon", "polygon");
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      if (polygon[i] == 0) continue;
-      const glm::uvec3 t = scene.triangles[polygon[i] - 1];
-      const bool top = std::min({scene.positions[t.x].y, scene.positions[t.y].y, scene.positions[t.z].y}) == 1.0F;
-      ASSERT_EQ(r.frame.stencil()[i], top ? 0 : 1);
-    }
-    EXPECT_GT(r.lit, 200U);
-    EXPECT_GT(r.shadowed, 500U);
-  }
-}
-
-TEST(DepthCube, AnyNumberOfThreadsGivesTheSameBits) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const Scene scene = shadow_test::square_over_floor();
-  for (const DepthCubeBits bits : kAllBits) {
-    const RenderSettings settings = depth_cube_settings(bits);
-    const Rendering first = draw_depth_cube(scene, settings);
-    for (const std::size_t threads : {1U, 2U, 5U}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Rendering r = draw_depth_cube(scene, settings);
-      for (int c = 0; c < 4; ++c) ASSERT_EQ(r.frame.color(c), first.frame.color(c));
-      ASSERT_EQ(r.frame.stencil(), first.frame.stencil());
-      ASSERT_EQ(r.layers.size(), first.layers.size());
-      for (std::size_t n = 0; n < r.layers.size(); ++n) ASSERT_EQ(r.layers[n].samples, first.layers[n].samples);
-      for (std::size_t n = 0; n < r.maps.size(); ++n) ASSERT_EQ(r.maps[n].samples, first.maps[n].samples);
-    }
-  }
-}
-
 TEST(DepthCube, BadSettingsAreReported) {
   const Scene scene = shadow_test::square_over_floor();
   const auto message = [&](const Scene& of, const RenderSettings& settings) {
@@ -269,26 +226,6 @@ TEST(DepthCube, BadSettingsAreReported) {
   // A bias beyond the whole range shadows nothing.
   settings.depth_cube.bias = 1e30F;
   EXPECT_EQ(draw_depth_cube(scene, settings).shadowed, 0U);
-}
-
-TEST(DepthCube, StopsBetweenPasses) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  const RenderSettings settings = depth_cube_settings(DepthCubeBits::sixteen);
-  const Scene scene = shadow_test::square_over_floor();
-  std::vector<std::string> passes;
-  const auto count = [&](std::string_view pass, double) {
-    passes.emplace_back(pass);
-    return true;
-  };
-  ASSERT_TRUE(render_depth_cube(scene, settings, count).ok());
-  // The ramps, six faces, the depth, six faces for each byte, the colours.
-  EXPECT_EQ(passes.size(), 1U + 6U + 1U + 12U + 1U);
-  for (std::size_t stop = 0; stop < passes.size(); ++stop) {
-    std::size_t asked = 0;
-    const auto r = render_depth_cube(scene, settings, [&](std::string_view, double) { return asked++ < stop; });
-    ASSERT_FALSE(r.ok());
-    EXPECT_EQ(r.error().fault, Fault::cancelled);
-  }
 }
 
 }  // namespace

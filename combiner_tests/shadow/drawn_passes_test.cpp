@@ -22,13 +22,8 @@ Rendering room_by(std::string_view name, RenderSettings settings) {
   settings.height = 60;
   settings.map_size = 32;
   settings.reflective.samples = 1;
-  std::vector<std::vector<TextureSamples>> faces(
-      6, {TextureSamples{.width = 1, .height = 1, .samples = std::vector<std::uint8_t>(3, 255)}});
-  auto white = make_texture(TextureTarget::cube_map, InternalFormat::rgb8, std::move(faces));
-  settings.light_cookie.cookie = std::make_shared<Texture>(std::move(*white));
-  auto rendering = technique.render(index_room(technique.lights), settings, {});
-  if (!rendering) throw std::runtime_error(rendering.error().text());
-  return std::move(*rendering);
+  settings.light_cookie.cookie = test::noisy_cookie();
+  return render_by(name, index_room(technique.lights), settings);
 }
 
 std::vector<std::string> drawn_names(const Rendering& rendering) {

@@ -86,25 +86,22 @@ TEST(GroundTruth, EveryTriangleTriedInTurn) {
     const Vec eye(camera.position), forward = glm::normalize(Vec(camera.look_at) - eye);
     const Vec right = glm::normalize(glm::cross(forward, Vec(camera.up))), up = glm::cross(right, forward);
     const Real tangent = std::tan(camera.vertical_fov_degrees * 3.14159265358979323846L / 360.0L);
-    for (int y = 0; y < settings.height; ++y) {
-      for (int x = 0; x < settings.width; ++x) {
-        const auto i = static_cast<std::size_t>(y * settings.width + x);
-        const std::uint32_t own = r.frame.primitive()[i];
-        if (own == 0xFFFFFFFF) {
-          EXPECT_EQ(truth.truth[i], PixelTruth::background);
-          continue;
-        }
-        const Real sx = ((x + 0.5L) / settings.width * 2 - 1) * tangent * settings.width / settings.height;
-        const Real sy = ((y + 0.5L) / settings.height * 2 - 1) * tangent;
-        const Vec way = forward + right * sx + up * sy;
-        const auto met = meet(scene, own, eye, way);
-        const auto shadowed = met ? is_shadowed(scene, own, eye + way * met->t) : std::nullopt;
-        ++seen[!shadowed ? 2 : *shadowed ? 1 : 0];
-        if (!shadowed) continue;
-        EXPECT_EQ(truth.truth[i], *shadowed ? PixelTruth::shadowed : PixelTruth::lit)
-            << "seed " << seed << ", pixel " << x << "," << y;
+    for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+      const std::uint32_t own = r.frame.primitive()[i];
+      if (own == 0xFFFFFFFF) {
+        EXPECT_EQ(truth.truth[i], PixelTruth::background);
+        return;
       }
-    }
+      const Real sx = ((x + 0.5L) / settings.width * 2 - 1) * tangent * settings.width / settings.height;
+      const Real sy = ((y + 0.5L) / settings.height * 2 - 1) * tangent;
+      const Vec way = forward + right * sx + up * sy;
+      const auto met = meet(scene, own, eye, way);
+      const auto shadowed = met ? is_shadowed(scene, own, eye + way * met->t) : std::nullopt;
+      ++seen[!shadowed ? 2 : *shadowed ? 1 : 0];
+      if (!shadowed) return;
+      EXPECT_EQ(truth.truth[i], *shadowed ? PixelTruth::shadowed : PixelTruth::lit)
+          << "seed " << seed << ", pixel " << x << "," << y;
+    });
   }
   EXPECT_GT(seen[0], 10000);
   EXPECT_GT(seen[1], 5000);

@@ -1,6 +1,4 @@
 // Every technique judged by rays.
-#include <memory>
-
 #include "combiner_tests/shadow/ground_truth_support.h"
 
 namespace shadow_test {
@@ -16,21 +14,15 @@ struct Judged {
 RenderSettings room_settings() {
   RenderSettings settings = judged_settings(160, 120);
   settings.reflective.samples = 1;
-  std::vector<std::vector<TextureSamples>> faces(
-      6, {TextureSamples{.width = 1, .height = 1, .samples = std::vector<std::uint8_t>(3, 255)}});
-  auto white = make_texture(TextureTarget::cube_map, InternalFormat::rgb8, std::move(faces));
-  if (!white) throw std::runtime_error(white.error().text());
-  settings.light_cookie.cookie = std::make_shared<Texture>(std::move(*white));
+  settings.light_cookie.cookie = test::noisy_cookie();
   return settings;
 }
 
 Judged judged_by(std::string_view name, const RenderSettings& settings) {
-  const Technique& technique = *find_technique(name);
-  const Scene scene = index_room(technique.lights);
-  auto rendering = technique.render(scene, settings, {});
-  if (!rendering) throw std::runtime_error(rendering.error().text());
-  GroundTruth truth = judged(scene, settings, *rendering);
-  return {std::move(*rendering), std::move(truth)};
+  const Scene scene = index_room(find_technique(name)->lights);
+  Rendering rendering = render_by(name, scene, settings);
+  GroundTruth truth = judged(scene, settings, rendering);
+  return {std::move(rendering), std::move(truth)};
 }
 
 TEST(JudgedTechniques, HaveTheCausesOfTheirKind) {

@@ -24,13 +24,10 @@ constexpr float kEdge = 1e-4F;  // world units that a formula leaves to either s
 // Calls visit(i, x, y, triangle) for each pixel that shows one.
 template <class Visit>
 void for_each_pixel(const RenderSettings& settings, const Rendering& rendering, const Visit& visit) {
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      const std::uint32_t triangle = rendering.frame.primitive()[i];
-      if (triangle != 0xFFFFFFFF) visit(i, x, y, triangle);
-    }
-  }
+  shadow_test::for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    const std::uint32_t triangle = rendering.frame.primitive()[i];
+    if (triangle != 0xFFFFFFFF) visit(i, x, y, triangle);
+  });
 }
 
 // Square over floor: in shadow on the floor where `in_shadow` of the distance from the middle says so.

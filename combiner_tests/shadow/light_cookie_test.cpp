@@ -3,7 +3,6 @@
 #include "ninebit/shadow/light_cookie.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +10,6 @@
 
 #include "combiner_tests/shadow/cookie_support.h"
 #include "combiner_tests/shadow/support.h"
-#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
 
@@ -231,33 +229,6 @@ TEST(LightCookie, ACartoonIsFlatAndItsShadowsAreInk) {
   EXPECT_LE(lights.size(), scene.triangles.size());
 }
 
-TEST(LightCookie, SameBitsForAnyNumberOfThreadsAndWithLayers) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const Scene scene = ninebit::test::index_room();
-  RenderSettings settings = cookie_settings();
-  settings.light_cookie.shadows = true;
-  settings.light_cookie.rotate_degrees = {20, 30, 40};
-  std::optional<Rendering> first;
-  for (const std::size_t threads : {1U, 2U, 7U}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    settings.layers = threads != 2U;
-    Rendering r = render_cookie(scene, settings);
-    if (!first) {
-      first = std::move(r);
-      EXPECT_GT(first->shadowed, 1000U);
-      continue;
-    }
-    for (int c = 0; c < 4; ++c) ASSERT_EQ(r.frame.color(c), first->frame.color(c)) << threads;
-    ASSERT_EQ(r.frame.stencil(), first->frame.stencil()) << threads;
-    ASSERT_EQ(r.frame.depth(), first->frame.depth()) << threads;
-    if (!settings.layers) continue;
-    for (const char channel : {'R', 'G', 'B'}) {
-      ASSERT_EQ(shadow_test::codes_of(r, "lit_texture0", channel),
-                shadow_test::codes_of(*first, "lit_texture0", channel));
-    }
-  }
-}
-
 TEST(LightCookie, AWatchedPixelShowsItsPasses) {
   const Scene scene = shadow_test::square_over_floor();
   RenderSettings settings = cookie_settings();
@@ -333,24 +304,9 @@ TEST(LightCookie, ReportsWhatCannotBeDrawn) {
   s.light_cookie.shadows = true;
   s.map_size = 3;
   expect(fault_of(scene, s), "power of two");
-  s = cookie_settings();
-  s.depth_stencil = DepthStencilFormat::d16;
-  expect(fault_of(scene, s), "stencil");
   Scene spot = scene;
   spot.lights[0].kind = LightKind::spot;
   expect(fault_of(spot, cookie_settings()), "expected a point light");
-}
-
-TEST(LightCookie, CancellingEndsTheWork) {
-  const Scene scene = shadow_test::square_over_floor();
-  for (int passes = 0; passes < 5; ++passes) {
-    int asked = 0;
-    const auto result =
-        render_light_cookie(scene, cookie_settings(), [&](std::string_view, double) { return asked++ < passes; });
-    ASSERT_FALSE(result.ok()) << passes;
-    EXPECT_EQ(result.error().fault, Fault::cancelled);
-    EXPECT_EQ(asked, passes + 1);
-  }
 }
 
 }  // namespace

@@ -98,19 +98,16 @@ TEST(MapEvidence, OfAProjectedMap) {
   const Rendering& r = frame.rendering();
   constexpr float kTexel = 6.0F / 256.0F;
   std::array<int, 3> seen{};
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      if (r.frame.primitive()[i] > 1) continue;  // not the floor
-      const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
-      const float from_middle = std::max(std::fabs(p.x), std::fabs(p.z));
-      if (std::fabs(from_middle - 1.5F) < kTexel || std::fabs(from_middle - 3.0F) < kTexel) continue;
-      const std::uint32_t fetched = r.evidence->fetched[i];
-      const int expected = from_middle < 1.5F ? 1 : from_middle < 3.0F ? 0 : 2;
-      ++seen[static_cast<std::size_t>(expected)];
-      EXPECT_EQ(fetched == 0 ? 2 : fetched <= 2 ? 0 : 1, expected) << x << "," << y << " shows " << p.x << "," << p.z;
-    }
-  }
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    if (r.frame.primitive()[i] > 1) return;  // not the floor
+    const glm::vec3 p = on_plane(scene, settings, x, y, 0.0F);
+    const float from_middle = std::max(std::fabs(p.x), std::fabs(p.z));
+    if (std::fabs(from_middle - 1.5F) < kTexel || std::fabs(from_middle - 3.0F) < kTexel) return;
+    const std::uint32_t fetched = r.evidence->fetched[i];
+    const int expected = from_middle < 1.5F ? 1 : from_middle < 3.0F ? 0 : 2;
+    ++seen[static_cast<std::size_t>(expected)];
+    EXPECT_EQ(fetched == 0 ? 2 : fetched <= 2 ? 0 : 1, expected) << x << "," << y << " shows " << p.x << "," << p.z;
+  });
   for (const int count : seen) EXPECT_GT(count, 100);
   EXPECT_EQ(r.evidence->in_map, std::vector<bool>(4, true));
 }

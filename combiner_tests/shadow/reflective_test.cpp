@@ -2,7 +2,6 @@
 #include "ninebit/shadow/reflective.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,6 @@
 #include <string>
 
 #include "combiner_tests/shadow/support.h"
-#include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
 #include "ninebit/shadow/shadow_map.h"
 #include "src/shadow/reflective/reflective_reference.h"
@@ -21,6 +19,7 @@ namespace {
 
 using namespace ninebit;
 using shadow_test::fact;
+using shadow_test::for_each_pixel;
 using shadow_test::samples_of;
 
 RenderSettings reflective_settings(SamplePattern pattern = SamplePattern::polar) {
@@ -47,9 +46,7 @@ Scene cornell_box() {
 }
 
 Rendering rendered(const Scene& scene, const RenderSettings& settings) {
-  auto rendering = render_reflective(scene, settings, {});
-  if (!rendering) throw std::runtime_error(rendering.error().text());
-  return std::move(*rendering);
+  return shadow_test::render_by("reflective", scene, settings);
 }
 
 const std::vector<float>& indirect(const Rendering& rendering, const char* channel) {
@@ -390,24 +387,21 @@ TEST(Reflective, IsDirectLightPlusIndirect) {
   const Image8 &off = picture(r, "direct.png"), &difference = picture(r, "difference.png"),
                &light = picture(r, "indirect.png");
   int brighter = 0;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      const auto p = static_cast<std::size_t>((settings.height - 1 - y) * settings.width + x) * 3;
-      for (int c = 0; c < 3; ++c) {
-        const std::size_t at = p + static_cast<std::size_t>(c);
-        const std::string channel(1, "RGB"[c]);
-        ASSERT_EQ(off.pixels[at], direct->frame.color(c)[i]);
-        ASSERT_EQ(r.frame.color(c)[i], off.pixels[at] + difference.pixels[at]);
-        const float e = indirect(r, channel.c_str())[i];
-        ASSERT_TRUE(e >= 0.0F && e <= 1.0F);
-        ASSERT_EQ(light.pixels[at], static_cast<int>(e * 255.0F + 0.5F));
-        const float surface = samples_of<float>(r.layers, "surface_color", channel)[i];
-        ASSERT_EQ(difference.pixels[at], std::min(255 - off.pixels[at], static_cast<int>(surface * e * 255.0F + 0.5F)));
-        if (difference.pixels[at] > 0) ++brighter;
-      }
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    const auto p = static_cast<std::size_t>((settings.height - 1 - y) * settings.width + x) * 3;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = p + static_cast<std::size_t>(c);
+      const std::string channel(1, "RGB"[c]);
+      ASSERT_EQ(off.pixels[at], direct->frame.color(c)[i]);
+      ASSERT_EQ(r.frame.color(c)[i], off.pixels[at] + difference.pixels[at]);
+      const float e = indirect(r, channel.c_str())[i];
+      ASSERT_TRUE(e >= 0.0F && e <= 1.0F);
+      ASSERT_EQ(light.pixels[at], static_cast<int>(e * 255.0F + 0.5F));
+      const float surface = samples_of<float>(r.layers, "surface_color", channel)[i];
+      ASSERT_EQ(difference.pixels[at], std::min(255 - off.pixels[at], static_cast<int>(surface * e * 255.0F + 0.5F)));
+      if (difference.pixels[at] > 0) ++brighter;
     }
-  }
+  });
   EXPECT_GT(brighter, 3000);
   EXPECT_GT(fact<std::uint64_t>(r, "pixel_lights"), 10000U);
   EXPECT_EQ(fact<std::uint64_t>(r, "gathered_pixels"), r.lit + r.shadowed);
@@ -436,27 +430,6 @@ TEST(Reflective, WallsBleedTheirColours) {
     }
     EXPECT_GT(red[0] / green[0], 1.5 * red[1] / green[1]);
     EXPECT_GT(green[1], green[0]);
-  }
-}
-
-TEST(Reflective, SameBitsForAnyNumberOfThreads) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  for (const SamplePattern pattern : {SamplePattern::poisson, SamplePattern::polar}) {
-    RenderSettings settings = reflective_settings(pattern);
-    settings.reflective.gather_scale = pattern == SamplePattern::polar ? 3 : 1;
-    settings.layers = true;
-    std::optional<Rendering> first;
-    for (const std::size_t threads : {1U, 2U, 7U}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      Rendering r = rendered(cornell_box(), settings);
-      if (first) {
-        for (int c = 0; c < 3; ++c) EXPECT_EQ(r.frame.color(c), first->frame.color(c));
-        for (const char* channel : {"R", "G", "B"}) EXPECT_EQ(indirect(r, channel), indirect(*first, channel));
-        for (std::size_t m = 0; m < r.maps.size(); ++m) EXPECT_EQ(r.maps[m].samples, first->maps[m].samples);
-      } else {
-        first.emplace(std::move(r));
-      }
-    }
   }
 }
 
@@ -601,28 +574,6 @@ TEST(Reflective, SettingsOutOfRange) {
   const auto result = render_reflective(point, reflective_settings(), {});
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("spot or directional"), std::string::npos);
-}
-
-TEST(Reflective, CancellingEndsTheWork) {
-  const Scene scene = lit_square();
-  RenderSettings settings = reflective_settings();
-  settings.evidence = true;
-  int all = 0;
-  double last = 0.0;
-  ASSERT_TRUE(render_reflective(scene, settings, [&](std::string_view, double done) {
-                EXPECT_GE(done, last);
-                last = done;
-                return ++all > 0;
-              }).ok());
-  EXPECT_GT(all, 8);
-  EXPECT_LE(last, 1.0);
-  for (int passes = 0; passes < all; ++passes) {
-    int asked = 0;
-    const auto result = render_reflective(scene, settings, [&](std::string_view, double) { return asked++ < passes; });
-    ASSERT_FALSE(result.ok()) << passes;
-    EXPECT_EQ(result.error().fault, Fault::cancelled);
-    EXPECT_EQ(asked, passes + 1);
-  }
 }
 
 }  // namespace

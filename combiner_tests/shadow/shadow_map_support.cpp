@@ -26,9 +26,7 @@ Light directional_light(const glm::vec3& direction) {
 }
 
 ninebit::Rendering render_map(const Scene& scene, const ninebit::RenderSettings& settings) {
-  auto result = ninebit::render_shadow_map(scene, settings, {});
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
+  return render_by("shadow-map", scene, settings);
 }
 
 namespace {

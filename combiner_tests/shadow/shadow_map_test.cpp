@@ -2,14 +2,12 @@
 #include "ninebit/shadow/shadow_map.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "combiner_tests/shadow/shadow_map_support.h"
-#include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/evaluate.h"
 #include "ninebit/combiner/initial_registers.h"
@@ -19,6 +17,7 @@ namespace {
 
 using namespace ninebit;
 using shadow_test::fact;
+using shadow_test::for_each_pixel;
 using shadow_test::render_map;
 using shadow_test::samples_of;
 using shadow_test::small_settings;
@@ -37,20 +36,17 @@ FloorCount expect_floor(const Scene& scene, const RenderSettings& settings, floa
   const Rendering r = render_map(scene, settings);
   const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
   FloorCount count;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto i = static_cast<std::size_t>(y * settings.width + x);
-      if (object[i] == 2) {
-        EXPECT_EQ(r.frame.stencil()[i], 0) << "the square at " << x << ", " << y;
-      }
-      if (object[i] != 1) continue;
-      const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
-      const float distance = inside_light(p);
-      if (std::fabs(distance) < 1.01F * texel || std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) continue;
-      EXPECT_EQ(r.frame.stencil()[i], distance > 0.0F ? 0 : 1) << "floor at " << p.x << ", " << p.z;
-      ++(distance > 0.0F ? count.lit : count.shadowed);
+  for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+    if (object[i] == 2) {
+      EXPECT_EQ(r.frame.stencil()[i], 0) << "the square at " << x << ", " << y;
     }
-  }
+    if (object[i] != 1) return;
+    const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
+    const float distance = inside_light(p);
+    if (std::fabs(distance) < 1.01F * texel || std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) return;
+    EXPECT_EQ(r.frame.stencil()[i], distance > 0.0F ? 0 : 1) << "floor at " << p.x << ", " << p.z;
+    ++(distance > 0.0F ? count.lit : count.shadowed);
+  });
   EXPECT_EQ(r.background + r.lit + r.shadowed, static_cast<std::uint64_t>(settings.width * settings.height));
   return count;
 }
@@ -106,17 +102,14 @@ TEST(ShadowMap, NoLightFallsBehindASpotLight) {
     settings.shadow_map.encoding = encoding;
     const Rendering r = render_map(scene, settings);
     int lit = 0, dark = 0;
-    for (int y = 0; y < settings.height; ++y) {
-      for (int x = 0; x < settings.width; ++x) {
-        const auto i = static_cast<std::size_t>(y * settings.width + x);
-        const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
-        if (std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) continue;
-        const float inside = std::sqrt(3.0F) * p.x - std::max(1.0F, std::fabs(p.z));
-        if (std::fabs(inside) < 0.1F) continue;
-        ASSERT_EQ(r.frame.stencil()[i], inside > 0.0F ? 0 : 1) << p.x << ' ' << p.z;
-        ++(inside > 0.0F ? lit : dark);
-      }
-    }
+    for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+      const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
+      if (std::max(std::fabs(p.x), std::fabs(p.z)) > 3.9F) return;
+      const float inside = std::sqrt(3.0F) * p.x - std::max(1.0F, std::fabs(p.z));
+      if (std::fabs(inside) < 0.1F) return;
+      ASSERT_EQ(r.frame.stencil()[i], inside > 0.0F ? 0 : 1) << p.x << ' ' << p.z;
+      ++(inside > 0.0F ? lit : dark);
+    });
     EXPECT_GT(lit, 1500);
     EXPECT_GT(dark, 3000);
   }
@@ -258,74 +251,6 @@ TEST(ShadowMap, LayersTellOneStory) {
   }
 }
 
-// Layers, evidence of every step, change no pixel.
-TEST(ShadowMap, SamePixelsWithAndWithoutLayers) {
-  const Scene scene = shadow_test::wall_on_floor();
-  for (const DepthEncoding encoding : {DepthEncoding::d24, DepthEncoding::d16, DepthEncoding::rgba8_fract}) {
-    RenderSettings settings = small_settings();
-    settings.shadow_map.encoding = encoding;
-    const Rendering with = render_map(scene, settings);
-    settings.layers = false;
-    const Rendering without = render_map(scene, settings);
-    EXPECT_TRUE(without.layers.empty());
-    EXPECT_EQ(with.frame.stencil(), without.frame.stencil());
-    for (int c = 0; c < 3; ++c) EXPECT_EQ(with.frame.color(c), without.frame.color(c));
-  }
-}
-
-Scene room() {
-  return ninebit::test::index_room({.point = false, .spot = true, .directional = true});
-}
-
-TEST(ShadowMap, SameBitsForAnyNumberOfThreads) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const Scene scene = room();
-  for (const DepthEncoding encoding : {DepthEncoding::d24, DepthEncoding::rgba8_256over255}) {
-    RenderSettings settings = small_settings();
-    settings.shadow_map.encoding = encoding;
-    std::optional<Rendering> first;
-    for (const std::size_t threads : {1U, 2U, 7U}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      Rendering r = render_map(scene, settings);
-      if (!first) {
-        first = std::move(r);
-        EXPECT_GT(first->shadowed, 3000U);
-        EXPECT_GT(first->lit, 1000U);
-        continue;
-      }
-      for (int c = 0; c < 4; ++c) ASSERT_EQ(r.frame.color(c), first->frame.color(c)) << threads;
-      ASSERT_EQ(r.frame.stencil(), first->frame.stencil()) << threads;
-      ASSERT_EQ(r.layers.size(), first->layers.size());
-      for (std::size_t i = 0; i < r.layers.size(); ++i) ASSERT_EQ(r.layers[i].samples, first->layers[i].samples);
-      ASSERT_EQ(r.maps.size(), first->maps.size());
-      for (std::size_t i = 0; i < r.maps.size(); ++i) ASSERT_EQ(r.maps[i].samples, first->maps[i].samples);
-      ASSERT_EQ(fact<double>(r, "texel_size"), fact<double>(*first, "texel_size"));
-    }
-  }
-}
-
-TEST(ShadowMap, LightFacingShadowsWhatTurnsAway) {
-  Scene scene = shadow_test::scene_with({3.0F, 2.0F, 6.0F}, {0.0F, 0.0F, 0.0F}, {});
-  shadow_test::add_box(scene, "box", {-1, -1, -1}, {1, 1, 1});
-  RenderSettings settings = small_settings();
-  settings.light_facing = true;
-  settings.shadow_map.polygon_offset = OffsetArguments{0.0F, 15'000'000.0F};  // the map alone would light everything
-  for (const Light& light :
-       {shadow_test::spot_light({0, 6, 0}, {0, 0, 0}, 60.0F), shadow_test::directional_light({0, -1, 0})}) {
-    scene.lights[0] = light;
-    const Rendering r = render_map(scene, settings);
-    const auto& polygon = samples_of<std::uint32_t>(r.layers, "polygon", "polygon");
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      if (polygon[i] == 0) continue;
-      const glm::uvec3 t = scene.triangles[polygon[i] - 1];
-      const bool top = std::min({scene.positions[t.x].y, scene.positions[t.y].y, scene.positions[t.z].y}) == 1.0F;
-      ASSERT_EQ(r.frame.stencil()[i], top ? 0 : 1);
-    }
-    EXPECT_GT(r.lit, 200U);
-    EXPECT_GT(r.shadowed, 500U);
-  }
-}
-
 // The sizes that the facts tell, from the geometry of the light.
 TEST(ShadowMap, FactsTellTheResolution) {
   Scene scene = shadow_test::square_over_floor();
@@ -419,23 +344,20 @@ TEST(ShadowMap, EvidenceNamesTheTriangleInTheMap) {
     EXPECT_EQ(r.evidence->in_map, std::vector<bool>(4, true));
     const auto& object = samples_of<std::uint32_t>(r.layers, "object", "object");
     int dark = 0, outside = 0;
-    for (int y = 0; y < settings.height; ++y) {
-      for (int x = 0; x < settings.width; ++x) {
-        const auto i = static_cast<std::size_t>(y * settings.width + x);
-        const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
-        const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
-        const std::uint32_t fetched = r.evidence->fetched[i];
-        if (object[i] == 0 || (object[i] == 1 && reach > 3.05F)) {
-          ASSERT_EQ(fetched, 0U);
-          outside += object[i] == 1 ? 1 : 0;
-        } else if (object[i] == 1 && reach < 1.45F) {
-          ASSERT_TRUE(fetched == 3 || fetched == 4) << fetched;
-          ++dark;
-        } else if (object[i] == 1 && reach > 1.55F && reach < 2.95F) {
-          ASSERT_TRUE(fetched == 1 || fetched == 2) << fetched;
-        }
+    for_each_pixel(settings, [&](int x, int y, std::size_t i) {
+      const glm::vec3 p = shadow_test::on_plane(scene, settings, x, y, 0.0F);
+      const float reach = std::max(std::fabs(p.x), std::fabs(p.z));
+      const std::uint32_t fetched = r.evidence->fetched[i];
+      if (object[i] == 0 || (object[i] == 1 && reach > 3.05F)) {
+        ASSERT_EQ(fetched, 0U);
+        outside += object[i] == 1 ? 1 : 0;
+      } else if (object[i] == 1 && reach < 1.45F) {
+        ASSERT_TRUE(fetched == 3 || fetched == 4) << fetched;
+        ++dark;
+      } else if (object[i] == 1 && reach > 1.55F && reach < 2.95F) {
+        ASSERT_TRUE(fetched == 1 || fetched == 2) << fetched;
       }
-    }
+    });
     EXPECT_GT(dark, 300);
     EXPECT_GT(outside, 500);
   }
@@ -471,25 +393,7 @@ TEST(ShadowMap, ReportsWhatCannotBeDrawn) {
   settings = small_settings();
   settings.shadow_map.polygon_offset = OffsetArguments{std::nanf(""), 0.0F};
   EXPECT_NE(fault(settings).find("polygon offset"), std::string::npos);
-  settings = small_settings();
-  settings.depth_stencil = DepthStencilFormat::d16;
-  EXPECT_NE(fault(settings).find("no stencil bits"), std::string::npos);
   EXPECT_EQ(fault(small_settings()), "");
-}
-
-TEST(ShadowMap, StopsBetweenPasses) {
-  Scene scene = shadow_test::square_over_floor();
-  scene.lights[0] = shadow_test::spot_light({0, 3, 0}, {0, 0, 0}, 90.0F);
-  for (int allowed = 0; allowed < 5; ++allowed) {
-    int asked = 0;
-    const auto result = render_shadow_map(scene, small_settings(), [&](std::string_view, double done) {
-      EXPECT_TRUE(done >= 0.0 && done < 1.0);
-      return asked++ < allowed;
-    });
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().fault, Fault::cancelled);
-    EXPECT_EQ(asked, allowed + 1);
-  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::for_each_pixel;
 using namespace shadow_test;
 
 constexpr VolumeMethod kMethods[] = {VolumeMethod::depth_fail, VolumeMethod::depth_pass};
@@ -34,26 +35,23 @@ void expect_plane(const Scene& scene, RenderSettings settings, float height, std
   settings.layers = true;
   const Rendering r = render_volumes(scene, settings);
   int lit = 0, shadowed = 0, wrong = 0;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto at = static_cast<std::size_t>(y * settings.width + x);
-      const std::uint32_t triangle = r.frame.primitive()[at];
-      if (triangle < first || triangle > last) continue;
-      int corners = 0;
-      for (const int dx : {0, 1}) {
-        for (const int dy : {0, 1}) {
-          RenderSettings twice = settings;  // its pixels' centres lie a quarter of a pixel off
-          twice.width *= 2;
-          twice.height *= 2;
-          const glm::vec3 p = on_plane(scene, twice, 2 * x + dx, 2 * y + dy, height);
-          corners += is_shadowed(p.x, p.z) ? 1 : 0;
-        }
+  for_each_pixel(settings, [&](int x, int y, std::size_t at) {
+    const std::uint32_t triangle = r.frame.primitive()[at];
+    if (triangle < first || triangle > last) return;
+    int corners = 0;
+    for (const int dx : {0, 1}) {
+      for (const int dy : {0, 1}) {
+        RenderSettings twice = settings;  // its pixels' centres lie a quarter of a pixel off
+        twice.width *= 2;
+        twice.height *= 2;
+        const glm::vec3 p = on_plane(scene, twice, 2 * x + dx, 2 * y + dy, height);
+        corners += is_shadowed(p.x, p.z) ? 1 : 0;
       }
-      if (corners != 0 && corners != 4) continue;
-      ++(corners == 4 ? shadowed : lit);
-      if ((r.frame.stencil()[at] != 0) != (corners == 4)) ++wrong;
     }
-  }
+    if (corners != 0 && corners != 4) return;
+    ++(corners == 4 ? shadowed : lit);
+    if ((r.frame.stencil()[at] != 0) != (corners == 4)) ++wrong;
+  });
   EXPECT_EQ(wrong, 0);
   EXPECT_GT(lit, least);
   EXPECT_GT(shadowed, least);

@@ -109,10 +109,14 @@ ninebit::RenderSettings small_settings() {
   return settings;
 }
 
-ninebit::Rendering render(const Scene& scene, const ninebit::RenderSettings& settings) {
-  auto result = ninebit::find_technique("index-cube")->render(scene, settings, {});
+ninebit::Rendering render_by(std::string_view technique, const Scene& scene, const ninebit::RenderSettings& settings) {
+  auto result = ninebit::find_technique(technique)->render(scene, settings, {});
   if (!result) throw std::runtime_error(result.error().text());
   return std::move(*result);
+}
+
+ninebit::Rendering render(const Scene& scene, const ninebit::RenderSettings& settings) {
+  return render_by("index-cube", scene, settings);
 }
 
 glm::vec3 on_plane(const Scene& scene, const ninebit::RenderSettings& settings, int x, int y, float height) {

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -60,9 +61,21 @@ const T& fact(const ninebit::Rendering& rendering, const std::string& name) {
   throw std::runtime_error("no fact " + name);
 }
 
-// Renders, failing the test where that fails. The default settings are those of the tests: small.
+// Renders by a technique; throws where that fails.
+ninebit::Rendering render_by(std::string_view technique, const ninebit::Scene& scene,
+                             const ninebit::RenderSettings& settings);
+
+// Renders by index-cube. The default settings are those of the tests: small.
 ninebit::Rendering render(const ninebit::Scene& scene, const ninebit::RenderSettings& settings);
 ninebit::RenderSettings small_settings();
+
+// Calls visit(x, y, index) for every pixel of a frame, rows from the lowest up.
+template <class Visit>
+void for_each_pixel(const ninebit::RenderSettings& settings, const Visit& visit) {
+  for (int y = 0; y < settings.height; ++y) {
+    for (int x = 0; x < settings.width; ++x) visit(x, y, static_cast<std::size_t>(y * settings.width + x));
+  }
+}
 
 // The world point that the centre of pixel (x, y), rows from the lowest up, shows on the level plane y = height.
 glm::vec3 on_plane(const ninebit::Scene& scene, const ninebit::RenderSettings& settings, int x, int y, float height);

@@ -115,8 +115,7 @@ TEST_F(TechniqueTable, DrawsTheSameBytesEachTime) {
                                  std::to_string(stencil_bits(format)) + " stencil bits, width " +
                                  std::to_string(size.x);
         const Bytes first = bytes(technique, size, format, 1, 0x5A);
-        EXPECT_TRUE(bytes(technique, size, format, 1, 0xA5) == first) << what;
-        for (const int memory : {0x01, 0xFE}) {
+        for (const int memory : {0xA5, 0x01}) {
           EXPECT_TRUE(bytes(technique, size, format, 3, memory) == first) << what << ", three threads";
         }
         EXPECT_GT(first.lit, 0U) << what;

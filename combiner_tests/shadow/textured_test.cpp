@@ -18,6 +18,8 @@
 namespace {
 
 using namespace ninebit;
+using shadow_test::for_each_pixel;
+using shadow_test::render_by;
 
 using TexelBytes = std::vector<std::uint8_t>;  // planes of red, green, blue, alpha
 
@@ -40,12 +42,6 @@ void dress(Scene& scene, std::shared_ptr<const Texture> texture) {
     material.sampler = kNearestSampler;
   }
   scene.texture_coordinates.resize(scene.positions.size(), glm::vec2(0.5F));
-}
-
-Rendering render_by(const char* name, const Scene& scene, const RenderSettings& settings) {
-  auto result = find_technique(name)->render(scene, settings, {});
-  EXPECT_TRUE(result) << name << (result ? "" : ": " + result.error().text());
-  return result ? std::move(*result) : shadow_test::render(scene, settings);
 }
 
 // The rule of the general combiner on a GeForce 2: fractions are dropped.
@@ -96,7 +92,7 @@ Scene scene_for(const std::string& technique) {
   return scene;
 }
 
-// In light and in shadow, with and without layers and evidence, for any number of threads.
+// In light and in shadow, with and without layers and evidence.
 TEST_P(TexturedTechnique, MultipliesLightAndShadow) {
   Scene scene = scene_for(GetParam());
   RenderSettings settings = shadow_test::small_settings();
@@ -125,12 +121,9 @@ TEST_P(TexturedTechnique, MultipliesLightAndShadow) {
   }
   EXPECT_GT(bare, 10U);
   settings.layers = settings.evidence = false;
-  for (const std::size_t threads : {1U, 3U}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const Rendering fast = render_by(GetParam(), scene, settings);
-    for (int c = 0; c < 3; ++c) EXPECT_EQ(fast.frame.color(c), numbered.frame.color(c));
-    EXPECT_EQ(fast.frame.stencil(), numbered.frame.stencil());
-  }
+  const Rendering fast = render_by(GetParam(), scene, settings);
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(fast.frame.color(c), numbered.frame.color(c));
+  EXPECT_EQ(fast.frame.stencil(), numbered.frame.stencil());
 }
 
 // A texture that is not loaded, and white colours of vertices, change no bit.
@@ -419,17 +412,14 @@ TEST(Layers, NameThePolygonThatTheDepthTestLeft) {
       const Rendering r = shadow_test::render(*drawn, settings);
       const auto layers = shadow_test::comparison_layers(r);
       int overlapped = 0;
-      for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-          const auto at = static_cast<std::size_t>(y * settings.width + x);
-          if (layers.polygon[at] == 0) continue;
-          const bool is_left = shadow_test::on_plane(scene, settings, x, y, 0.0F).x < 1.0F;
-          ASSERT_EQ(layers.object[at], is_left ? 1U : 2U) << x << ' ' << y;
-          const bool compared = !light_facing || drawn != &turned || is_left;
-          ASSERT_EQ(layers.own(r.codes, at), compared ? layers.polygon[at] : 0U) << x << ' ' << y;
-          overlapped += is_left && shadow_test::on_plane(scene, settings, x, y, 0.0F).x > -1.0F ? 1 : 0;
-        }
-      }
+      for_each_pixel(settings, [&](int x, int y, std::size_t at) {
+        if (layers.polygon[at] == 0) return;
+        const bool is_left = shadow_test::on_plane(scene, settings, x, y, 0.0F).x < 1.0F;
+        ASSERT_EQ(layers.object[at], is_left ? 1U : 2U) << x << ' ' << y;
+        const bool compared = !light_facing || drawn != &turned || is_left;
+        ASSERT_EQ(layers.own(r.codes, at), compared ? layers.polygon[at] : 0U) << x << ' ' << y;
+        overlapped += is_left && shadow_test::on_plane(scene, settings, x, y, 0.0F).x > -1.0F ? 1 : 0;
+      });
       EXPECT_GT(overlapped, 1000);
     }
   }

@@ -230,25 +230,4 @@ TEST(VolumePasses, WatchedPixel) {
   EXPECT_EQ(r.probed[0][3].fragments.back().fate, FragmentFate::written);
 }
 
-TEST(VolumePasses, ReportsAndStops) {
-  const Scene scene = square_over_floor();
-  RenderSettings settings = volume_settings();
-  settings.depth_stencil = DepthStencilFormat::d16;
-  const auto no_stencil = render_shadow_volume(scene, settings, {});
-  ASSERT_FALSE(no_stencil.ok());
-  EXPECT_NE(no_stencil.error().message.find("no stencil"), std::string::npos);
-  std::vector<std::string> asked;
-  for (std::size_t stop = 0; stop < 4; ++stop) {
-    asked.clear();
-    const auto stopped = render_shadow_volume(scene, volume_settings(), [&](std::string_view pass, double) {
-      asked.emplace_back(pass);
-      return asked.size() <= stop;
-    });
-    ASSERT_FALSE(stopped.ok()) << stop;
-    EXPECT_EQ(stopped.error().fault, Fault::cancelled);
-    EXPECT_EQ(asked.size(), stop + 1);
-  }
-  EXPECT_EQ(find_technique("shadow-volume")->render, &render_shadow_volume);
-}
-
 }  // namespace

@@ -20,9 +20,7 @@ ninebit::RenderSettings volume_settings(ninebit::VolumeMethod method) {
 }
 
 ninebit::Rendering render_volumes(const Scene& scene, const ninebit::RenderSettings& settings) {
-  auto result = ninebit::render_shadow_volume(scene, settings, {});
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
+  return render_by("shadow-volume", scene, settings);
 }
 
 void add_object(Scene& scene, const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles) {
@@ -167,21 +165,18 @@ Compared compare_with_rays(const Scene& scene, const ninebit::RenderSettings& se
                            const ninebit::Rendering& rendering) {
   const Rays rays(scene);
   Compared all;
-  for (int y = 0; y < settings.height; ++y) {
-    for (int x = 0; x < settings.width; ++x) {
-      const auto at = static_cast<std::size_t>(y * settings.width + x);
-      const Seen expected = seen_at(rays, scene, settings, x, y);
-      const bool is_far = rendering.frame.depth()[at] == 0xFFFFFF;
-      const Seen found = is_far ? Seen::background : rendering.frame.stencil()[at] == 0 ? Seen::lit : Seen::shadowed;
-      if (expected == Seen::near_a_border) {
-        ++all.skipped;
-        continue;
-      }
-      ++(expected == Seen::lit ? all.lit : expected == Seen::shadowed ? all.shadowed : all.background);
-      if (found == expected) continue;
-      if (all.wrong++ == 0) all.first_wrong = std::to_string(x) + ' ' + std::to_string(y);
+  for_each_pixel(settings, [&](int x, int y, std::size_t at) {
+    const Seen expected = seen_at(rays, scene, settings, x, y);
+    const bool is_far = rendering.frame.depth()[at] == 0xFFFFFF;
+    const Seen found = is_far ? Seen::background : rendering.frame.stencil()[at] == 0 ? Seen::lit : Seen::shadowed;
+    if (expected == Seen::near_a_border) {
+      ++all.skipped;
+      return;
     }
-  }
+    ++(expected == Seen::lit ? all.lit : expected == Seen::shadowed ? all.shadowed : all.background);
+    if (found == expected) return;
+    if (all.wrong++ == 0) all.first_wrong = std::to_string(x) + ' ' + std::to_string(y);
+  });
   return all;
 }
 

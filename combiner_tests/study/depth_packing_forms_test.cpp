@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "combiner_tests/study/support.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/study/depth_packing_error.h"
 
@@ -169,45 +170,35 @@ TEST(DepthPackingForms, FiguresOf24Bits) {
   }
 }
 
-// The typing error, counted here without the library: all 2^24 depths, rounded.
+// The typing error. Its form's errors are counted here without the library: all 2^24 depths, rounded.
 TEST(DepthPackingForms, ATypingErrorCosts40PercentInTheMean) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  std::array<double, 2> means{};
-  const std::array<std::string_view, 2> forms{"rgba8-base255", "rgba8-base255-typo"};
-  for (std::size_t k = 0; k < 2; ++k) {
-    constexpr int kLast = 16'777'215;
-    double sizes = 0.0, largest = 0.0;
-    std::uint64_t inversions = 0;
-    float before = 0.0F;
-    for (int n = 0; n <= kLast; ++n) {
-      const auto depth = static_cast<float>(static_cast<double>(n) / kLast);
-      const float back = expected_depth(forms[k], depth, ChannelStorage::round);
-      const double size = std::fabs(static_cast<double>(back) - static_cast<double>(depth));
-      if (back < before) ++inversions;
-      before = back;
-      if (n == kLast) continue;
-      sizes += size;
-      largest = std::max(largest, size);
-    }
-    means[k] = sizes / kLast;
-    const RoundTripError e = all_24_bits(forms[k], ChannelStorage::round);
-    EXPECT_EQ(e.max_error, largest);
-    EXPECT_NEAR(e.mean_error, means[k], 1e-15);
-    EXPECT_EQ(e.inversions, inversions);
+  constexpr std::string_view kTypo = "rgba8-base255-typo";
+  constexpr int kLast = 16'777'215;
+  double sizes = 0.0, largest = 0.0;
+  std::uint64_t inversions = 0;
+  float before = 0.0F;
+  for (int n = 0; n <= kLast; ++n) {
+    const auto depth = static_cast<float>(static_cast<double>(n) / kLast);
+    const float back = expected_depth(kTypo, depth, ChannelStorage::round);
+    const double size = std::fabs(static_cast<double>(back) - static_cast<double>(depth));
+    if (back < before) ++inversions;
+    before = back;
+    if (n == kLast) continue;
+    sizes += size;
+    largest = std::max(largest, size);
   }
-  EXPECT_NEAR(means[1] / means[0], 1.4, 0.05);
+  const RoundTripError e = all_24_bits(kTypo, ChannelStorage::round);
+  EXPECT_EQ(e.max_error, largest);
+  EXPECT_NEAR(e.mean_error, sizes / kLast, 1e-15);
+  EXPECT_EQ(e.inversions, inversions);
+  EXPECT_NEAR(e.mean_error / all_24_bits("rgba8-base255", ChannelStorage::round).mean_error, 1.4, 0.05);
 }
 
 std::string answers_of(const DepthPackingOptions& options) {
   const auto study = make_depth_packing_study(options);
   EXPECT_TRUE(study);
-  std::vector<StudyRow> rows;
-  for (std::size_t unit = 0; unit < (*study)->units(); ++unit) {
-    const auto more = (*study)->run(unit, {});
-    EXPECT_TRUE(more);
-    rows.insert(rows.end(), more->begin(), more->end());
-  }
-  const auto report = (*study)->report(rows, (*study)->units());
+  const auto report = (*study)->report(test::all_rows(**study), (*study)->units());
   EXPECT_TRUE(report);
   std::string all;
   for (const std::string& line : report->answers) all += line + '\n';

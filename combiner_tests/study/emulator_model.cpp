@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <map>
 #include <string>
@@ -20,14 +21,16 @@ template <class T>
 class Emulator {
  public:
   Emulator(const VectorPack& pack, const std::set<EmulatorFault>& faults)
-      : pack_(pack), faults_(faults), one_(faults.contains(EmulatorFault::floats) ? T{1} : T{255}) {
-    for (std::size_t i = 0; i < pack.word_names.size(); ++i) places_[pack.word_names[i]] = i;
+      : pack_(pack), one_(faults.contains(EmulatorFault::floats) ? T{1} : T{255}) {
+    for (const EmulatorFault fault : faults) faults_[static_cast<std::size_t>(fault)] = true;
   }
 
   std::vector<std::vector<Bytes4>> run() {
+    std::map<std::string, std::size_t> places;
+    for (std::size_t i = 0; i < pack_.word_names.size(); ++i) places[pack_.word_names[i]] = i;
     std::vector<std::vector<Bytes4>> colors;
     for (const VectorProgram& program : pack_.programs) {
-      words_ = &program.words;
+      words_ = words_by_use([&](const std::string& name) { return program.words[places.at(name)]; });
       auto& of_program = colors.emplace_back();
       for (std::size_t i = 0; i < pack_.fragments; ++i) {
         of_program.push_back(fragment(pack_.inputs[program.first_input + i]));
@@ -39,12 +42,27 @@ class Emulator {
  private:
   using Color = std::array<T, 4>;
 
-  bool has(EmulatorFault fault) const { return faults_.contains(fault); }
-  bool rounds() const { return !has(EmulatorFault::floats); }
-  std::uint32_t word(const std::string& name) const { return (*words_)[places_.at(name)]; }
-  std::uint32_t word(const std::string& name, int stage) const {
-    return word(name + "[" + std::to_string(stage) + "]");
+  struct StageWords {
+    std::uint32_t in_rgb, out_rgb, in_alpha, out_alpha, constant0, constant1;
+  };
+  struct Words {
+    std::uint32_t enable, final0, final1, color0, color1;
+    std::array<StageWords, 8> stages;
+  };
+
+  template <class WordCalled>
+  static Words words_by_use(const WordCalled& word) {
+    Words words{word("RC_ENABLE"), word("RC_FINAL0"), word("RC_FINAL1"), word("RC_COLOR0"), word("RC_COLOR1"), {}};
+    for (std::size_t s = 0; s < words.stages.size(); ++s) {
+      const std::string at = "[" + std::to_string(s) + "]";
+      words.stages[s] = {word("RC_IN_RGB" + at),    word("RC_OUT_RGB" + at),         word("RC_IN_ALPHA" + at),
+                         word("RC_OUT_ALPHA" + at), word("RC_CONSTANT_COLOR0" + at), word("RC_CONSTANT_COLOR1" + at)};
+    }
+    return words;
   }
+
+  bool has(EmulatorFault fault) const { return faults_[static_cast<std::size_t>(fault)]; }
+  bool rounds() const { return !has(EmulatorFault::floats); }
   static T nearest(T x) { return std::floor(x + T{0.5}); }
   T half() const { return rounds() ? T{128} : T{0.5}; }
   T from_byte(std::uint32_t byte) const { return rounds() ? static_cast<T>(byte) : static_cast<T>(byte) / T{255}; }
@@ -117,7 +135,7 @@ class Emulator {
     registers_ = before;
     const bool has_dot = (out >> 12 & 3) != 0;
     const T alpha = registers_[kEmulatedSpare0][3];
-    const bool by_high_bit = (word("RC_ENABLE") >> 8 & 1) != 0 || has(EmulatorFault::mux_by_threshold);
+    const bool by_high_bit = (words_.enable >> 8 & 1) != 0 || has(EmulatorFault::mux_by_threshold);
     const bool takes_cd = by_high_bit
                               ? alpha >= half()
                               : alpha > 0 && static_cast<long>(nearest(rounds() ? alpha : alpha * T{255})) % 2 == 1;
@@ -142,14 +160,12 @@ class Emulator {
     if ((out >> 18 & 1) != 0 && to[1] != 0) registers_[to[1]][3] = value[1][2];
   }
 
-  void stage(int s) {
-    const std::uint32_t in_rgb = word("RC_IN_RGB", s), in_alpha = word("RC_IN_ALPHA", s);
-    const std::uint32_t out_rgb = word("RC_OUT_RGB", s), out_alpha = word("RC_OUT_ALPHA", s);
+  void stage(std::size_t s) {
+    const auto& [in_rgb, out_rgb, in_alpha, out_alpha, constant0, constant1] = words_.stages[s];
     if (in_rgb == 0 && in_alpha == 0 && has(EmulatorFault::zero_stage_skipped)) return;
-    const std::uint32_t enable = word("RC_ENABLE");
     const bool own = has(EmulatorFault::own_constants);
-    registers_[kConst0] = constant(word("RC_CONSTANT_COLOR0", own || (enable >> 12 & 1) != 0 ? s : 0));
-    registers_[kConst1] = constant(word("RC_CONSTANT_COLOR1", own || (enable >> 16 & 1) != 0 ? s : 0));
+    registers_[kConst0] = constant(own || (words_.enable >> 12 & 1) != 0 ? constant0 : words_.stages[0].constant0);
+    registers_[kConst1] = constant(own || (words_.enable >> 16 & 1) != 0 ? constant1 : words_.stages[0].constant1);
     const auto rgb = portion(in_rgb, out_rgb, 0, 3);
     if (has(EmulatorFault::alpha_reads_rgb_written)) write(out_rgb, rgb, 0, 3);
     const auto alpha = portion(in_alpha, out_alpha, 3, 4);
@@ -204,22 +220,22 @@ class Emulator {
 
   Bytes4 fragment(const RegisterFile& input_codes) {
     start(input_codes);
-    const std::uint32_t enable = word("RC_ENABLE");
-    int stages = static_cast<int>(enable & 15);
+    std::size_t stages = words_.enable & 15;
     if (has(EmulatorFault::eight_stages_none)) stages &= 7;
-    if (has(EmulatorFault::two_stages_at_least)) stages = std::max(stages, 2);
-    for (int s = 0; s < stages; ++s) stage(s);
+    if (has(EmulatorFault::two_stages_at_least)) stages = std::max<std::size_t>(stages, 2);
+    for (std::size_t s = 0; s < stages; ++s) stage(s);
     const std::array<Color, 16> left = registers_;
-    std::uint32_t abcd = word("RC_FINAL0"), efg = word("RC_FINAL1");
+    std::uint32_t abcd = words_.final0, efg = words_.final1;
     if (abcd == 0 && efg == 0 && !has(EmulatorFault::final_zero_shows_zero)) {
       abcd = kEmulatedSpare0;
       efg = (kEmulatedSpare0 | 16) << 8;
     }
-    registers_[kConst0] = constant(word("RC_COLOR0"));
-    registers_[kConst1] = constant(word("RC_COLOR1"));
-    if (has(EmulatorFault::final_last_constants) && (enable >> 12 & 1) != 0) {
-      registers_[kConst0] = constant(word("RC_CONSTANT_COLOR0", stages - 1));
-      registers_[kConst1] = constant(word("RC_CONSTANT_COLOR1", stages - 1));
+    registers_[kConst0] = constant(words_.color0);
+    registers_[kConst1] = constant(words_.color1);
+    if (has(EmulatorFault::final_last_constants) && (words_.enable >> 12 & 1) != 0) {
+      const StageWords& last = words_.stages.at(stages - 1);
+      registers_[kConst0] = constant(last.constant0);
+      registers_[kConst1] = constant(last.constant1);
     }
     special_inputs(efg);
     Bytes4 out{};
@@ -237,10 +253,9 @@ class Emulator {
   }
 
   const VectorPack& pack_;
-  const std::set<EmulatorFault>& faults_;
+  std::bitset<64> faults_{};
   T one_;
-  std::map<std::string, std::size_t> places_{};
-  const std::vector<std::uint32_t>* words_ = nullptr;
+  Words words_{};
   std::array<Color, 16> registers_{};
   std::array<Color, 3> products_{};
 };

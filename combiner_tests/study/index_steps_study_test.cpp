@@ -13,12 +13,14 @@
 #include <utility>
 #include <vector>
 
+#include "combiner_tests/study/support.h"
 #include "ninebit/shadow/index_cube.h"
 #include "ninebit/study/index_steps.h"
 
 namespace {
 
 using namespace ninebit;
+using test::all_rows;
 
 HardwareProfile early_to_nearest() {
   HardwareProfile p = profiles::geforce2_early_truncation;
@@ -33,16 +35,6 @@ std::vector<IndexVariant> variants(const std::set<std::string_view>& names) {
     if (names.count(v.name) > 0) found.push_back(v);
   }
   return found;
-}
-
-std::vector<StudyRow> rows_of(const Study& study) {
-  std::vector<StudyRow> rows;
-  for (std::size_t unit = 0; unit < study.units(); ++unit) {
-    const auto more = study.run(unit, {});
-    EXPECT_TRUE(more.ok()) << more.error().text();
-    if (more) rows.insert(rows.end(), more->begin(), more->end());
-  }
-  return rows;
 }
 
 // The cells of the first table behind a heading, without its ruler, as text without bold, code marks and commas.
@@ -78,7 +70,7 @@ TEST(IndexStepsStudy, TheLadderOfTheDocumentsComesOut) {
                          .variants = variants({"both-x4", "no-scale"})});
   ASSERT_TRUE(study.ok()) << study.error().text();
   std::map<std::tuple<std::string, std::string, std::int64_t>, std::uint64_t> lost;
-  for (const StudyRow& row : rows_of(**study)) {
+  for (const StudyRow& row : all_rows(**study)) {
     lost[{row.text("profile"), row.text("variant"), static_cast<std::int64_t>(row.count("step"))}] =
         row.count("false_matches");
   }
@@ -126,7 +118,7 @@ TEST(IndexStepsStudy, UnitsRowsAndQuestion) {
   EXPECT_EQ(study.unit_name(0), "geforce2, la, first-x4");
   EXPECT_EQ(study.unit_name(1), "geforce2, la, no-scale-separate");
   EXPECT_EQ(study.unit_name(5), "nv2a, a, first-x4");
-  const std::vector<StudyRow> rows = rows_of(study);
+  const std::vector<StudyRow> rows = all_rows(study);
   ASSERT_EQ(rows.size(), 18U);
   std::vector<std::string> keys;
   for (const auto& field : rows[0].fields) keys.push_back(field.first);
@@ -148,7 +140,7 @@ TEST(IndexStepsStudy, TheReportAnswersInWordsTablesAndPictures) {
                                        .variants = variants({"both-x4", "no-scale"}),
                                        .last_step = 4});
   ASSERT_TRUE(made.ok()) << made.error().text();
-  const std::vector<StudyRow> rows = rows_of(**made);
+  const std::vector<StudyRow> rows = all_rows(**made);
   const auto report = (*made)->report(rows, (*made)->units());
   ASSERT_TRUE(report.ok()) << report.error().text();
   ASSERT_EQ(report->answers.size(), 3U);  // without scales both profiles lose the same
@@ -223,7 +215,7 @@ TEST(IndexStepsStudy, PlotsCompareWhatThereIs) {
     if (profiles > 1) options.profiles.push_back(profiles::geforce2_early_truncation);
     const auto made = index_steps_study(options);
     std::vector<std::string> titles;
-    const auto report = (*made)->report(rows_of(**made), (*made)->units());
+    const auto report = (*made)->report(all_rows(**made), (*made)->units());
     for (const Plot& plot : report->plots) {
       if (plot.title.starts_with("False matches")) titles.push_back(plot.title);
     }
@@ -248,10 +240,10 @@ TEST(IndexStepsStudy, AProgramOfOnesOwn) {
   const std::vector<std::pair<std::string, std::string>> asked{
       {"--steps", "1-2"}, {"--formats", "rgb,channel"}, {"--program", "mine.gl"}};
   EXPECT_EQ((*own)->question().options, asked);
-  const std::vector<StudyRow> rows = rows_of(**own);
+  const std::vector<StudyRow> rows = all_rows(**own);
   options.program.reset();
   options.variants = variants({"both-x4"});
-  const std::vector<StudyRow> article = rows_of(**index_steps_study(options));
+  const std::vector<StudyRow> article = all_rows(**index_steps_study(options));
   ASSERT_EQ(rows.size(), article.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].text("variant"), "program");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "combiner_tests/combiner/random_state.h"
+#include "combiner_tests/study/proof_support.h"
 #include "combiner_tests/study/support.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/trace.h"
@@ -98,18 +99,9 @@ TEST(ProgramErrors, StagesAddUpToTheErrorOfRandomPrograms) {
 // Eight squarings: the exact numbers outgrow 128 bits.
 TEST(ProgramErrors, DeepProgramsStayExact) {
   const HardwareProfile& profile = profiles::nv2a;
-  CombinerState state;
-  state.num_general_combiners = 8;
-  for (int k = 0; k < 8; ++k) {
-    Portion& rgb = state.general[static_cast<std::size_t>(k)].rgb;
-    const Register from = k == 0 ? Register::primary : Register::spare0;
-    rgb.a = rgb.b = {from, InputMapping::unsigned_identity, ComponentUsage::rgb};
-    rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
-    rgb.out = {.ab = Register::spare0, .cd = Register::discard, .sum = Register::discard};
-  }
-  state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = {};
-  state.final_combiner.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  const Program program = compiled(state, profile);
+  std::string body = "{ rgb { spare0 = col0 * col0; } }\n";
+  for (int k = 1; k < 8; ++k) body += "{ rgb { spare0 = spare0 * spare0; } }\n";
+  const Program program = compiled(rc10(body + "out.rgb = spare0;\n", profile), profile);
   RegisterFile registers;
   registers[Register::primary] = {254, 253, 200, 0};
   const std::vector<RealColor> colors = colors_by_stage(program, registers);
@@ -355,17 +347,10 @@ TEST(ProgramErrors, ColoursDependOnTheInputsThatChangeThem) {
 
 // Red and green of one product each, and alpha a constant; blue reads nothing.
 Program products_by_channel(const HardwareProfile& profile) {
-  CombinerState state;
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  rgb.b = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  FinalCombiner& last = state.final_combiner;
-  last.a = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::rgb};
-  last.b = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  last.c = {Register::fog, InputMapping::unsigned_identity, ComponentUsage::rgb};  // times 1 - 1
-  last.g = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::alpha};
-  return compiled(state, profile);
+  return compiled(rc10("{ rgb { spare0 = col0 * tex0; } }\n"
+                       "out.rgb = lerp(unsigned_invert(zero), spare0, fog); out.a = unsigned_invert(zero);\n",
+                       profile),
+                  profile);
 }
 
 // 2^32 combinations whose channels separate: each channel's rows are those of its two inputs alone.
@@ -420,15 +405,7 @@ TEST(ProgramErrors, ChannelsThatSeparateAreMeasuredApart) {
 // All components depend on the same two of four inputs: the report still names them and those that are left out.
 TEST(ProgramErrors, OneGroupOfFewerInputsIsNamed) {
   if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  CombinerState state;
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::alpha};
-  alpha.b = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::alpha};
-  alpha.c = alpha.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::alpha};
-  FinalCombiner& last = state.final_combiner;
-  last.a = last.b = last.c = {};
-  last.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
-  last.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  const CombinerState state = rc10("{ alpha { spare0 = tex0.a * col0.a; } }\nout.rgb = spare0.a; out.a = spare0.a;\n");
   const ProgramInputs all{.components = {{Register::texture0, kAlpha},
                                          {Register::primary, kAlpha},
                                          {Register::texture1, kRed},
@@ -450,19 +427,9 @@ TEST(ProgramErrors, OneGroupOfFewerInputsIsNamed) {
 TEST(ProgramErrors, AComponentOverNoInputsSaysItsError) {
   if (kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const HardwareProfile& profile = profiles::geforce2;
-  CombinerState state;
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  rgb.b = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  Portion& alpha = state.general[0].alpha;
-  alpha.a = {Register::zero, InputMapping::half_bias_negate, ComponentUsage::alpha};
-  alpha.b = {Register::zero, InputMapping::unsigned_invert, ComponentUsage::alpha};
-  alpha.c = alpha.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::alpha};
-  FinalCombiner& last = state.final_combiner;
-  last.a = last.b = last.c = {};
-  last.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  last.g = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::alpha};
+  const CombinerState state = rc10(
+      "{ rgb { spare0 = col0 * tex0; } alpha { spare0 = -half_bias(zero) * unsigned_invert(zero); } }\n"
+      "out.rgb = spare0; out.a = spare0.a;\n");
   const ProgramInputs all{.components = {{Register::primary, kRed},
                                          {Register::primary, kGreen},
                                          {Register::texture0, kRed},
@@ -598,15 +565,7 @@ TEST(ProgramErrors, UnitsAddUpInTheReport) {
 // A constant among the components stands in for the program's own.
 TEST(ProgramErrors, ConstantsVary) {
   const HardwareProfile& profile = profiles::geforce2;
-  CombinerState state;
-  state.num_general_combiners = 1;
-  Portion& rgb = state.general[0].rgb;
-  rgb.a = {Register::primary, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  rgb.b = {Register::constant0, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  rgb.c = rgb.d = {Register::zero, InputMapping::unsigned_identity, ComponentUsage::rgb};
-  rgb.out = {.ab = Register::spare0, .cd = Register::discard, .sum = Register::discard};
-  state.final_combiner.a = state.final_combiner.b = state.final_combiner.c = {};
-  state.final_combiner.d = {Register::spare0, InputMapping::unsigned_identity, ComponentUsage::rgb};
+  CombinerState state = rc10("const0 = (0, 0, 0, 0);\n{ rgb { spare0 = col0 * const0; } }\nout.rgb = spare0;\n");
   state.constant0 = {200.0F / 255.0F, 0.0F, 0.0F, 0.0F};
   const auto red = [](const Program& program, ProgramInputs inputs) {
     const auto study = valid(program_error_study({}, profiles::geforce2, program, std::move(inputs)));

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "combiner_tests/study/support.h"
 #include "combiner_tests/support/index_room.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/scene/scene_io.h"
@@ -17,6 +18,7 @@
 namespace {
 
 using namespace ninebit;
+using test::all_rows;
 
 const Technique& technique(std::string_view name) {
   const Technique* found = find_technique(name);
@@ -36,16 +38,6 @@ Result<std::unique_ptr<Study>> sweep_of(std::string_view name, const ShadowGrid&
   const Technique& drawn = technique(name);
   return make_shadow_sweep({.study = "shadows", .profile = "geforce2"}, test::index_room(drawn.lights), drawn, small(),
                            grid);
-}
-
-std::vector<StudyRow> all_rows(const Study& study) {
-  std::vector<StudyRow> rows;
-  for (std::size_t unit = 0; unit < study.units(); ++unit) {
-    const auto more = study.run(unit, {});
-    if (!more) throw std::runtime_error(more.error().text());
-    rows.insert(rows.end(), more->begin(), more->end());
-  }
-  return rows;
 }
 
 std::string answers_of(const StudyReport& report) {

@@ -9,11 +9,13 @@
 #include <iterator>
 #include <set>
 
+#include "combiner_tests/study/support.h"
 #include "combiner_tests/support/temp_folder.h"
 
 namespace {
 
 using namespace ninebit;
+using test::all_rows;
 namespace fs = std::filesystem;
 
 // Squares: unit u has u % 3 rows, of every kind of value.
@@ -72,15 +74,6 @@ class PartsFolder {
  private:
   test::TempFolder made_;
 };
-
-std::vector<StudyRow> all_rows(const Squares& study) {
-  std::vector<StudyRow> rows;
-  for (std::size_t u = 0; u < study.units(); ++u) {
-    const auto more = study.run(u, {});
-    rows.insert(rows.end(), more->begin(), more->end());
-  }
-  return rows;
-}
 
 Result<StudyPart> run(const Squares& study, const PartsFolder& folder, Shard shard = {},
                       const PartLimits& limits = {}) {

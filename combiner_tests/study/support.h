@@ -1,6 +1,8 @@
 // Shared by the tests of studies.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -26,6 +28,27 @@ inline std::vector<StudyRow> all_rows(const Study& study) {
     rows.insert(rows.end(), more->begin(), more->end());
   }
   return rows;
+}
+
+// A change of a text, and what the fault that its reader reports says.
+struct Damage {
+  std::string from, to, message;
+};
+
+// Each damage alone is reported with its line. `read(text)` gives a Result.
+template <class Read>
+void expect_each_damage_reported(const std::string& text, const std::vector<Damage>& damages, const Read& read) {
+  for (const Damage& one : damages) {
+    SCOPED_TRACE(one.to);
+    std::string damaged = text;
+    const std::size_t at = damaged.find(one.from);
+    ASSERT_NE(at, std::string::npos);
+    damaged.replace(at, one.from.size(), one.to);
+    const auto faulty = read(damaged);
+    ASSERT_FALSE(faulty.ok());
+    EXPECT_NE(faulty.error().text().find(one.message), std::string::npos) << faulty.error().text();
+    EXPECT_GT(faulty.error().line, 0);
+  }
 }
 
 // geforce2 with few codes, so that everything can be tried: 1.0 is `one`, which is odd, as 255 is.

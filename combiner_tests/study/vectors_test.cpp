@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "combiner_tests/oracle/combiner_oracle.h"
+#include "combiner_tests/study/support.h"
 #include "combiner_tests/support/slow_build.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
@@ -176,35 +177,24 @@ TEST(Vectors, ReadingGivesThePackBack) {
 TEST(Vectors, ADamagedPackHasOneFaultWithItsLine) {
   VectorPack pack = pack_of(profiles::nv2a, 80, 2);
   const std::string text = print_vector_pack(pack);
-  struct Case {
-    std::string from, to, message;
-  };
-  const std::vector<Case> cases{
-      {"ninebit-vectors 1", "ninebit-vectors 2", "v.txt:1: expected the first line of a pack"},
-      {"profile nv2a", "profile nv2b", "v.txt:2: expected 'profile nv2a'"},
-      {"one 255", "one 254", "v.txt:3: expected 'one 255'"},
-      {"seed 1", "seed x", "v.txt:5: expected seed and a whole number"},
-      {"programs 80", "programs 81", ": the pack has 80 programs, not 81"},
-      {"fragments 2", "fragments 3", "expected 3 colours of 8 hexadecimal digits"},
-      {"word 0 RC_ENABLE", "word 0 RC_ENABLF", "v.txt:9: expected 'word 0 RC_ENABLE'"},
-      {"\ni ", "\ni 700 ", "expected i and 36 codes from -256 to 255"},
-      {"\nbase ", "\nbase 99=1 ", "expected words as INDEX=HEX, not '99=1'"},
-      {"\np 2 ", "\np 3 ", "expected program 2"},
-      {"\no ", "\no g", "expected 2 colours of 8 hexadecimal digits"},
-      {"\nend\n", "\n", "expected 'end'"},
-      {"seed 1", "seed 2", "v.txt:1: the pack was changed"},
-  };
-  for (const Case& c : cases) {
-    SCOPED_TRACE(c.to);
-    std::string damaged = text;
-    const std::size_t at = damaged.find(c.from);
-    ASSERT_NE(at, std::string::npos);
-    damaged.replace(at, c.from.size(), c.to);
-    const auto read = read_vector_pack(damaged, "v.txt", profiles::nv2a);
-    ASSERT_FALSE(read.ok());
-    EXPECT_NE(read.error().text().find(c.message), std::string::npos) << read.error().text();
-    EXPECT_GT(read.error().line, 0);
-  }
+  test::expect_each_damage_reported(
+      text,
+      {
+          {"ninebit-vectors 1", "ninebit-vectors 2", "v.txt:1: expected the first line of a pack"},
+          {"profile nv2a", "profile nv2b", "v.txt:2: expected 'profile nv2a'"},
+          {"one 255", "one 254", "v.txt:3: expected 'one 255'"},
+          {"seed 1", "seed x", "v.txt:5: expected seed and a whole number"},
+          {"programs 80", "programs 81", ": the pack has 80 programs, not 81"},
+          {"fragments 2", "fragments 3", "expected 3 colours of 8 hexadecimal digits"},
+          {"word 0 RC_ENABLE", "word 0 RC_ENABLF", "v.txt:9: expected 'word 0 RC_ENABLE'"},
+          {"\ni ", "\ni 700 ", "expected i and 36 codes from -256 to 255"},
+          {"\nbase ", "\nbase 99=1 ", "expected words as INDEX=HEX, not '99=1'"},
+          {"\np 2 ", "\np 3 ", "expected program 2"},
+          {"\no ", "\no g", "expected 2 colours of 8 hexadecimal digits"},
+          {"\nend\n", "\n", "expected 'end'"},
+          {"seed 1", "seed 2", "v.txt:1: the pack was changed"},
+      },
+      [](const std::string& damaged) { return read_vector_pack(damaged, "v.txt", profiles::nv2a); });
   for (std::size_t size = 0; size < text.size(); size += 997) {
     EXPECT_FALSE(read_vector_pack(text.substr(0, size), "v.txt", profiles::nv2a).ok()) << size;
   }

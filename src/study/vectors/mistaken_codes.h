@@ -1,7 +1,7 @@
 // The arithmetic of the combiners with rules broken, in codes or, for models that compute in real numbers, without
 // narrowing. It is written here a second time, in floating point, because mistakes are made together: any set of them
 // is a model. Without a mistake it gives what combiner/arithmetic.inl gives:
-// VectorModels.WithoutMistakesIsTheReference.
+// VectorModels.WithoutBrokenRulesIsTheReference.
 #pragma once
 
 #include <algorithm>
@@ -25,16 +25,18 @@ template <class T>
 class MistakenNumbers {
  public:
   MistakenNumbers(const Datapath& d, const BrokenRules& broken)
-      : d_(d),
-        broken_(broken),
-        is_real_(d.arithmetic != Arithmetic::integer),
-        one_(of_code(d.one)),
-        half_(is_real_ || has(BrokenRule::half_exact) ? one_ / 2 : of_code(d.half)) {}
+      : d_(d), broken_(broken), is_real_(d.arithmetic != Arithmetic::integer), one_(of_code(d.one)) {}
 
-  [[nodiscard]] bool has(BrokenRule rule) const { return broken_[static_cast<std::size_t>(rule)]; }
+  // Whether a rule is broken. Rules are looked up only where that makes a difference, so that asked() are few.
+  [[nodiscard]] bool has(BrokenRule rule) const {
+    asked_[static_cast<std::size_t>(rule)] = true;
+    return broken_[static_cast<std::size_t>(rule)];
+  }
+  // The rules that were looked up: others, broken or not, change nothing in what was computed.
+  [[nodiscard]] const BrokenRules& asked() const { return asked_; }
   [[nodiscard]] bool is_real() const { return is_real_; }
   [[nodiscard]] T one() const { return one_; }
-  [[nodiscard]] T half() const { return half_; }
+  [[nodiscard]] T half() const { return is_real_ || has(BrokenRule::half_exact) ? one_ / 2 : of_code(d_.half); }
   [[nodiscard]] const Datapath& datapath() const { return d_; }
 
   [[nodiscard]] T of_code(int code) const {
@@ -48,42 +50,43 @@ class MistakenNumbers {
 
   // The byte of a colour in [0, one].
   [[nodiscard]] std::uint8_t byte_of(const HardwareProfile& profile, T color) const {
-    const double code = has(BrokenRule::colors_cut)
-                            ? static_cast<double>(std::floor(color * (static_cast<T>(d_.one) / one_)))
-                            : std::floor(code_of(color) + 0.5);
+    const double rounded = std::floor(code_of(color) + 0.5);
+    const auto cut = static_cast<double>(std::floor(color * (static_cast<T>(d_.one) / one_)));
+    const double code = cut != rounded && has(BrokenRule::colors_cut) ? cut : rounded;
     // Unclamped floats can overflow to what is not a number.
     return code >= 0 ? to_byte(profile, static_cast<s9>(std::min(code, static_cast<double>(d_.one)))) : 0;
   }
 
   [[nodiscard]] T map(InputMapping mapping, T e) const {
+    if (mapping == InputMapping::signed_identity) return e;
+    if (mapping == InputMapping::signed_negate) return -e;
     const bool keeps = e < 0 && (has(BrokenRule::negative_inputs) ||
-                                 (has(BrokenRule::signed_mappings) && mapping != InputMapping::unsigned_identity));
+                                 (mapping != InputMapping::unsigned_identity && has(BrokenRule::signed_mappings)));
     const T positive = keeps ? e : std::max(e, T{0});
     const T expand = is_real_ ? one_ : of_code(d_.expand_offset);
     switch (mapping) {
       case InputMapping::unsigned_identity:
         return positive;
       case InputMapping::unsigned_invert:
-        return one_ - (has(BrokenRule::invert_above_one) ? positive : std::min(positive, one_));
+        return one_ - (positive > one_ && !has(BrokenRule::invert_above_one) ? one_ : positive);
       case InputMapping::expand_normal:
         return 2 * positive - expand;
       case InputMapping::expand_negate:
         return expand - 2 * positive;
       case InputMapping::half_bias_normal:
-        return positive - half_;
+        return positive - half();
       case InputMapping::half_bias_negate:
-        return half_ - positive;
+        return half() - positive;
       case InputMapping::signed_identity:
-        return e;
       case InputMapping::signed_negate:
-        return -e;
+        break;
     }
     return e;
   }
   // A register as an input.
   [[nodiscard]] T read(InputMapping mapping, T number) const {
-    const bool clamps = mapping == InputMapping::unsigned_identity && has(BrokenRule::identity_to_one);
-    return map(mapping, clamps ? std::min(number, one_) : number);
+    const bool clamps = mapping == InputMapping::unsigned_identity && number > one_ && has(BrokenRule::identity_to_one);
+    return map(mapping, clamps ? one_ : number);
   }
   // n / divisor as a whole number.
   [[nodiscard]] static T narrow(Narrowing narrowing, T n, T divisor) {
@@ -98,8 +101,9 @@ class MistakenNumbers {
  private:
   Datapath d_;
   BrokenRules broken_;
+  mutable BrokenRules asked_{};
   bool is_real_;
-  T one_, half_;
+  T one_;
 };
 
 // The value domain (portion_walk.h) of the general combiners. Wide values are products of two numbers.
@@ -137,8 +141,8 @@ class MistakenGeneral {
     return n_.narrow(n_.datapath().general_narrowing, x * y, n_.one()) * n_.one();
   }
   T sum(T x, T y) const {
-    const T most = n_.one() * n_.one();
-    return n_.has(BrokenRule::sums_clamped) ? std::clamp(x + y, -most, most) : x + y;
+    const T most = n_.one() * n_.one(), clamped = std::clamp(x + y, -most, most);
+    return clamped != x + y && n_.has(BrokenRule::sums_clamped) ? clamped : x + y;
   }
   T mux(T ab, T cd) const {
     const T alpha = registers_[static_cast<std::size_t>(Register::spare0)][kAlpha];
@@ -155,10 +159,13 @@ class MistakenGeneral {
     const T one = n_.one();
     const bool shifts = !n_.is_real() && (n_.has(BrokenRule::shifted) || n_.has(BrokenRule::shifted_bias_255));
     T bias = 0;
-    if (out.bias != Bias::none) bias = n_.half() * (shifts && n_.has(BrokenRule::shifted) ? one + 1 : one);
-    if (target.k == 2 && !out.mux_sum && n_.has(BrokenRule::bias_of_products)) bias = 2 * bias;
+    if (out.bias != Bias::none) {
+      bias = n_.half() * (shifts && n_.has(BrokenRule::shifted) ? one + 1 : one);
+      if (target.k == 2 && !out.mux_sum && n_.has(BrokenRule::bias_of_products)) bias = 2 * bias;
+    }
     if (!n_.is_real() && n_.has(BrokenRule::sums_shifted)) wide = n_.shift(wide) * one;
-    const bool after = n_.has(BrokenRule::bias_after_scale);
+    const bool in_order = out.scale != Scale::none || d.narrowing_point == NarrowingPoint::before_scale;
+    const bool after = bias != 0 && in_order && n_.has(BrokenRule::bias_after_scale);
     if (!after) wide -= bias;
     if (!n_.is_real() && !n_.shifts() && d.narrowing_point == NarrowingPoint::before_scale) {
       wide = n_.narrow(d.general_narrowing, wide, one) * one;
@@ -190,13 +197,15 @@ class MistakenGeneral {
     return n_.narrow(n_.datapath().general_narrowing, scaled, one);
   }
   [[nodiscard]] T clamped(std::size_t k, T number) const {
-    const bool is_free = n_.has(BrokenRule::outputs_unclamped) || (k == 2 && n_.has(BrokenRule::thirds_unclamped));
+    if (number >= 0 && number <= n_.one()) return number;
+    const T lowest = number < 0 && n_.has(BrokenRule::outputs_from_zero) ? T{0}
+                     : n_.is_real()                                      ? -n_.one()
+                                                                         : n_.of_code(n_.datapath().lowest_output);
+    const T clamped = std::clamp(number, lowest, n_.one());
+    if (clamped == number) return number;
     constexpr T kMost{1e15F};  // keeps later products finite
-    if (is_free) return std::clamp(number, -kMost, kMost);
-    const T lowest = n_.has(BrokenRule::outputs_from_zero) ? T{0}
-                     : n_.is_real()                        ? -n_.one()
-                                                           : n_.of_code(n_.datapath().lowest_output);
-    return std::clamp(number, lowest, n_.one());
+    const bool is_free = n_.has(BrokenRule::outputs_unclamped) || (k == 2 && n_.has(BrokenRule::thirds_unclamped));
+    return is_free ? std::clamp(number, -kMost, kMost) : clamped;
   }
 
   const MistakenNumbers<T>& n_;
@@ -234,7 +243,8 @@ class MistakenFinal {
                                                               : n_.map(InputMapping::unsigned_invert, number);
   }
   T sum(bool clamp, T spare0, T secondary) const {
-    const bool negative = n_.has(BrokenRule::negative_inputs) || n_.has(BrokenRule::sum_negative);
+    const bool negative =
+        (spare0 < 0 || secondary < 0) && (n_.has(BrokenRule::negative_inputs) || n_.has(BrokenRule::sum_negative));
     const T total = negative ? spare0 + secondary : std::max(spare0, T{0}) + std::max(secondary, T{0});
     return clamp ? std::min(total, n_.one()) : total;
   }
@@ -247,6 +257,7 @@ class MistakenFinal {
 
  private:
   [[nodiscard]] T mix(T ab, T rest) const {
+    if (ab == 0 && rest == 0) return T{0};
     if (n_.is_real() || n_.has(BrokenRule::mix_exact) || n_.has(BrokenRule::colors_cut)) return (ab + rest) / n_.one();
     if (n_.has(BrokenRule::products_shifted)) return n_.shift(ab) + n_.shift(rest);
     if (n_.shifts()) return n_.shift(ab + rest);

@@ -62,6 +62,14 @@ struct Mistake {
   void (*edit)(CombinerState&) = nullptr;       // what the model does to every program; null: nothing
 };
 
+// The rules that a model looked up while it ran: whether it breaks any others makes no difference to what it gave.
+struct AskedRules {
+  BrokenRules in_general{}, in_final{};
+};
+
+// Whether one mistake more may change what a model gives, by the rules that the model was asked for.
+[[nodiscard]] bool may_change(const Mistake& mistake, const AskedRules& asked);
+
 // The mistakes that may be made instead of a profile's rules.
 [[nodiscard]] std::vector<Mistake> mistakes_of(const HardwareProfile& profile);
 
@@ -79,12 +87,15 @@ class Model {
 
   // A register file in the numbers of the model: codes, or fractions of 1 with floats.
   using Registers = std::array<std::array<double, 4>, kRegisterCount>;
-  // The colour. `kept`: what the last fragment left of the registers, and what this one leaves.
-  [[nodiscard]] Bytes4 run(const Program& program, const RegisterFile& input, Registers& kept) const;
+  // The colour. `kept`: what the last fragment left of the registers, and what this one leaves. The rules that are
+  // asked for are added to `asked`, if there is one.
+  [[nodiscard]] Bytes4 run(const Program& program, const RegisterFile& input, Registers& kept,
+                           AskedRules* asked = nullptr) const;
 
  private:
   template <class T>
-  [[nodiscard]] Bytes4 run_in(const Program& program, const RegisterFile& input, Registers& kept) const;
+  [[nodiscard]] Bytes4 run_in(const Program& program, const RegisterFile& input, Registers& kept,
+                              AskedRules* asked) const;
 
   HardwareProfile profile_;
   BrokenRules in_general_{}, in_final_{};
@@ -97,8 +108,8 @@ class ModelColors {
   // `programs`: those that run, in turn. They, the pack and the model live longer.
   ModelColors(const VectorPack& pack, const Model& model, const std::vector<std::size_t>& programs);
 
-  // The colours of a program's fragments.
-  [[nodiscard]] std::vector<Bytes4> operator()(std::size_t program) const;
+  // The colours of a program's fragments, and what was asked for them.
+  [[nodiscard]] std::vector<Bytes4> operator()(std::size_t program, AskedRules* asked = nullptr) const;
 
  private:
   const VectorPack& pack_;

@@ -18,9 +18,10 @@ class MistakenStage {
 
   void run() {
     compute<PortionName::rgb>(stage_.rgb);
-    if (n_.has(BrokenRule::portions_in_turn)) write<PortionName::rgb>(domain_, stage_.rgb.out);
+    const bool in_turn = is_live(stage_.rgb.out) && is_live(stage_.alpha.out) && n_.has(BrokenRule::portions_in_turn);
+    if (in_turn) write<PortionName::rgb>(domain_, stage_.rgb.out);
     compute<PortionName::alpha>(stage_.alpha);
-    if (!n_.has(BrokenRule::portions_in_turn)) write<PortionName::rgb>(domain_, stage_.rgb.out);
+    if (!in_turn) write<PortionName::rgb>(domain_, stage_.rgb.out);
     write<PortionName::alpha>(domain_, stage_.alpha.out);
   }
 
@@ -33,7 +34,7 @@ class MistakenStage {
   }
   template <PortionName kName>
   void compute(const Portion& portion) {
-    const bool in_turn = n_.has(BrokenRule::products_in_turn) && portion.out.ab != Register::discard;
+    const bool in_turn = portion.out.ab != Register::discard && n_.has(BrokenRule::products_in_turn);
     if (!in_turn) return compute_outputs<kName>(portion, domain_);
     Portion first = portion;
     first.out.cd = first.out.sum = Register::discard;
@@ -49,9 +50,10 @@ class MistakenStage {
   template <PortionName kName>
   void compute_outputs(const Portion& portion, Domain& domain) {
     const PortionOutput& out = portion.out;
-    const bool of_products = n_.has(BrokenRule::thirds_of_products) && (out.ab_dot_product || out.cd_dot_product);
+    const bool of_products = out.sum != Register::discard && (out.ab_dot_product || out.cd_dot_product) &&
+                             n_.has(BrokenRule::thirds_of_products);
     detail::compute_portion<kName>(domain, portion, steps_);
-    if (!of_products || out.sum == Register::discard) return;
+    if (!of_products) return;
     Portion products = portion;
     products.out.ab = products.out.cd = Register::discard;
     products.out.ab_dot_product = products.out.cd_dot_product = false;
@@ -72,6 +74,11 @@ bool is_in(const BrokenRules& rules, BrokenRule one) {
 }
 
 }  // namespace
+
+bool may_change(const Mistake& mistake, const AskedRules& asked) {
+  return mistake.set || mistake.edit != nullptr || (mistake.in_general & asked.in_general).any() ||
+         (mistake.in_final & asked.in_final).any();
+}
 
 Model::Model(const HardwareProfile& profile, const std::vector<Mistake>& mistakes, std::vector<std::size_t> made)
     : profile_(profile) {
@@ -96,17 +103,17 @@ bool Model::keeps_registers() const {
   return is_in(in_general_, BrokenRule::registers_kept) || is_in(in_general_, BrokenRule::spare0_alpha_kept);
 }
 
-Bytes4 Model::run(const Program& program, const RegisterFile& input, Registers& kept) const {
+Bytes4 Model::run(const Program& program, const RegisterFile& input, Registers& kept, AskedRules* asked) const {
   // Exact fractions are computed in doubles, which is faster by far.
-  if (breaks_nothing() && profile_.arithmetic.value != Arithmetic::exact) {
+  if (asked == nullptr && breaks_nothing() && profile_.arithmetic.value != Arithmetic::exact) {
     return bytes_of(profile_, evaluate(program, input));
   }
-  return profile_.arithmetic.value == Arithmetic::float32 ? run_in<float>(program, input, kept)
-                                                          : run_in<double>(program, input, kept);
+  return profile_.arithmetic.value == Arithmetic::float32 ? run_in<float>(program, input, kept, asked)
+                                                          : run_in<double>(program, input, kept, asked);
 }
 
 template <class T>
-Bytes4 Model::run_in(const Program& program, const RegisterFile& input, Registers& kept) const {
+Bytes4 Model::run_in(const Program& program, const RegisterFile& input, Registers& kept, AskedRules* asked) const {
   const MistakenNumbers<T> general(program.datapath, in_general_), last(program.datapath, in_final_);
   NumberFile<T> registers;
   for (std::size_t r = 0; r < kRegisterCount; ++r) {
@@ -136,7 +143,11 @@ Bytes4 Model::run_in(const Program& program, const RegisterFile& input, Register
   for (std::size_t c = 0; c < 4; ++c) {
     bytes[c] = last.byte_of(profile_, steps.color[c]);
   }
-  if (last.has(BrokenRule::red_blue_swapped)) std::swap(bytes[kRed], bytes[kBlue]);
+  if (bytes[kRed] != bytes[kBlue] && last.has(BrokenRule::red_blue_swapped)) std::swap(bytes[kRed], bytes[kBlue]);
+  if (asked != nullptr) {
+    asked->in_general |= general.asked();
+    asked->in_final |= last.asked();
+  }
   return bytes;
 }
 
@@ -155,15 +166,16 @@ ModelColors::ModelColors(const VectorPack& pack, const Model& model, const std::
   }
 }
 
-std::vector<Bytes4> ModelColors::operator()(std::size_t index) const {
+std::vector<Bytes4> ModelColors::operator()(std::size_t index, AskedRules* asked) const {
   const VectorProgram& program = pack_.programs[index];
   const Program compiled = model_.program_of(program.state);
   // An edit that changes nothing gives what the pack expects.
-  if (model_.breaks_nothing() && compiled == normalize(program.state, pack_.profile)) return program.expected;
+  const bool may_be_unchanged = asked == nullptr && model_.breaks_nothing();
+  if (may_be_unchanged && compiled == normalize(program.state, pack_.profile)) return program.expected;
   Model::Registers kept = kept_.empty() ? Model::Registers{} : kept_[index];
   std::vector<Bytes4> colors;
   for (std::size_t i = 0; i < pack_.fragments; ++i) {
-    colors.push_back(model_.run(compiled, pack_.inputs[program.first_input + i], kept));
+    colors.push_back(model_.run(compiled, pack_.inputs[program.first_input + i], kept, asked));
   }
   return colors;
 }

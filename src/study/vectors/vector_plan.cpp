@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace ninebit::vectors {
 namespace {
@@ -36,6 +38,8 @@ class Planner {
     for (const auto& one : given) programs_.push_back(one.program);
     all_.resize(given.size());
     std::iota(all_.begin(), all_.end(), std::size_t{0});
+    promising_.resize(mistakes.size());
+    std::iota(promising_.begin(), promising_.end(), std::size_t{0});
   }
 
   [[nodiscard]] bool plan(VectorVerdict& verdict) {
@@ -79,32 +83,35 @@ class Planner {
     return Model(pack_.profile, mistakes_, accepted);
   }
 
-  // Which fragments of some programs a model gives as the results have them.
-  Agreement agreement(const Model& model, const std::vector<std::size_t>& programs) {
+  // Which fragments of some programs a model gives as the results have them. `asked`: by program of the results.
+  Agreement agreement(const Model& model, const std::vector<std::size_t>& programs,
+                      std::vector<AskedRules>* asked = nullptr) {
     const ModelColors colors(pack_, model, programs_);
     Agreement agree(given_.size());
-    find_agreement(colors, programs, agree);
+    find_agreement(colors, programs, agree, asked);
     return agree;
   }
 
-  void find_agreement(const ModelColors& colors, const std::vector<std::size_t>& programs, Agreement& agree) {
+  void find_agreement(const ModelColors& colors, const std::vector<std::size_t>& programs, Agreement& agree,
+                      std::vector<AskedRules>* asked = nullptr) {
     const bool all = in_blocks(programs.size(), go_on_, [&](std::size_t i) {
       const std::size_t p = programs[i];
-      const std::vector<Bytes4> shown = colors(given_[p].program);
+      const std::vector<Bytes4> shown = colors(given_[p].program, asked == nullptr ? nullptr : &(*asked)[p]);
       for (std::size_t f = 0; f < shown.size(); ++f) agree[p].push_back(shown[f] == (*given_[p].given)[f]);
     });
     if (!all) stopped_ = true;
   }
 
-  // Programs of the sample that a mistake may change.
-  [[nodiscard]] std::vector<std::size_t> changed_by(std::size_t m, const Model& without, const Model& model) const {
+  // Programs of the sample that a mistake may change. `asked`: what the model without it asks for.
+  [[nodiscard]] std::vector<std::size_t> changed_by(std::size_t m, const Model& without, const Model& model,
+                                                    const std::vector<AskedRules>& asked) const {
+    if (without.keeps_registers()) return sample_;  // a program also changes those after it
     std::vector<std::size_t> changed;
-    for (const std::size_t p : sample_) {
+    std::copy_if(sample_.begin(), sample_.end(), std::back_inserter(changed), [&](std::size_t p) {
       const CombinerState& state = pack_.programs[given_[p].program].state;
-      // Where registers are kept, an edit also changes the programs after it.
-      const bool is_edit = mistakes_[m].edit != nullptr && !without.keeps_registers();
-      if (!is_edit || model.program_of(state) != without.program_of(state)) changed.push_back(p);
-    }
+      return mistakes_[m].edit != nullptr ? model.program_of(state) != without.program_of(state)
+                                          : may_change(mistakes_[m], asked[p]);
+    });
     return changed;
   }
 
@@ -112,11 +119,11 @@ class Planner {
   // disagrees is gained is not `useful`.
   template <class Useful>
   Count count_with(const std::vector<std::size_t>& accepted, std::size_t m, const Agreement& before,
-                   const Useful& useful) {
+                   const std::vector<AskedRules>& asked, const Useful& useful) {
     std::vector<std::size_t> more = accepted;
     more.push_back(m);
     const Model model = model_of(more);
-    const std::vector<std::size_t> changed = changed_by(m, model_of(accepted), model);
+    const std::vector<std::size_t> changed = changed_by(m, model_of(accepted), model, asked);
     const ModelColors colors(pack_, model, programs_);
     std::size_t left = 0;
     for (const std::size_t p : changed) left += disagreeing(before[p]);
@@ -178,7 +185,8 @@ class Planner {
   }
 
   std::optional<std::size_t> best_after(const std::vector<std::size_t>& accepted, std::size_t gain_of_a_break) {
-    const Agreement before = agreement(model_of(accepted), all_);
+    std::vector<AskedRules> asked(given_.size());
+    const Agreement before = agreement(model_of(accepted), all_, &asked);
     take_sample(before);
     const std::string first = first_group(before);
     std::optional<std::size_t> best;
@@ -187,24 +195,27 @@ class Planner {
       if (count.gains <= count.breaks || count.breaks * gain_of_a_break > count.gains) return false;
       return !best || count.gains - count.breaks >= best_count.gains - best_count.breaks;
     };
-    std::vector<std::pair<std::size_t, Count>> counts;
-    for (std::size_t m = 0; m < mistakes_.size() && !stopped_ && !first.empty(); ++m) {
+    std::vector<Count> counts(mistakes_.size());
+    for (const std::size_t m : promising_) {
+      if (stopped_ || first.empty()) break;
       if (std::find(accepted.begin(), accepted.end(), m) != accepted.end()) continue;
-      const Count count = count_with(accepted, m, before, useful);
+      const Count& count = counts[m] = count_with(accepted, m, before, asked, useful);
       if (count.gains == 0) continue;
-      counts.emplace_back(m, count);
-      const auto value = [&](std::size_t mistake, const Count& of) {
-        return std::pair(of.gains - of.breaks, mistakes_[mistake].group == first);
+      const auto value = [&](std::size_t mistake, const Count& of) {  // of two that are equal, the first is better
+        return std::tuple(of.gains - of.breaks, mistakes_[mistake].group == first, mistakes_.size() - mistake);
       };
       if (best && value(*best, best_count) >= value(m, count)) continue;
       best = m;
       best_count = count;
     }
-    if (best) rivals_[*best].clear();  // of an earlier round
-    for (const auto& [m, count] : counts) {
-      if (m != *best && count == best_count) rivals_[*best].push_back(m);
+    if (stopped_ || !best) return std::nullopt;
+    rivals_[*best].clear();  // of an earlier round
+    for (std::size_t m = 0; m < counts.size(); ++m) {
+      if (m != *best && counts[m] == best_count) rivals_[*best].push_back(m);
     }
-    return stopped_ ? std::nullopt : best;
+    std::stable_sort(promising_.begin(), promising_.end(),
+                     [&](std::size_t x, std::size_t y) { return counts[x].gains > counts[y].gains; });
+    return best;
   }
 
   std::size_t agreeing(const std::vector<std::size_t>& accepted, const std::vector<std::size_t>& programs) {
@@ -314,6 +325,7 @@ class Planner {
   const VectorProgress& go_on_;
   std::vector<std::size_t> programs_{};             // of the pack, by program of the results
   std::vector<std::size_t> sample_{}, all_{};       // programs of the results
+  std::vector<std::size_t> promising_{};            // all mistakes, those that explained most in the last round first
   std::vector<std::vector<std::size_t>> rivals_{};  // by mistake: others that explained as much when it was accepted
   bool stopped_ = false;
 };

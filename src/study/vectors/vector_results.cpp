@@ -1,4 +1,6 @@
 // Reads results, and judges them.
+#include <algorithm>
+
 #include "ninebit/study/vectors.h"
 #include "src/study/vectors/vector_format.h"
 #include "src/study/vectors/vector_mistakes.h"
@@ -12,8 +14,18 @@ namespace {
 // The result of one mistake.
 struct Alone {
   std::string name, rules, group;
+  const vectors::Mistake& mistake;
   vectors::ModelColors colors;
 };
+
+// The rules that the programs with results depend on, by program of the pack.
+std::vector<vectors::AskedRules> asked_rules(const VectorPack& pack, const std::vector<std::size_t>& programs) {
+  const vectors::Model right(pack.profile, {}, {});
+  const vectors::ModelColors colors(pack, right, programs);
+  std::vector<vectors::AskedRules> asked(pack.programs.size());
+  (void)vectors::in_blocks(programs.size(), {}, [&](std::size_t i) { (void)colors(programs[i], &asked[programs[i]]); });
+  return asked;
+}
 
 }  // namespace
 
@@ -47,10 +59,15 @@ Result<VectorVerdict> judge_vectors(const VectorPack& pack, const VectorResults&
   for (std::size_t m = 0; m < mistakes.size(); ++m) models.emplace_back(pack.profile, mistakes, std::vector{m});
   std::vector<Alone> alone;
   for (std::size_t m = 0; m < mistakes.size(); ++m) {
-    alone.push_back({mistakes[m].name, mistakes[m].rules, mistakes[m].group, {pack, models[m], programs}});
+    alone.push_back({mistakes[m].name, mistakes[m].rules, mistakes[m].group, mistakes[m], {pack, models[m], programs}});
   }
-  auto verdict = vectors::judge(given, pack.groups.size(), alone, most, go_on,
-                                [&](const Alone& mistake, std::size_t program) { return mistake.colors(program); });
+  const bool all_agree =
+      std::all_of(given.begin(), given.end(), [](const auto& one) { return *one.given == *one.expected; });
+  const auto asked = all_agree ? std::vector<vectors::AskedRules>{} : asked_rules(pack, programs);
+  auto verdict =
+      vectors::judge(given, pack.groups.size(), alone, most, go_on, [&](const Alone& one, std::size_t program) {
+        return vectors::may_change(one.mistake, asked[program]) ? one.colors(program) : pack.programs[program].expected;
+      });
   if (!verdict || verdict->differ == 0) return verdict;
   if (Status planned = vectors::make_plan(pack, given, mistakes, go_on, *verdict); !planned) return planned.error();
   return verdict;
