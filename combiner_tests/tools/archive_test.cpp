@@ -93,7 +93,7 @@ TEST(Archive, TheFirstEffectAndNamedOnesAreDrawn) {
   EXPECT_TRUE(second["warnings"].empty()) << second["warnings"];
   ASSERT_EQ(first["warnings"].size(), 1U);
   const auto warning = first["warnings"][0].get<std::string>();
-  EXPECT_NE(warning.find("frame.zip/a.json is taken, the first of 2 effects"), std::string::npos) << warning;
+  expect_parts(warning, {"frame.zip/a.json is taken, the first of 2 effects"});
   const Outcome traced = ninebit({"trace", "--effect", archive + "/b.json", "--pixel", "1,1"});
   EXPECT_EQ(traced.code, 0) << traced.err;
   EXPECT_TRUE(traced.err.empty()) << traced.err;
@@ -109,7 +109,7 @@ TEST(Archive, WhatItHasOfItsOwnIsSaid) {
   const Json drawn =
       json_of(ninebit({"draw", (folder / "a.zip") + "/a.json", "-o", folder / "p.png", "--json", "--quiet"}));
   ASSERT_EQ(drawn["warnings"].size(), 1U);
-  EXPECT_NE(drawn["warnings"][0].get<std::string>().find("--profile profile.json"), std::string::npos);
+  expect_parts(drawn["warnings"][0].get<std::string>(), {"--profile profile.json"});
 }
 
 TEST(Archive, FaultsAreNamed) {
@@ -183,13 +183,12 @@ TEST(Archive, MessagesNameTheArchive) {
   const std::string archive = folder / "a.zip";
   const auto refused = [&](const NamedFiles& files, const std::string& where) {
     write_bytes(archive, archive_of(files));
-    for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"draw", archive, "-o", folder / "p.png", "--json"},
-          std::vector<std::string>{"trace", "--effect", archive, "--pixel", "1,1", "--json"}}) {
+    for (const Words& words : {Words{"draw", archive, "-o", folder / "p.png", "--json"},
+                               Words{"trace", "--effect", archive, "--pixel", "1,1", "--json"}}) {
       const Outcome outcome = ninebit(words);
       EXPECT_EQ(outcome.code, 3) << outcome.err;
       for (const std::string& text : {outcome.out, outcome.err}) {
-        EXPECT_NE(text.find("a.zip/" + where), std::string::npos) << text;
+        expect_parts(text, {"a.zip/" + where});
         EXPECT_EQ(text.find(temporary.path()), std::string::npos) << text;
       }
     }
@@ -235,7 +234,7 @@ TEST(Archive, DamagedHeadings) {
       EXPECT_EQ(json_of(outcome)["hash"], expected) << at;
     } else {
       EXPECT_EQ(outcome.code, 3) << at << ": " << outcome.err;
-      EXPECT_NE(outcome.err.find("a.zip"), std::string::npos) << at;
+      expect_parts(outcome.err, {"a.zip"});
     }
   }
 }

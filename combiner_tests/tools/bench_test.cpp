@@ -8,12 +8,9 @@
 namespace tools_test {
 namespace {
 
-using Keys = std::vector<std::string>;
-
-Json bench(std::vector<std::string> arguments) {
+Json bench(Words arguments) {
   arguments.insert(arguments.begin(), "bench");
-  arguments.insert(arguments.end(), {"--quick", "--json", "--threads", "2"});
-  const Outcome outcome = ninebit(arguments);
+  const Outcome outcome = ninebit(arguments + Words{"--quick", "--json", "--threads", "2"});
   EXPECT_EQ(outcome.err, "");
   return json_of(outcome);
 }
@@ -22,21 +19,19 @@ TEST(Bench, EveryPartHasHelpWithAnExample) {
   for (const char* part : {"combiner", "raster", "frame", "draw", "effect"}) {
     const Outcome outcome = ninebit({"bench", part, "--help"});
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.out.find(std::string("ninebit bench ") + part), std::string::npos) << outcome.out;
-    for (const char* flag : {"--json", "--quiet", "--profile", "--threads", "--seconds", "--quick"}) {
-      EXPECT_NE(outcome.out.find(flag), std::string::npos) << part << ' ' << flag;
-    }
+    expect_parts(outcome.out, {std::string("ninebit bench ") + part});
+    expect_parts(outcome.out, {"--json", "--quiet", "--profile", "--threads", "--seconds", "--quick"});
   }
   EXPECT_EQ(ninebit({"bench", "--help"}).code, 0);
 }
 
 TEST(Bench, CombinerHasARowForEachProgramEngineAndThreadCount) {
   const Json out = bench({"combiner"});
-  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "rows", "ratio", "memory_read_gb_per_s"}));
+  EXPECT_EQ(keys_of(out), (Words{"command", "version", "profile", "rows", "ratio", "memory_read_gb_per_s"}));
   EXPECT_EQ(out["command"], "bench combiner");
   std::set<std::string> rows;
   for (const Json& row : out["rows"]) {
-    EXPECT_EQ(keys_of(row), (Keys{"program", "engine", "target", "threads", "batch", "mpixels_per_s", "profile"}));
+    EXPECT_EQ(keys_of(row), (Words{"program", "engine", "target", "threads", "batch", "mpixels_per_s", "profile"}));
     EXPECT_GT(row["mpixels_per_s"], 0.0);
     EXPECT_GT(row["batch"], 0);
     EXPECT_EQ(row["target"] == "scalar", row["engine"] != "simd");
@@ -79,15 +74,14 @@ TEST(Bench, CombinerPrintsItsPrograms) {
 
 TEST(Bench, RasterHasARowForEachWorkloadAndThreadCount) {
   const Json out = bench({"raster"});
-  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "size", "rows"}));
+  EXPECT_EQ(keys_of(out), (Words{"command", "version", "profile", "size", "rows"}));
   EXPECT_EQ(out["command"], "bench raster");
   ASSERT_EQ(out["rows"].size(), 8U);
   for (std::size_t i = 0; i < 8; ++i) {
     const Json& row = out["rows"][i];
-    Keys keys{"workload", "threads", "mtriangles_per_s", "mpixels_per_s", "covered_pixels", "triangles"};
-    if (row["workload"] == "large") keys.insert(keys.end(), {"written_gb_per_s", "memset_gb_per_s"});
-    EXPECT_EQ(keys_of(row), keys);
-    EXPECT_EQ(row["workload"], (Keys{"legs-1", "legs-4", "legs-16", "large"}[i / 2]));
+    Words keys{"workload", "threads", "mtriangles_per_s", "mpixels_per_s", "covered_pixels", "triangles"};
+    if (row["workload"] == "large") EXPECT_EQ(keys_of(row), keys + Words{"written_gb_per_s", "memset_gb_per_s"});
+    EXPECT_EQ(row["workload"], (Words{"legs-1", "legs-4", "legs-16", "large"}[i / 2]));
     EXPECT_EQ(row["threads"], i % 2 + 1);
     EXPECT_GT(row["mtriangles_per_s"], 0.0);
     EXPECT_GT(row["mpixels_per_s"], 0.0);
@@ -97,13 +91,13 @@ TEST(Bench, RasterHasARowForEachWorkloadAndThreadCount) {
 
 TEST(Bench, RasterGrowthHasARowForEachNumberOfTrianglesSizeAndCall) {
   const Json out = bench({"raster", "--growth"});
-  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "rows"}));
+  EXPECT_EQ(keys_of(out), (Words{"command", "version", "profile", "rows"}));
   EXPECT_EQ(out["command"], "bench raster --growth");
   ASSERT_EQ(out["rows"].size(), 8U);
   for (std::size_t i = 0; i < 8; ++i) {
     const Json& row = out["rows"][i];
-    EXPECT_EQ(keys_of(row), (Keys{"workload", "call", "threads", "triangles", "covered_pixels", "ms", "ns_per_triangle",
-                                  "bytes_per_triangle"}));
+    EXPECT_EQ(keys_of(row), (Words{"workload", "call", "threads", "triangles", "covered_pixels", "ms",
+                                   "ns_per_triangle", "bytes_per_triangle"}));
     EXPECT_EQ(row["workload"], i / 2 % 2 == 0 ? "legs-1" : "legs-4");
     EXPECT_EQ(row["call"], i % 2 == 0 ? "rasterize" : "prepare");
     EXPECT_EQ(row["threads"], 2);
@@ -119,14 +113,13 @@ TEST(Bench, RasterGrowthHasARowForEachNumberOfTrianglesSizeAndCall) {
   }
 }
 
-void expect_frame(const Json& out, const Keys& more) {
-  Keys keys{"command", "version",  "profile",      "scene",  "triangles", "threads",
-            "size",    "map_size", "ms_per_frame", "passes", "frames",    "setup_ms"};
-  keys.insert(keys.end(), more.begin(), more.end());
-  EXPECT_EQ(keys_of(out), keys);
+void expect_frame(const Json& out, const Words& more) {
+  EXPECT_EQ(keys_of(out), Words{"command", "version", "profile", "scene", "triangles", "threads", "size", "map_size",
+                                "ms_per_frame", "passes", "frames", "setup_ms"} +
+                              more);
   EXPECT_EQ(out["command"], "bench frame");
-  EXPECT_EQ(keys_of(out["ms_per_frame"]), (Keys{"median", "min", "max"}));
-  EXPECT_EQ(keys_of(out["passes"]), (Keys{"maps", "depth", "compare", "lit", "shadow"}));
+  EXPECT_EQ(keys_of(out["ms_per_frame"]), (Words{"median", "min", "max"}));
+  EXPECT_EQ(keys_of(out["passes"]), (Words{"maps", "depth", "compare", "lit", "shadow"}));
   EXPECT_GT(out["ms_per_frame"]["min"], 0.0);
   EXPECT_LE(out["ms_per_frame"]["min"], out["ms_per_frame"]["median"]);
   EXPECT_LE(out["ms_per_frame"]["median"], out["ms_per_frame"]["max"]);
@@ -152,34 +145,34 @@ TEST(Bench, FrameOfAGeneratedScene) {
 
 // The rival draws the same picture, but for a few pixels along edges.
 TEST(Bench, FrameBesideLlvmpipe) {
-  const std::vector<std::string> arguments{"bench",     "frame", kRoom,     "--size", "320x240", "--map-size", "256",
-                                           "--threads", "2",     "--quick", "--json", "--rival", "llvmpipe"};
+  const Words arguments{"bench",     "frame", kRoom,     "--size", "320x240", "--map-size", "256",
+                        "--threads", "2",     "--quick", "--json", "--rival", "llvmpipe"};
   const Outcome outcome = ninebit(arguments);
   if (outcome.code == 2) {
     EXPECT_EQ(outcome.out, "");
-    EXPECT_NE(outcome.err.find("--rival llvmpipe is not available: "), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {"--rival llvmpipe is not available: "});
     GTEST_SKIP() << outcome.err;
   }
   const Json out = json_of(outcome);
   expect_frame(out, {"rival"});
   const Json& rival = out["rival"];
   EXPECT_EQ(keys_of(rival),
-            (Keys{"name", "renderer", "threads", "ms_per_frame", "ratio", "shadow_pixels_that_differ"}));
+            (Words{"name", "renderer", "threads", "ms_per_frame", "ratio", "shadow_pixels_that_differ"}));
   EXPECT_EQ(rival["name"], "llvmpipe");
-  EXPECT_NE(rival["renderer"].get<std::string>().find("llvmpipe"), std::string::npos);
+  expect_parts(rival["renderer"].get<std::string>(), {"llvmpipe"});
   EXPECT_EQ(rival["threads"], 2);
-  EXPECT_EQ(keys_of(rival["ms_per_frame"]), (Keys{"median", "min", "max"}));
+  EXPECT_EQ(keys_of(rival["ms_per_frame"]), (Words{"median", "min", "max"}));
   EXPECT_GT(rival["ratio"], 0.0);
   EXPECT_LT(rival["shadow_pixels_that_differ"], 320 * 240 / 50);
 }
 
 TEST(Bench, Effects) {
   const Json out = bench({"effect"});
-  EXPECT_EQ(keys_of(out), (Keys{"command", "version", "profile", "size", "threads", "rows"}));
+  EXPECT_EQ(keys_of(out), (Words{"command", "version", "profile", "size", "threads", "rows"}));
   EXPECT_EQ(out["command"], "bench effect");
   ASSERT_EQ(out["rows"].size(), 5U);
   for (const Json& row : out["rows"]) {
-    EXPECT_EQ(keys_of(row), (Keys{"effect", "ms", "mpixels_per_s"}));
+    EXPECT_EQ(keys_of(row), (Words{"effect", "ms", "mpixels_per_s"}));
     EXPECT_GT(row["mpixels_per_s"], 0.0);
   }
 }
@@ -188,14 +181,14 @@ TEST(Bench, Effects) {
 TEST(Bench, EffectsBesideLlvmpipe) {
   const Outcome outcome = ninebit({"bench", "effect", "--quick", "--json", "--rival", "llvmpipe", "--threads", "2"});
   if (outcome.code == 2) {
-    EXPECT_NE(outcome.err.find("--rival llvmpipe is not available: "), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {"--rival llvmpipe is not available: "});
     GTEST_SKIP() << outcome.err;
   }
   const Json out = json_of(outcome);
   EXPECT_EQ(out["rival"]["name"], "llvmpipe");
   for (const Json& row : out["rows"]) {
-    EXPECT_EQ(keys_of(row), (Keys{"effect", "ms", "mpixels_per_s", "rival"}));
-    EXPECT_EQ(keys_of(row["rival"]), (Keys{"ms", "mpixels_per_s", "ratio", "largest_difference"}));
+    EXPECT_EQ(keys_of(row), (Words{"effect", "ms", "mpixels_per_s", "rival"}));
+    EXPECT_EQ(keys_of(row["rival"]), (Words{"ms", "mpixels_per_s", "ratio", "largest_difference"}));
     EXPECT_LE(row["rival"]["largest_difference"], 8) << row["effect"];
   }
 }
@@ -205,17 +198,17 @@ TEST(Bench, ProgramsBesideLlvmpipe) {
   const Json alone = bench({"draw"});
   EXPECT_EQ(alone["command"], "bench draw");
   ASSERT_EQ(alone["rows"].size(), 3U);
-  for (const Json& row : alone["rows"]) EXPECT_EQ(keys_of(row), (Keys{"program", "ms", "mpixels_per_s"}));
+  for (const Json& row : alone["rows"]) EXPECT_EQ(keys_of(row), (Words{"program", "ms", "mpixels_per_s"}));
   const Outcome outcome = ninebit({"bench", "draw", "--quick", "--json", "--rival", "llvmpipe", "--threads", "2"});
   if (outcome.code == 2) GTEST_SKIP() << outcome.err;
   for (const Json& row : json_of(outcome)["rows"]) EXPECT_EQ(row["rival"]["largest_difference"], 0) << row["program"];
 }
 
 TEST(Bench, RunsOnAGivenTarget) {
-  const std::vector<std::vector<std::string>> parts{
+  const std::vector<Words> parts{
       {"raster"}, {"draw"}, {"effect"}, {"frame", kRoom, "--size", "48x36", "--map-size", "32"}};
-  for (const std::vector<std::string>& part : parts) {
-    std::vector<std::string> arguments = part;
+  for (const Words& part : parts) {
+    Words arguments = part;
     arguments.insert(arguments.begin(), "bench");
     arguments.insert(arguments.end(), {"--target", "MMX"});
     const Outcome wrong = ninebit(arguments);
@@ -231,26 +224,26 @@ TEST(Bench, RunsOnAGivenTarget) {
 TEST(Bench, TablesForPeople) {
   const Outcome combiner = ninebit({"bench", "combiner", "--quick", "--threads", "1"});
   EXPECT_EQ(combiner.code, 0);
-  EXPECT_NE(combiner.out.find("times as fast as scalar-float"), std::string::npos) << combiner.out;
+  expect_parts(combiner.out, {"times as fast as scalar-float"});
   const Outcome raster = ninebit({"bench", "raster", "--quick", "--threads", "1"});
   EXPECT_EQ(raster.code, 0);
-  EXPECT_NE(raster.out.find("legs-4"), std::string::npos) << raster.out;
+  expect_parts(raster.out, {"legs-4"});
   const Outcome growth = ninebit({"bench", "raster", "--growth", "--quick", "--threads", "1"});
   EXPECT_EQ(growth.code, 0);
-  EXPECT_NE(growth.out.find("bytes/triangle"), std::string::npos) << growth.out;
+  expect_parts(growth.out, {"bytes/triangle"});
   const Outcome frame = ninebit({"bench", "frame", kRoom, "--quick", "--size", "48x36", "--map-size", "32"});
   EXPECT_EQ(frame.code, 0);
-  EXPECT_NE(frame.out.find("ms per frame"), std::string::npos) << frame.out;
+  expect_parts(frame.out, {"ms per frame"});
   const Outcome effect = ninebit({"bench", "effect", "--quick"});
   EXPECT_EQ(effect.code, 0);
-  EXPECT_NE(effect.out.find("light_map_detail"), std::string::npos) << effect.out;
+  expect_parts(effect.out, {"light_map_detail"});
 }
 
 TEST(Bench, WrongUsage) {
   struct Case {
-    std::vector<std::string> arguments;
+    Words arguments;
     int code;
-    std::vector<std::string> words;
+    Words words;
   };
   const std::vector<Case> cases{
       {{}, 2, {"a command is required", "combiner, raster, frame, draw, effect", "ninebit bench --help"}},
@@ -270,7 +263,7 @@ TEST(Bench, WrongUsage) {
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(testing::PrintToString(c.arguments));
-    std::vector<std::string> arguments = c.arguments;
+    Words arguments = c.arguments;
     arguments.insert(arguments.begin(), "bench");
     expect_error(ninebit(arguments), c.code, c.words);
   }

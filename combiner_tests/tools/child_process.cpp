@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace tools_test {
@@ -52,9 +54,9 @@ std::string content_of(std::FILE* file) {
 
 }  // namespace
 
-Child::Child(const std::vector<std::string>& arguments, const ChildSettings& settings)
+Child::Child(const Words& arguments, const ChildSettings& settings)
     : out_(open_file(settings.out), &std::fclose), err_(open_file(settings.err), &std::fclose) {
-  std::vector<std::string> words{kProgram};
+  Words words{kProgram};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -73,6 +75,14 @@ Child::~Child() {
 bool Child::ended() const {
   siginfo_t about{};
   return ::waitid(P_PID, static_cast<id_t>(process_), &about, WEXITED | WNOHANG | WNOWAIT) == 0 && about.si_pid != 0;
+}
+
+bool Child::until(const std::function<bool()>& come) const {
+  while (!come()) {
+    if (ended()) return false;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return true;
 }
 
 void Child::send(int signal) const {
@@ -150,7 +160,7 @@ std::string Terminal::seen_until(const std::string& text) const {
   return seen;
 }
 
-Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings) {
+Outcome ninebit(const Words& arguments, const ChildSettings& settings) {
   return Child(arguments, settings).wait();
 }
 

@@ -17,6 +17,8 @@ inline const std::string kProgram = std::getenv("NINEBIT_TESTED_PROGRAM") != nul
                                         ? std::getenv("NINEBIT_TESTED_PROGRAM")
                                         : NINEBIT_BINARY_DIR "/ninebit";
 
+using Words = std::vector<std::string>;
+
 // How a process ended. `code` is what a shell would tell: the exit code, or 128 + the signal that killed it.
 struct Outcome {
   int code = -1;
@@ -39,12 +41,14 @@ struct ChildSettings {
 // A running `ninebit ARGUMENTS...`. The destructor kills it if nobody has waited for it.
 class Child {
  public:
-  explicit Child(const std::vector<std::string>& arguments, const ChildSettings& settings = {});
+  explicit Child(const Words& arguments, const ChildSettings& settings = {});
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();
 
   [[nodiscard]] bool ended() const;
+  // Waits until this has come or the program has ended; whether it has come.
+  bool until(const std::function<bool()>& come) const;
   void send(int signal) const;  // does nothing to a program that has ended
   Outcome wait();
 
@@ -76,6 +80,6 @@ class Terminal {
 };
 
 // Runs `ninebit ARGUMENTS...` to its end.
-Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings = {});
+Outcome ninebit(const Words& arguments, const ChildSettings& settings = {});
 
 }  // namespace tools_test

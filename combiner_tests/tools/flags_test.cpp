@@ -13,8 +13,6 @@
 namespace tools_test {
 namespace {
 
-using Words = std::vector<std::string>;
-
 const Words kValues{"nan", "inf", "-inf", "-1", "0", "1e308", "", "1000000000000000000000000000000", "1e-320"};
 const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl";
 
@@ -39,9 +37,7 @@ struct Verb {
 };
 
 void add_verbs(const Words& words, std::vector<Verb>& verbs) {
-  Words asked = words;
-  asked.emplace_back("--help");
-  const std::string help = ninebit(asked).out;
+  const std::string help = ninebit(words + Words{"--help"}).out;
   const std::size_t list = help.find("\nSubcommands:\n");
   if (list == std::string::npos) {
     verbs.push_back({words, help});
@@ -54,9 +50,7 @@ void add_verbs(const Words& words, std::vector<Verb>& verbs) {
   std::smatch last;
   if (std::regex_search(names, last, end_of_list)) names.resize(static_cast<std::size_t>(last.position()));
   for (std::sregex_iterator found(names.begin(), names.end(), name), end; found != end; ++found) {
-    Words deeper = words;
-    deeper.push_back((*found)[1]);
-    add_verbs(deeper, verbs);
+    add_verbs(words + Words{(*found)[1]}, verbs);
   }
 }
 
@@ -127,8 +121,7 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
   if (name == "depth-packing") given.insert({{"--packings", "rgba8-mod"}, {"--storages", "round"}, {"--depths", "16"}});
   given.erase(flag.name);
   if (flag.name == "--variants") given.erase("--formats");
-  Words words = verb.words;
-  words.insert(words.end(), files.begin(), files.end());
+  Words words = verb.words + files;
   for (const auto& [one, value] : given) words.insert(words.end(), {one, value});
   if (verb.words.front() == "bench") words.emplace_back("--quick");
   if (name == "datapath" && flag.name == "--forms") words.emplace_back("--exhaustive-sum");
@@ -167,8 +160,7 @@ TEST(Flags, OfAllVerbsRefuseWhatNobodyMeans) {
       // Flags that several verbs share are the same code: each kind of value at one of them, one value at the others.
       const bool known = !seen.insert(flag.name + flag.type).second;
       for (const std::string& value : known || flag.is_choice() ? Words{"nan"} : kValues) {
-        Words words = command(verb, flag, folder.path());
-        words.push_back(flag.name + '=' + value);
+        const Words words = command(verb, flag, folder.path()) + Words{flag.name + '=' + value};
         SCOPED_TRACE(testing::PrintToString(words));
         expect_answer(words, flag, value);
         std::filesystem::remove_all(folder / "out");

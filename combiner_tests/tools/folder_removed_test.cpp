@@ -18,21 +18,11 @@ namespace {
 class FolderRemoved : public testing::Test {
  protected:
   // Runs until a file of the folder satisfies `begun`, then removes the folder.
-  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments,
-                            const std::function<bool(const std::string& name)>& begun,
+  [[nodiscard]] Outcome run(const Words& arguments, const std::function<bool(const std::string& name)>& begun,
                             const std::function<void()>& go_on = {}, const ChildSettings& settings = {}) const {
     Child child(arguments, settings);
     if (go_on) feed_ = std::thread(go_on);
-    bool seen = false;
-    while (!child.ended() && !seen) {
-      std::error_code gone;
-      std::filesystem::directory_iterator entry(out_, gone);
-      for (; !gone && !seen && entry != std::filesystem::directory_iterator(); entry.increment(gone)) {
-        seen = begun(entry->path().filename().string());
-      }
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
-    EXPECT_TRUE(seen) << "the program ended before it wrote";
+    EXPECT_TRUE(child.until([&] { return has_file(out_, begun); })) << "the program ended before it wrote";
     // Again where the program has written one more file meanwhile.
     for (std::error_code error; std::filesystem::exists(out_, error);) std::filesystem::remove_all(out_, error);
     removed_ = true;
@@ -99,7 +89,7 @@ TEST_F(FolderRemoved, WhileATableIsEvaluated) {
     table << "2\n";
   };
   const auto begun = [](const std::string& name) { return name.starts_with(".table"); };
-  const std::vector<std::string> words{"eval", program, "--inputs", "-", "--quiet", "-o", out_ + "/table.csv"};
+  const Words words{"eval", program, "--inputs", "-", "--quiet", "-o", out_ + "/table.csv"};
   expect_error(run(words, begun, feed, {.in = pipe}), 4, {out_ + "/table.csv"});
   EXPECT_FALSE(std::filesystem::exists(out_));
 }

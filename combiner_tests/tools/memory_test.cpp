@@ -21,7 +21,7 @@ class Memory : public testing::Test {
   }
 
   // Runs with ever more memory, until it is enough twice; each time over the files that the folder has at first.
-  void expect_result_or_error(const std::vector<std::string>& arguments, std::uint64_t step) const {
+  void expect_result_or_error(const Words& arguments, std::uint64_t step) const {
     const Files older = files_in(out_);
     int lacked = 0, done = 0;
     for (std::uint64_t more = 0; more < 4096 * kMebibyte && done < 2; more += step) {

@@ -75,12 +75,11 @@ TEST(OtherKinds, GivenAsAProgram) {
   // All verbs that read programs.
   const std::string file = write_bytes(folder / "file", kinds.front().bytes);
   const std::string table = write_bytes(folder / "t.csv", "tex0.r,out.r\n1,1\n");
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"explain", file},
-                                             {"convert", file, "--to", "json"},
-                                             {"trace", file, "--set", "tex0.r=1"},
-                                             {"eval", file, "--inputs", table},
-                                             {"verify", table, "--program", file}}) {
+  for (const Words& arguments : std::vector<Words>{{"explain", file},
+                                                   {"convert", file, "--to", "json"},
+                                                   {"trace", file, "--set", "tex0.r=1"},
+                                                   {"eval", file, "--inputs", table},
+                                                   {"verify", table, "--program", file}}) {
     SCOPED_TRACE(arguments.front());
     expect_error(ninebit(arguments), 3, {"/file: this is a PNG picture; `ninebit draw` reads it as a texture"});
   }
@@ -136,7 +135,7 @@ TEST(OtherKinds, GivenAsASceneAPictureAnEffectOrAPart) {
                     explains = ": these are GL calls; `ninebit explain` reads them",
                     textures = ": this is a PNG picture; `ninebit draw` reads it as a texture",
                     effects = ": this is an effect; `ninebit draw` draws it";
-  const auto expect = [](const std::vector<std::string>& arguments, const std::string& words) {
+  const auto expect = [](const Words& arguments, const std::string& words) {
     SCOPED_TRACE(testing::PrintToString(arguments));
     expect_error(ninebit(arguments), 3, {words});
   };
@@ -178,14 +177,14 @@ TEST(OtherKinds, AreNamedFromTheWholeText) {
 // Faults of a text that is what it should be are told one by one, with their places.
 TEST(OtherKinds, AreNotWhatHasFaults) {
   const TempFolder folder;
-  for (const auto& [text, places] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+  for (const auto& [text, places] : std::vector<std::pair<std::string, Words>>{
            {"glCombinerInputNV(1);\nglEnable(GL_FOO);\nglX();\nglY();\nglZ();\n", {":1:", ":2:", ":3:", ":4:", ":5:"}},
            {"!!RC1.0\nout.rgb = spare2;\nout.a = spare3;\n", {":2:11:", ":3:9:"}},
            {"lCombinerInputNV(GL_COMBINER0_NV);\n", {":1:1:"}},
            {"RC_IN_RGB[0] = 0x1g\nRC_BAD = 1\n", {":1:"}}}) {
     const Outcome outcome = ninebit({"validate", write_bytes(folder / "file", text)});
     EXPECT_EQ(outcome.code, 3);
-    for (const std::string& place : places) EXPECT_NE(outcome.err.find(place), std::string::npos) << outcome.err;
+    for (const std::string& place : places) expect_parts(outcome.err, {place});
   }
 }
 

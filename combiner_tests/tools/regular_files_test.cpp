@@ -16,7 +16,6 @@
 namespace tools_test {
 namespace {
 
-using Words = std::vector<std::string>;
 using std::chrono::steady_clock;
 
 // Fails, and kills the program, where it does not end soon.

@@ -12,8 +12,6 @@
 namespace tools_test {
 namespace {
 
-using Words = std::vector<std::string>;
-
 // A study of 21 units that is over in a moment.
 Words small_study(const std::string& folder, const Words& more = {}) {
   Words words{"study",          "index-steps", "--profile", "geforce2", "--formats",
@@ -43,9 +41,7 @@ Files without_temporaries(Files files) {
 }
 
 Outcome merge(const Words& parts, const std::string& folder) {
-  Words words{"study", "merge", "--quiet", "-o", folder};
-  words.insert(words.end(), parts.begin(), parts.end());
-  return ninebit(words);
+  return ninebit(Words{"study", "merge", "--quiet", "-o", folder} + parts);
 }
 
 TEST(StudyRun, WritesAReportAndItsRows) {
@@ -56,7 +52,7 @@ TEST(StudyRun, WritesAReportAndItsRows) {
   for (const char* name : {"report.html", "rows.json", "rows.csv", "part-1-of-1.jsonl"}) {
     EXPECT_TRUE(files.contains(name)) << name;
   }
-  EXPECT_NE(files.at("report.html").find("ninebit study index-steps"), std::string::npos);
+  expect_parts(files.at("report.html"), {"ninebit study index-steps"});
   // Again, and with other threads: the same bytes.
   ASSERT_EQ(ninebit(small_study(folder / "out")).code, 0);
   EXPECT_EQ(files_in(folder / "out"), files);
@@ -188,9 +184,7 @@ TEST(StudyRun, KilledAndGoneOnGivesTheSameBytes) {
 
 TEST(StudyRun, ABudgetEndsARunThatGoesOnLater) {
   const TempFolder folder;
-  Words words = long_study(folder / "out");
-  words.insert(words.end(), {"--budget", "0"});
-  const Outcome first = ninebit(words);
+  const Outcome first = ninebit(long_study(folder / "out") + Words{"--budget", "0"});
   ASSERT_EQ(first.code, 0) << first.err;
   const std::string part = folder / "out/part-1-of-1.jsonl";
   const std::string begun = read_bytes(part);
