@@ -24,15 +24,6 @@ std::string number(std::size_t value, int bytes) {
   return text;
 }
 
-std::uint32_t checksum(const std::string& text) {
-  std::uint32_t value = ~0U;
-  for (const char c : text) {
-    value ^= static_cast<unsigned char>(c);
-    for (int bit = 0; bit < 8; ++bit) value = value >> 1U ^ ((value & 1U) != 0 ? 0xEDB88320U : 0U);
-  }
-  return ~value;
-}
-
 // An archive of files that are not compressed but those of which `deflated` has the packed bytes.
 std::string archive_of(const NamedFiles& files, const std::map<std::string, std::string>& deflated = {}) {
   std::string files_part, directory;
@@ -40,7 +31,7 @@ std::string archive_of(const NamedFiles& files, const std::map<std::string, std:
     const auto found = deflated.find(content);
     const std::string& packed = found != deflated.end() ? found->second : content;
     const std::string facts = number(20, 2) + number(0, 2) + number(found != deflated.end() ? 8 : 0, 2) + number(0, 4) +
-                              number(checksum(content), 4) + number(packed.size(), 4) + number(content.size(), 4) +
+                              number(crc32_of(content), 4) + number(packed.size(), 4) + number(content.size(), 4) +
                               number(name.size(), 2) + number(0, 2);
     directory += "PK\1\2" + number(20, 2) + facts + number(0, 10) + number(files_part.size(), 4) + name;
     files_part += "PK\3\4" + facts + name + packed;

@@ -63,10 +63,10 @@ class Child {
   int process_ = -1;
 };
 
-// A terminal, for the stderr of programs.
+// A terminal that programs write to.
 class Terminal {
  public:
-  Terminal();
+  explicit Terminal(unsigned short columns = 0);  // 0: its width is not known
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
   ~Terminal();
@@ -74,8 +74,13 @@ class Terminal {
   [[nodiscard]] std::string name() const;  // of its file
   // What was written to it since the last call until this text came, with it; less if nothing comes for ten seconds.
   [[nodiscard]] std::string seen_until(const std::string& text) const;
+  // All that is written to it until the program ends.
+  [[nodiscard]] std::string seen_of(const Child& child) const;
 
  private:
+  // Adds what comes within this time; false if nothing does.
+  bool read_more(std::string& seen, int milliseconds) const;
+
   int terminal_ = -1, held_ = -1;
 };
 

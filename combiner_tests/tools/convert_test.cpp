@@ -43,18 +43,6 @@ TEST(Convert, EveryFormToEveryOther) {
   }
 }
 
-TEST(Convert, FormsByFlag) {
-  const TempFolder folder;
-  const std::string& calls = kArticle;
-  for (const char* form : {"gl", "rc10", "words", "json"}) {
-    const std::string file = write_bytes(folder / form, ninebit({"convert", calls, "--to", form}).out);
-    EXPECT_EQ(ninebit({"validate", file, "--from", form}).code, 0) << form;
-    EXPECT_EQ(ninebit({"validate", file, "--from", std::string(form) == "gl" ? "rc10" : "gl"}).code, 3) << form;
-  }
-  const std::string json = write_bytes(folder / "w", ninebit({"convert", calls, "--to", "words-json"}).out);
-  EXPECT_EQ(ninebit({"validate", json, "--from", "words"}).code, 0);
-}
-
 TEST(Convert, Chips) {
   const TempFolder folder;
   CombinerState state = article_state();

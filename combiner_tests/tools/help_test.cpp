@@ -29,12 +29,6 @@ TEST(Help, OfNothing) {
   expect_error(ninebit({"help", "render", "more"}), 2, {"`ninebit render` has no commands of its own"});
 }
 
-TEST(Help, ShortVersion) {
-  const Outcome outcome = ninebit({"-V"});
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.out, ninebit({"--version"}).out);
-}
-
 // The flags of each technique stand together, and every flag of render that takes a value names its default, or is one
 // that must be given.
 TEST(Help, OfRenderIsGroupedWithDefaults) {

@@ -39,15 +39,10 @@ Json data_of(const std::string& page, const std::string& id) {
 
 const Words kArticleFragment{"trace", kArticle, "--set", "primary=102,0,0,0", "--set", "tex0=100,0,0,255"};
 
-Words with(Words arguments, const Words& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 TEST_F(Pages, ATraceHasItsJsonAndItsText) {
   const std::string page = page_of(kArticleFragment);
   const Json pass = data_of(page, "passes")["passes"].at(0);
-  EXPECT_EQ(pass["trace"], json_of(ninebit(with(kArticleFragment, {"--json"}))));
+  EXPECT_EQ(pass["trace"], json_of(ninebit(kArticleFragment + Words{"--json"})));
   EXPECT_EQ(pass["explanation"]["rows"], json_of(ninebit({"explain", kArticle, "--json"}))["rows"]);
   expect_parts(page, {"<dt>Out</dt><dd>bytes 0, 0, 0, 1</dd>"});
   ::unsetenv("COLUMNS");
@@ -137,7 +132,7 @@ TEST_F(Pages, EveryPassThatDrewAtAPixel) {
   const Words room{"trace", "--scene", kRoom, "--size", "80x60", "--pixel", "40,50"};
   const Words effect{"trace", "--effect", NINEBIT_SOURCE_DIR "/scenes/effects/index_cube.json", "--pixel", "300,240"};
   for (const auto& arguments : {room, effect}) {
-    const Json object = json_of(ninebit(with(arguments, {"--json", "--quiet"})));
+    const Json object = json_of(ninebit(arguments + Words{"--json", "--quiet"}));
     const Json& pixel = object[object.contains("scene") ? "scene" : "effect"];
     const Json drawn = data_of(page_of(arguments), "passes");
     EXPECT_EQ(drawn["passes"].at(drawn["first"].get<std::size_t>())["trace"], object) << "shown first";

@@ -26,13 +26,6 @@ INSTANTIATE_TEST_SUITE_P(All, RealScenes,
                                          RealScene{"engine", kEngine, 121496}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-Words lines_of(const std::string& text) {
-  Words lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 TEST_P(RealScenes, AnswersWithTheContractsKeys) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const TempFolder folder;

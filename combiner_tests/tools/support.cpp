@@ -4,12 +4,34 @@
 
 #include <algorithm>
 #include <iterator>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
 namespace tools_test {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+void add_help(const Words& path, std::map<std::string, std::string>& verbs) {
+  std::string name;
+  for (const std::string& word : path) name += (name.empty() ? "" : " ") + word;
+  const Outcome outcome = ninebit(path + Words{"--help"});
+  EXPECT_EQ(outcome.code, 0) << name;
+  EXPECT_EQ(outcome.err, "") << name;
+  const std::string& help = verbs[name] = outcome.out;
+  const std::size_t list = help.find("\nSubcommands:\n");
+  if (list == std::string::npos) return;
+  // An empty line ends the list; examples may follow.
+  const std::string listed = help.substr(list + 13, help.find("\n\n", list) - list - 13);
+  static const std::regex line("\n  ([a-z0-9-]+) ");
+  for (std::sregex_iterator it(listed.begin(), listed.end(), line), end; it != end; ++it) {
+    add_help(path + Words{(*it)[1]}, verbs);
+  }
+}
+
+}  // namespace
 
 Files files_in(const fs::path& folder) {
   Files files;
@@ -51,6 +73,15 @@ std::pair<std::string, int> shell(const std::string& command) {
   return {text, WEXITSTATUS(pclose(out))};
 }
 
+std::uint32_t crc32_of(std::string_view bytes) {
+  std::uint32_t crc = ~0U;
+  for (const char c : bytes) {
+    crc ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+  return ~crc;
+}
+
 Words lines_of(const std::string& text) {
   Words lines;
   std::istringstream in(text);
@@ -79,6 +110,15 @@ void expect_error(const Outcome& outcome, int code, const Words& words, const Pl
   }
   EXPECT_EQ(errors, 1U) << outcome.err;
   expect_parts(outcome.err, words, place);
+}
+
+const std::map<std::string, std::string>& help_of_all_verbs() {
+  static const std::map<std::string, std::string> verbs = [] {
+    std::map<std::string, std::string> all;
+    add_help({}, all);
+    return all;
+  }();
+  return verbs;
 }
 
 Json json_of(const Outcome& outcome, int code) {

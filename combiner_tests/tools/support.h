@@ -44,6 +44,9 @@ Words small_render(const std::string& scene, const std::string& folder, const Wo
 // Runs a shell command: both its streams, and its exit status.
 std::pair<std::string, int> shell(const std::string& command);
 
+// The CRC-32 of PNG and ZIP files.
+std::uint32_t crc32_of(std::string_view bytes);
+
 // A text's lines, without their ends.
 Words lines_of(const std::string& text);
 
@@ -56,6 +59,9 @@ void expect_parts(const std::string& text, const Words& parts, const Place& plac
 // Fails unless the program ended with `code`, wrote nothing to stdout, and to stderr one line of its own that holds
 // every one of `words`.
 void expect_error(const Outcome& outcome, int code, const Words& words, const Place& place = Place::current());
+
+// The help of every verb, by its name: "", "study", "study index-steps".
+const std::map<std::string, std::string>& help_of_all_verbs();
 
 // The object that a command printed; fails (and is null) unless it ended with `code` and stdout is one JSON object.
 Json json_of(const Outcome& outcome, int code = 0);

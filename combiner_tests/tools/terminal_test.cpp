@@ -1,9 +1,5 @@
 // The text of `ninebit trace` and `ninebit explain` fits the terminal that it is read on.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -51,30 +47,9 @@ std::size_t expect_fit(const Outcome& outcome, std::size_t columns) {
 
 // The program's stdout on a terminal of this width, or its stderr.
 std::string shown_on(unsigned short columns, const Words& arguments, bool errors = false) {
-  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
-  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) return "no terminal";
-  const std::string name = ::ptsname(terminal);
-  const int held = ::open(name.c_str(), O_RDWR | O_NOCTTY);
-  const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-  (void)::ioctl(terminal, TIOCSWINSZ, &size);
-  Child child(arguments, {.out = errors ? "" : name, .err = errors ? name : ""});
-  std::string seen;
-  for (bool last = false;;) {
-    pollfd wait{terminal, POLLIN, 0};
-    char piece[4096];
-    if (::poll(&wait, 1, 100) > 0) {
-      const ssize_t count = ::read(terminal, piece, sizeof piece);
-      if (count > 0) seen.append(piece, static_cast<std::size_t>(count));
-      last = false;
-    } else if (last) {
-      break;
-    } else {
-      last = child.ended();
-    }
-  }
-  (void)child.wait();
-  ::close(held);
-  ::close(terminal);
+  const Terminal terminal(columns);
+  const Child child(arguments, {.out = errors ? "" : terminal.name(), .err = errors ? terminal.name() : ""});
+  std::string seen = terminal.seen_of(child);
   std::erase(seen, '\r');
   return seen;
 }
@@ -165,7 +140,6 @@ TEST_F(TerminalText, MessagesDoNotRunIntoTheProgressLine) {
   write_bytes(file, room);
   const std::string seen =
       shown_on(80, {"render", file, "-o", folder_ / "out", "--size", "64x48", "--map-size", "32"}, true);
-  if (seen == "no terminal") GTEST_SKIP() << "no pseudo-terminal";
   const std::size_t warning = seen.find("ninebit: warning: ");
   ASSERT_NE(warning, std::string::npos) << seen;
   expect_parts(seen, {"] loading"});  // there was a line
@@ -175,7 +149,6 @@ TEST_F(TerminalText, MessagesDoNotRunIntoTheProgressLine) {
 TEST_F(TerminalText, ATerminalsWidthAndColours) {
   const Words trace{"trace", kArticle, "--set", "primary.r=200", "--set", "tex0.r=100"};
   const std::string narrow = shown_on(90, trace), wide = shown_on(150, trace);
-  if (narrow == "no terminal") GTEST_SKIP() << "no pseudo-terminal";
   expect_parts(narrow, {"\x1b[31m    cut by the clamp"});
   EXPECT_EQ(narrow.find("green     blue"), std::string::npos) << narrow;
   expect_parts(wide, {"red    green     blue        red"});

@@ -225,30 +225,6 @@ TEST_F(TraceVerb, WrongUsage) {
   expect_error(ninebit({"trace", "--scene", folder_ / "none", "--pixel", "1,1"}), 3, {"none"});
 }
 
-TEST_F(TraceVerb, HelpHasAnExample) {
-  const Outcome outcome = ninebit({"trace", "--help"});
-  EXPECT_EQ(outcome.code, 0);
-  const std::size_t example = outcome.out.find("Examples:");
-  ASSERT_NE(example, std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("ninebit trace ", example), std::string::npos);
-  expect_parts(outcome.out, {"--json", "--quiet", "--profile", "--threads", "--from", "--set", "--scene", "--pixel"});
-}
-
-// The documentation shows an example with its output: it still comes out so.
-TEST_F(TraceVerb, TheDocumentedExampleStillComesOut) {
-  const std::string docs = read_bytes(std::string(NINEBIT_SOURCE_DIR) + "/docs/languages.md");
-  const std::string prompt = "\n$ ninebit trace ";
-  const std::size_t begin = docs.find(prompt);
-  ASSERT_NE(begin, std::string::npos);
-  const std::size_t line_end = docs.find('\n', begin + 1), end = docs.find("```", begin);
-  ASSERT_LT(line_end, end);
-  Words arguments = words_of(docs.substr(begin + prompt.size(), line_end - begin - prompt.size()));
-  arguments.insert(arguments.begin(), "trace");
-  const Outcome outcome = ninebit(arguments, {.folder = NINEBIT_SOURCE_DIR});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(docs.substr(line_end + 1, end - line_end - 1), outcome.out);
-}
-
 // A grid of pixels of the room: what the trace says of each is what the rendered picture shows.
 TEST_F(TraceVerb, PixelsOfTheRoom) {
   const Words size{"--size", "48x36", "--map-size", "32"};
@@ -346,10 +322,7 @@ TEST_F(TraceVerb, AnotherProgramOnTheSameFragment) {
   state.final_combiner.d = {Register::texture0, InputMapping::unsigned_identity, ComponentUsage::rgb};
   const std::string program = write_program(folder_, "texel.json", state);
   const Words pixel{"--scene", kRoom, "--pixel", "20,30", "--size", "48x36", "--json"};
-  const auto trace = [&](Words arguments) {
-    arguments.insert(arguments.end(), pixel.begin(), pixel.end());
-    return json_of(ninebit(arguments));
-  };
+  const auto trace = [&](const Words& arguments) { return json_of(ninebit(arguments + pixel)); };
   const Json own = trace({"trace"}), other = trace({"trace", program});
   EXPECT_EQ(own["before"], other["before"]);
   EXPECT_EQ(own["scene"], other["scene"]);

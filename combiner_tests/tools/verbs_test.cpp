@@ -9,21 +9,6 @@
 namespace tools_test {
 namespace {
 
-TEST(Verbs, HelpHasAnExample) {
-  for (const Words& verb : std::vector<Words>{{}, {"render"}, {"profiles"}, {"info"}, {"help"}}) {
-    const Words arguments = verb + Words{"--help"};
-    SCOPED_TRACE(testing::PrintToString(arguments));
-    const Outcome outcome = ninebit(arguments);
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_EQ(outcome.err, "");
-    const std::size_t example = outcome.out.find("Example");
-    ASSERT_NE(example, std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("ninebit " + (verb.empty() ? "render" : verb[0]), example), std::string::npos);
-    if (verb.empty() || verb[0] == "help") continue;
-    expect_parts(outcome.out, {"--json", "--quiet", "--profile"});
-  }
-}
-
 // The examples of the help work as they stand, but for the folder and the scene's place.
 TEST(Verbs, TheExampleOfRenderWorks) {
   const TempFolder folder;
@@ -33,13 +18,6 @@ TEST(Verbs, TheExampleOfRenderWorks) {
   const ninebit::Image8 color = ninebit::test::read_png(folder / "out/color.png");
   EXPECT_EQ(color.width, 1024);
   EXPECT_EQ(color.height, 768);
-}
-
-TEST(Verbs, Version) {
-  const Outcome outcome = ninebit({"--version"});
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(outcome.out.starts_with("ninebit ")) << outcome.out;
-  EXPECT_EQ(outcome.err, "");
 }
 
 TEST(Verbs, RowsAnswerWithOneObject) {
