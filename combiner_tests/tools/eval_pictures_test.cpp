@@ -24,12 +24,8 @@ class EvalPictures : public testing::Test {
     for (int i = 0; i < width * height * channels; ++i) image.pixels.push_back(random.byte());
     return image;
   }
-  void refuses(const std::vector<std::string>& flags, const std::string& message, int code = 2) const {
-    std::vector<std::string> all{"eval", kArticle};
-    all.insert(all.end(), flags.begin(), flags.end());
-    const Outcome outcome = ninebit(all);
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  void refuses(const Words& flags, const std::string& message, int code = 2) const {
+    expect_parts(err_of(ninebit(Words{"eval", kArticle} + flags), code), {message});
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png"));
   }
   TempFolder folder_;
@@ -76,9 +72,7 @@ TEST_F(EvalPictures, AreWhatTheTableGivesForEachTexel) {
 TEST_F(EvalPictures, AnswersInJson) {
   Random random(1);
   const std::string in = picture("in.png", random_image(random, 5, 3, 4)), out = folder_ / "out.png";
-  const Outcome outcome = ninebit({"eval", kArticle, "--tex0", in, "-o", out, "--json"});
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Json answer = Json::parse(outcome.out);
+  const Json answer = json_of(ninebit({"eval", kArticle, "--tex0", in, "-o", out, "--json"}));
   EXPECT_EQ(answer["size"], Json({5, 3}));
   EXPECT_EQ(answer["fragments"], 15);
   EXPECT_EQ(answer["files"], Json({out}));
@@ -120,7 +114,7 @@ TEST_F(EvalPictures, RegistersHaveTheirNamesInEachLanguage) {
   EXPECT_EQ(traced("v0", "t0"), traced("primary", "tex0"));
   EXPECT_EQ(traced("col0", "tex0"), traced("primary", "tex0"));
   const std::string table = write_bytes(folder_ / "c.csv", "v0.r,primary.r\n1,2\n");
-  EXPECT_NE(ninebit({"eval", kArticle, "--inputs", table}).err.find("duplicate column primary.r"), std::string::npos);
+  expect_parts(ninebit({"eval", kArticle, "--inputs", table}).err, {"duplicate column primary.r"});
 }
 
 }  // namespace

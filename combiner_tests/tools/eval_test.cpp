@@ -30,9 +30,8 @@ constexpr std::string_view kComponents = "rgba";
 
 class Eval : public testing::Test {
  protected:
-  Outcome eval(const std::string& program, const std::string& table, std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {"eval", program, "--inputs", write_bytes(folder_ / "in.csv", table)});
-    return ninebit(more);
+  Outcome eval(const std::string& program, const std::string& table, Words more = {}) {
+    return ninebit(Words{"eval", program, "--inputs", write_bytes(folder_ / "in.csv", table)} + more);
   }
   TempFolder folder_;
   std::string article_ = write_program(folder_, "article.json", article_state());
@@ -57,7 +56,7 @@ TEST_F(Eval, TheArticle) {
 TEST_F(Eval, MissingColumns) {
   const std::string program = write_program(folder_, "default.json", CombinerState{});
   const auto registers = [&](const std::string& table) {
-    const std::vector<std::string> lines = lines_of(eval(program, table, {"--registers"}).out);
+    const Words lines = lines_of(eval(program, table, {"--registers"}).out);
     EXPECT_EQ(lines.size(), 2U);
     EXPECT_EQ(lines.at(0),
               "out.r,out.g,out.b,out.a,const0.r,const0.g,const0.b,const0.a,const1.r,const1.g,const1.b,const1.a,"
@@ -111,7 +110,7 @@ TEST_F(Eval, EnginesAgreeWithTheLibrary) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   constexpr std::uint64_t kSeed = 1999;
   int distinct = 0;
-  for (std::uint64_t index = 0; index < 24; ++index) {
+  for (std::uint64_t index = 0; index < 12; ++index) {
     SCOPED_TRACE("program " + std::to_string(index));
     test::Random random(kSeed, index);
     const std::span<const HardwareProfile> all = hardware_profiles();
@@ -132,8 +131,7 @@ TEST_F(Eval, EnginesAgreeWithTheLibrary) {
     }
     table += '\n';
     const Program compiled = normalize(state, profile);
-    std::string expected = "out.r,out.g,out.b,out.a\n";
-    std::string last;
+    Words expected{"out.r,out.g,out.b,out.a"};
     for (int row = 0; row < 600; ++row) {
       RegisterFile registers;
       for (const Register reg : {Register::fog, Register::texture0, Register::texture1, Register::texture2,
@@ -164,19 +162,16 @@ TEST_F(Eval, EnginesAgreeWithTheLibrary) {
       const Rgba9 out = evaluate(own, registers);
       std::string line;
       for (std::size_t c = 0; c < 4; ++c) line += (c > 0 ? "," : "") + std::to_string(out[c]);
-      distinct += line != last ? 1 : 0;
-      last = line;
-      expected += line + '\n';
+      distinct += line != expected.back() ? 1 : 0;
+      expected.push_back(line);
     }
-    const std::string name(profile.name);
-    const Outcome reference = eval(program, table, {"--profile", name, "--engine", "reference"});
-    ASSERT_EQ(reference.code, 0) << reference.err;
-    ASSERT_EQ(reference.out, expected);
-    ASSERT_EQ(eval(program, table, {"--profile", name, "--engine", "simd"}).out, expected);
-    EXPECT_EQ(eval(program, table, {"--profile", name, "--engine", "simd", "--registers"}).out,
-              eval(program, table, {"--profile", name, "--engine", "reference", "--registers"}).out);
+    const Words flags{"--profile", std::string(profile.name), "--registers", "--engine"};
+    const Words reference = lines_of(out_of(eval(program, table, flags + Words{"reference"})));
+    ASSERT_EQ(reference.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_TRUE(reference[i].starts_with(expected[i] + ',')) << i;
+    EXPECT_EQ(lines_of(out_of(eval(program, table, flags + Words{"simd"}))), reference);
   }
-  EXPECT_GT(distinct, 2000);
+  EXPECT_GT(distinct, 1000);
 }
 
 TEST_F(Eval, ConstantColumns) {
@@ -212,7 +207,7 @@ TEST_F(Eval, TablesAsTheyCome) {
 
 TEST_F(Eval, JsonRows) {
   const Json object = json_of(eval(article_, "primary.r,tex0.r\n10,12\n10,10\n", {"--json", "--profile", "nv2a"}));
-  EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
+  EXPECT_EQ(keys_of(object), (Words{"command", "version", "profile", "rows"}));
   EXPECT_EQ(object["command"], "eval");
   EXPECT_EQ(object["profile"], "nv2a");
   EXPECT_EQ(object["rows"], Json::parse(R"([{"out.r":0,"out.g":0,"out.b":0,"out.a":1},

@@ -6,25 +6,19 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
 namespace {
 
-using Keys = std::vector<std::string>;
-
 const std::string kLabels = NINEBIT_SOURCE_DIR "/scenes/cookies/labels.dds";
 
-std::vector<std::string> room_render(const TempFolder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> flags{"--size", "160x120", "--map-size", "64", "--light-facing"};
-  flags.insert(flags.end(), more.begin(), more.end());
-  return small_render(kRoom, folder / "out", flags);
+Words room_render(const TempFolder& folder, const Words& more) {
+  return small_render(kRoom, folder / "out", Words{"--size", "160x120", "--map-size", "64", "--light-facing"} + more);
 }
 
-Json answer_of(const TempFolder& folder, std::vector<std::string> more) {
-  more.insert(more.end(), {"--json", "--quiet"});
-  return json_of(ninebit(room_render(folder, more)));
+Json answer_of(const TempFolder& folder, Words more) {
+  return json_of(ninebit(room_render(folder, more + Words{"--json", "--quiet"})));
 }
 
 bool has_text(const std::string& text, const std::string& part) {
@@ -34,7 +28,7 @@ bool has_text(const std::string& text, const std::string& part) {
 TEST(IndexOrder, TheFilesIsTheDefault) {
   const TempFolder folder;
   const Json plain = answer_of(folder, {});
-  EXPECT_EQ(keys_of(plain["index"]), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order"}));
+  EXPECT_EQ(keys_of(plain["index"]), (Words{"format", "scope", "step", "used", "capacity", "scales", "order"}));
   EXPECT_EQ(plain["index"]["order"], "file");
   EXPECT_EQ(plain["index"]["scales"], "both-x4");
   const Json given =
@@ -48,8 +42,8 @@ TEST(IndexOrder, NeighbourAnswersItsCounts) {
   const TempFolder folder;
   const Json answer = answer_of(folder, {"--index-order", "neighbour"});
   const Json& index = answer["index"];
-  EXPECT_EQ(keys_of(index), (Keys{"format", "scope", "step", "used", "capacity", "scales", "order", "patches",
-                                  "borders", "broken_borders", "broken_share", "false_neighbours"}));
+  EXPECT_EQ(keys_of(index), (Words{"format", "scope", "step", "used", "capacity", "scales", "order", "patches",
+                                   "borders", "broken_borders", "broken_share", "false_neighbours"}));
   EXPECT_EQ(index["order"], "neighbour");
   EXPECT_GT(index["patches"], 0);
   EXPECT_GT(index["borders"], 0);
@@ -61,15 +55,6 @@ TEST(IndexOrder, NeighbourAnswersItsCounts) {
   EXPECT_LT(answer["pixels"]["shadowed"], plain["pixels"]["shadowed"]) << "joints that are gone";
   EXPECT_EQ(answer["pixels"]["background"], plain["pixels"]["background"]);
   EXPECT_NE(answer["hash"]["index_map"], plain["hash"]["index_map"]);
-}
-
-TEST(IndexOrder, TheSameBitsForAnyNumberOfThreads) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const TempFolder folder;
-  const Json one = answer_of(folder, {"--index-order", "neighbour", "--threads", "1"});
-  const Json five = answer_of(folder, {"--index-order", "neighbour", "--threads", "5"});
-  EXPECT_EQ(five["hash"], one["hash"]);
-  EXPECT_EQ(five["index"], one["index"]);
 }
 
 TEST(IndexOrder, PatchAngleCutsPatches) {
@@ -110,34 +95,13 @@ TEST(IndexOrder, CheckOrderPassesWithoutFalseNeighbours) {
   const Outcome quiet = ninebit(room_render(folder, {"--index-order", "neighbour", "--check-order", "--quiet"}));
   EXPECT_EQ(quiet.code, 0);
   EXPECT_EQ(quiet.err, "");
-  EXPECT_NE(quiet.out.find(" shadowed, "), std::string::npos) << quiet.out;  // the result
+  expect_parts(quiet.out, {" shadowed, "});  // the result
 }
 
 TEST(IndexOrder, CheckOrderWithoutNeighbourIsAWarning) {
   const TempFolder folder;
-  const Outcome outcome = ninebit(room_render(folder, {"--check-order"}));
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(has_text(outcome.err, "ninebit: warning: --check-order has no effect without --index-order neighbour\n"))
-      << outcome.err;
-}
-
-TEST(IndexOrder, IsRefusedByTechniquesWithoutIndices) {
-  const TempFolder folder;
-  const std::vector<std::vector<std::string>> others{{"depth-cube"},
-                                                     {"shadow-map"},
-                                                     {"shadow-volume"},
-                                                     {"reflective", "--light-type", "directional", "--samples", "4"},
-                                                     {"light-cookie", "--cookie", kLabels, "--cookie-shadows", "none"}};
-  for (const std::vector<std::string>& technique : others) {
-    std::vector<std::string> flags{"--technique"};
-    flags.insert(flags.end(), technique.begin(), technique.end());
-    flags.insert(flags.end(), {"--index-order", "neighbour"});
-    expect_error(ninebit(small_render(kRoom, folder / "out", flags)), 2,
-                 {"--index-order: technique " + technique[0], "does not read it"});
-  }
-  const std::vector<std::string> cookie{"--technique", "light-cookie",  "--cookie",
-                                        kLabels,       "--index-order", "neighbour"};
-  EXPECT_EQ(answer_of(folder, cookie)["index"]["order"], "neighbour");
+  EXPECT_TRUE(has_text(err_of(ninebit(room_render(folder, {"--check-order"}))),
+                       "ninebit: warning: --check-order has no effect without --index-order neighbour\n"));
 }
 
 // The codes of a register line of a trace: "  primary   136    8    8  255".
@@ -150,10 +114,8 @@ std::vector<int> codes_of(const std::string& text, const std::string& name) {
 
 TEST(IndexOrder, TraceOfAFormerJointShowsWhereTheDifferenceIsLost) {
   const auto traced = [](const char* order) {
-    const Outcome outcome = ninebit({"trace", "--scene", kRoom, "--size", "800x600", "--pixel", "427,393",
-                                     "--light-facing", "--index-order", order});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome.out;
+    return out_of(ninebit({"trace", "--scene", kRoom, "--size", "800x600", "--pixel", "427,393", "--light-facing",
+                           "--index-order", order}));
   };
   const std::string joint = traced("file"), lost = traced("neighbour");
   EXPECT_TRUE(has_text(joint, " shadowed\n"));
@@ -165,19 +127,22 @@ TEST(IndexOrder, TraceOfAFormerJointShowsWhereTheDifferenceIsLost) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_LE(std::abs(own[c] - other[c]), 1);
 }
 
-TEST(IndexOrder, TraceAndStudyRefuseToo) {
-  expect_error(ninebit({"trace", "--scene", kRoom, "--pixel", "80,60", "--size", "160x120", "--technique", "shadow-map",
-                        "--index-order", "neighbour"}),
-               2, {"--index-order: technique shadow-map does not read it", "--polygon-offset"});
-  expect_error(ninebit({"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32", "--technique", "shadow-map",
-                        "--index-order", "neighbour"}),
-               2, {"--index-order: technique shadow-map does not read it"});
+// The settings that a technique reads stand in its table: combiner_tests/shadow/technique_settings_test.cpp.
+TEST(IndexOrder, IsRefusedByTechniquesWithoutIndices) {
+  const TempFolder folder;
+  const Words other{"--technique", "shadow-map", "--index-order", "neighbour"};
+  const std::string refused = "--index-order: technique shadow-map does not read it";
+  expect_error(ninebit(small_render(kRoom, folder / "out", other)), 2, {refused});
+  expect_error(ninebit(Words{"trace", "--scene", kRoom, "--pixel", "80,60", "--size", "160x120"} + other), 2,
+               {refused, "--polygon-offset"});
+  expect_error(ninebit(Words{"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32"} + other), 2, {refused});
+  EXPECT_EQ(answer_of(folder, {"--technique", "light-cookie", "--cookie", kLabels, "--index-order",
+                               "neighbour"})["index"]["order"],
+            "neighbour");
 }
 
-std::vector<std::string> sweep_words(const std::vector<std::string>& more) {
-  std::vector<std::string> words{"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32", "--json"};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+Words sweep_words(const Words& more) {
+  return Words{"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32", "--json"} + more;
 }
 
 TEST(IndexOrder, SweptRowsAreWhatRenderCounts) {
@@ -196,37 +161,6 @@ TEST(IndexOrder, SweptRowsAreWhatRenderCounts) {
     for (const char* count : {"lit", "shadowed"}) EXPECT_EQ(row[count], render["pixels"][count]) << count;
     for (const char* count : {"false_lit", "false_shadowed"}) EXPECT_EQ(row[count], render["errors"][count]) << count;
   }
-}
-
-// Tables and parts of studies that do not use the order keep their columns.
-TEST(IndexOrder, ColumnsOnlyWhereTheyVary) {
-  const auto keys = [](const std::vector<std::string>& more) {
-    return keys_of(json_of(ninebit(sweep_words(more)))["rows"][0]);
-  };
-  const Keys plain = keys({});
-  EXPECT_EQ(plain, (Keys{"point", "technique", "map_size", "index_format", "index_scope", "index_step", "lit",
-                         "shadowed", "false_lit", "false_shadowed", "wrong", "wrong_share", "truncation", "joint",
-                         "vanished", "shared", "sampling", "refused"}));
-  EXPECT_EQ(keys({"--index-order", "file", "--index-scales", "both-x4"}), plain);
-  const auto with = [&](const Keys& settings, const Keys& reasons) {
-    Keys all = plain;
-    all.insert(std::find(all.begin(), all.end(), "lit"), settings.begin(), settings.end());
-    all.insert(all.end() - 1, reasons.begin(), reasons.end());
-    return all;
-  };
-  EXPECT_EQ(keys({"--index-order", "neighbour"}), with({"index_order"}, {"index_order_reason"}));
-  EXPECT_EQ(keys({"--orders", "file"}), with({"index_order"}, {"index_order_reason"}));
-  EXPECT_EQ(keys({"--index-scales", "no-scale"}), with({"index_scales"}, {}));
-  EXPECT_EQ(keys({"--orders", "neighbour", "--scales", "first-x4"}),
-            with({"index_order", "index_scales"}, {"index_order_reason"}));
-}
-
-TEST(IndexOrder, PartsResumeAndKeepTheirQuestion) {
-  const TempFolder folder;
-  const std::vector<std::string> more{"--orders", "file,neighbour", "-o", folder / "out"};
-  const Json first = json_of(ninebit(sweep_words(more)));
-  EXPECT_EQ(json_of(ninebit(sweep_words(more))), first);
-  EXPECT_NE(json_of(ninebit(sweep_words({"--orders", "neighbour,file"})))["question"], first["question"]);
 }
 
 }  // namespace

@@ -19,19 +19,15 @@ const std::string kMuxHeader =
 class Verify : public testing::Test {
  protected:
   // The rows of this table run a program that halves the primary colour, then squares it.
-  Outcome verify(const std::string& table, const std::vector<std::string>& more = {}) {
+  Outcome verify(const std::string& table, const Words& more = {}) {
     write_bytes(folder_ / "square.rc", kSquare);
-    std::vector<std::string> arguments{"verify", write_bytes(folder_ / "rows.csv", table)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return ninebit(arguments);
+    return ninebit(Words{"verify", write_bytes(folder_ / "rows.csv", table)} + more);
   }
   TempFolder folder_;
 };
 
 TEST_F(Verify, ThePicturesOfAnNv2a) {
-  const Outcome nv2a = ninebit({"verify", kNv2aRows, "--profile", "nv2a"});
-  EXPECT_EQ(nv2a.code, 0) << nv2a.out << nv2a.err;
-  EXPECT_EQ(nv2a.out, "592 rows: 592 agree, 0 differ\n");
+  EXPECT_EQ(out_of(ninebit({"verify", kNv2aRows, "--profile", "nv2a"})), "592 rows: 592 agree, 0 differ\n");
 }
 
 TEST_F(Verify, PixelsOfAnNv2a) {
@@ -71,16 +67,13 @@ TEST_F(Verify, PixelsOfAnNv2a) {
 // table: those may be off by one, which is counted.
 TEST_F(Verify, FogOfAnNv2a) {
   const std::string file = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_fog.csv";
-  const Outcome fog = ninebit({"verify", file, "--profile", "nv2a", "--json"});
-  EXPECT_EQ(fog.code, 1);
-  const Json object = Json::parse(fog.out);
+  const Json object = json_of(ninebit({"verify", file, "--profile", "nv2a", "--json"}), 1);
   EXPECT_EQ(object["agree"], 1198);
   EXPECT_EQ(object["near"], 173);
   EXPECT_EQ(object["rows"][0]["line"], 654);
   EXPECT_EQ(object["rows"][1]["line"], 1082);
   const Outcome text = ninebit({"verify", file, "--profile", "nv2a"});
-  EXPECT_NE(text.out.find("1200 rows: 1198 agree, 2 differ; 173 of those that agree are off by 1\n"), std::string::npos)
-      << text.out;
+  expect_parts(text.out, {"1200 rows: 1198 agree, 2 differ; 173 of those that agree are off by 1\n"});
 }
 
 // Offsets without a slope are exact. The table has differences of neighbours in whole numbers: a slope is known within
@@ -143,9 +136,7 @@ TEST_F(Verify, WrongTablesOfSurfacesAndSamples) {
 // The GeForce 2 kept 16 bits of DXT1 without a dither.
 TEST_F(Verify, ARuleOfPixelsIsFound) {
   const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_dxt1.csv";
-  const Outcome outcome = ninebit({"verify", file, "--json"});
-  EXPECT_EQ(outcome.code, 1);
-  const Json object = Json::parse(outcome.out);
+  const Json object = json_of(ninebit({"verify", file, "--json"}), 1);
   EXPECT_EQ(object["places"], Json::parse(R"([{"place": "DXT1", "rows": 3348}])"));
   EXPECT_EQ(object["rules"][0]["value"], "dithered565");
   EXPECT_EQ(object["rules"][0]["agree_then"], 3542);
@@ -157,9 +148,7 @@ TEST_F(Verify, TheShapesOfLinesAndPointsAreFound) {
   for (const auto& [table, rule, differ] :
        {std::tuple("lines", "line_shape", 663), std::tuple("points", "point_shape", 166)}) {
     const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_" + table + ".csv";
-    const Outcome outcome = ninebit({"verify", file, "--profile", "ideal", "--json"});
-    EXPECT_EQ(outcome.code, 1);
-    const Json object = Json::parse(outcome.out);
+    const Json object = json_of(ninebit({"verify", file, "--profile", "ideal", "--json"}), 1);
     EXPECT_EQ(object["differ"], differ);
     ASSERT_FALSE(object["rules"].empty());
     EXPECT_EQ(object["rules"][0]["field"], rule);
@@ -226,9 +215,7 @@ TEST_F(Verify, WrongTablesOfCombiners) {
 // The scale of one half and the products of the final combiner show how the GeForce 2 narrows.
 TEST_F(Verify, ARuleOfTheCombinersIsFound) {
   const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_combiner_ops.csv";
-  const Outcome outcome = ninebit({"verify", file, "--json"});
-  EXPECT_EQ(outcome.code, 1);
-  const Json object = Json::parse(outcome.out);
+  const Json object = json_of(ninebit({"verify", file, "--json"}), 1);
   EXPECT_EQ(object["places"], Json::parse(R"([{"place": "scale and bias", "rows": 4}])"));
   EXPECT_EQ(object["rules"][0]["field"], "general_narrowing");
   EXPECT_EQ(object["rules"][0]["agree_then"], 24);
@@ -238,11 +225,7 @@ TEST_F(Verify, ARuleOfTheCombinersIsFound) {
 TEST_F(Verify, AnotherRuleIsFound) {
   const std::string own = folder_ / "own.json";
   write_bytes(own, R"({"base": "nv2a", "name": "mine", "general_narrowing": "toward-zero"})");
-  const Json object = [&] {
-    const Outcome outcome = ninebit({"verify", kNv2aRows, "--profile", own, "--json"});
-    EXPECT_EQ(outcome.code, 1);
-    return Json::parse(outcome.out);
-  }();
+  const Json object = [&] { return json_of(ninebit({"verify", kNv2aRows, "--profile", own, "--json"}), 1); }();
   EXPECT_EQ(object["count"], 592);
   EXPECT_EQ(object["differ"], 4);
   EXPECT_EQ(object["agree"], 588);
@@ -308,8 +291,7 @@ TEST_F(Verify, Spare0sAlphaStartsAsTexture0s) {
 
 TEST_F(Verify, AProfileThatIsNotGivenIsNamed) {
   const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_dxt1.csv";
-  EXPECT_NE(ninebit({"verify", file}).err.find("compared with profile geforce2; --profile names another"),
-            std::string::npos);
+  expect_parts(ninebit({"verify", file}).err, {"compared with profile geforce2; --profile names another"});
   EXPECT_EQ(ninebit({"verify", file, "--quiet"}).err, "");
   EXPECT_EQ(ninebit({"verify", file, "--profile", "nv2a"}).err, "");
 }
@@ -323,9 +305,7 @@ TEST_F(Verify, TheFirstPlaceThatDiffers) {
       "square.rc,101,50,10,10\n"
       "square.rc,101,,,11|12\n"
       "square.rc,101,50|51,9,\n";
-  const Outcome outcome = verify(table, {"--json"});
-  ASSERT_EQ(outcome.code, 1) << outcome.err;
-  const Json object = Json::parse(outcome.out);
+  const Json object = json_of(verify(table, {"--json"}), 1);
   EXPECT_EQ(object["count"], 5);
   EXPECT_EQ(object["agree"], 2);
   EXPECT_EQ(object["places"], Json::parse(R"([{"place": "general combiner 0, rgb", "rows": 1},
@@ -338,24 +318,20 @@ TEST_F(Verify, TheFirstPlaceThatDiffers) {
   EXPECT_EQ(object["rows"][2]["differences"][0]["expected"], Json::array({11, 12}));
 
   const Outcome text = verify(table, {"--most", "1"});
-  EXPECT_NE(text.out.find("rows.csv:3: "), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("stage0.spare0.r is 50, expected 51; stage1.spare1.r is 9, expected 10"), std::string::npos);
-  EXPECT_NE(text.out.find("and 2 more rows"), std::string::npos);
-  EXPECT_NE(text.out.find("general_narrowing = nearest-halves-up (rules 5, 8)"), std::string::npos);
+  expect_parts(text.out, {"rows.csv:3: ", "stage0.spare0.r is 50, expected 51; stage1.spare1.r is 9, expected 10",
+                          "and 2 more rows", "general_narrowing = nearest-halves-up (rules 5, 8)"});
 }
 
 TEST_F(Verify, WhatNoRuleExplains) {
-  const Outcome outcome = verify("program,primary.r,out.r\nsquare.rc,101,200\n");
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.out.find("No single rule with another value explains"), std::string::npos) << outcome.out;
+  expect_parts(out_of(verify("program,primary.r,out.r\nsquare.rc,101,200\n"), 1),
+               {"No single rule with another value explains"});
 }
 
 TEST_F(Verify, AProgramForAllRowsAndStandardInput) {
   EXPECT_EQ(verify("primary.r,out.r\n101,9\n", {"--program", folder_ / "square.rc"}).code, 0);
   const std::string table = write_bytes(folder_ / "in.csv", "# a comment\nprimary.r,out.r\n\n101,9\n");
-  const Outcome outcome = ninebit({"verify", "-", "--program", folder_ / "square.rc"}, {.in = table});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "1 rows: 1 agree, 0 differ\n");
+  EXPECT_EQ(out_of(ninebit({"verify", "-", "--program", folder_ / "square.rc"}, {.in = table})),
+            "1 rows: 1 agree, 0 differ\n");
 }
 
 // Programs that rows name stand below the table's folder.
@@ -368,7 +344,7 @@ TEST_F(Verify, ProgramsOfRowsStandBelowTheTable) {
   const std::string file = folder_ / "in/rows.csv";
   const auto verify_named = [&](const std::string& name, bool allow) {
     write_bytes(file, "program,primary.r,out.r\n" + name + ",101,9\n");
-    std::vector<std::string> words{"verify", file};
+    Words words{"verify", file};
     if (allow) words.emplace_back("--allow-outside");
     return ninebit(words);
   };
@@ -388,7 +364,7 @@ TEST_F(Verify, ProgramsOfRowsStandBelowTheTable) {
 TEST_F(Verify, WrongTables) {
   struct Case {
     std::string table;
-    std::vector<std::string> words;
+    Words words;
   };
   const std::vector<Case> cases{
       {"", {"rows.csv:1:1", "empty"}},
