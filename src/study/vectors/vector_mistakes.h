@@ -114,7 +114,7 @@ class ModelColors {
  private:
   const VectorPack& pack_;
   const Model& model_;
-  std::vector<Model::Registers> kept_{};  // by program, before it; empty: the model keeps no registers
+  std::vector<std::vector<Bytes4>> shown_{};  // by program, where the model keeps registers
 };
 
 // A colour as bytes.

@@ -154,25 +154,28 @@ Bytes4 Model::run_in(const Program& program, const RegisterFile& input, Register
 ModelColors::ModelColors(const VectorPack& pack, const Model& model, const std::vector<std::size_t>& programs)
     : pack_(pack), model_(model) {
   if (!model.keeps_registers()) return;
-  kept_.resize(pack.programs.size());
+  shown_.resize(pack.programs.size());
   Model::Registers registers{};
   for (const std::size_t index : programs) {
-    kept_[index] = registers;
     const VectorProgram& program = pack.programs[index];
     const Program compiled = model.program_of(program.state);
     for (std::size_t i = 0; i < pack.fragments; ++i) {
-      (void)model.run(compiled, pack.inputs[program.first_input + i], registers);
+      shown_[index].push_back(model.run(compiled, pack.inputs[program.first_input + i], registers));
     }
   }
 }
 
 std::vector<Bytes4> ModelColors::operator()(std::size_t index, AskedRules* asked) const {
+  if (!shown_.empty()) {
+    if (asked != nullptr) *asked = {BrokenRules().set(), BrokenRules().set()};
+    return shown_[index];
+  }
   const VectorProgram& program = pack_.programs[index];
   const Program compiled = model_.program_of(program.state);
   // An edit that changes nothing gives what the pack expects.
   const bool may_be_unchanged = asked == nullptr && model_.breaks_nothing();
   if (may_be_unchanged && compiled == normalize(program.state, pack_.profile)) return program.expected;
-  Model::Registers kept = kept_.empty() ? Model::Registers{} : kept_[index];
+  Model::Registers kept{};
   std::vector<Bytes4> colors;
   for (std::size_t i = 0; i < pack_.fragments; ++i) {
     colors.push_back(model_.run(compiled, pack_.inputs[program.first_input + i], kept, asked));
