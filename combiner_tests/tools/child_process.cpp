@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -9,8 +10,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace tools_test {
@@ -52,9 +55,9 @@ std::string content_of(std::FILE* file) {
 
 }  // namespace
 
-Child::Child(const std::vector<std::string>& arguments, const ChildSettings& settings)
+Child::Child(const Words& arguments, const ChildSettings& settings)
     : out_(open_file(settings.out), &std::fclose), err_(open_file(settings.err), &std::fclose) {
-  std::vector<std::string> words{kProgram};
+  Words words{kProgram};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -73,6 +76,14 @@ Child::~Child() {
 bool Child::ended() const {
   siginfo_t about{};
   return ::waitid(P_PID, static_cast<id_t>(process_), &about, WEXITED | WNOHANG | WNOWAIT) == 0 && about.si_pid != 0;
+}
+
+bool Child::until(const std::function<bool()>& come) const {
+  while (!come()) {
+    if (ended()) return false;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return true;
 }
 
 void Child::send(int signal) const {
@@ -122,11 +133,13 @@ void Child::let_go() const {
 }
 
 // Held open, so that what was written is not lost when a program ends.
-Terminal::Terminal() : terminal_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+Terminal::Terminal(unsigned short columns) : terminal_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
   if (terminal_ < 0 || ::grantpt(terminal_) != 0 || ::unlockpt(terminal_) != 0) {
     throw std::runtime_error("no terminal");
   }
   held_ = ::open(name().c_str(), O_RDWR | O_NOCTTY);
+  const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+  if (columns != 0) (void)::ioctl(terminal_, TIOCSWINSZ, &size);
 }
 
 Terminal::~Terminal() {
@@ -138,19 +151,30 @@ std::string Terminal::name() const {
   return ::ptsname(terminal_);
 }
 
+bool Terminal::read_more(std::string& seen, int milliseconds) const {
+  pollfd wait{terminal_, POLLIN, 0};
+  if (::poll(&wait, 1, milliseconds) <= 0) return false;
+  std::array<char, 4096> piece{};
+  const ssize_t count = ::read(terminal_, piece.data(), piece.size());
+  if (count > 0) seen.append(piece.data(), static_cast<std::size_t>(count));
+  return count > 0;
+}
+
 // A terminal hands on piece by piece, and late, what was written to it.
 std::string Terminal::seen_until(const std::string& text) const {
   std::string seen;
-  for (pollfd wait{terminal_, POLLIN, 0}; seen.find(text) == std::string::npos && ::poll(&wait, 1, 10000) > 0;) {
-    char piece[4096];
-    const ssize_t count = ::read(terminal_, piece, sizeof piece);
-    if (count <= 0) break;
-    seen.append(piece, static_cast<std::size_t>(count));
+  while (seen.find(text) == std::string::npos && read_more(seen, 10000)) {
   }
   return seen;
 }
 
-Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings) {
+std::string Terminal::seen_of(const Child& child) const {
+  std::string seen;
+  for (bool ended = false; read_more(seen, 100) || !ended;) ended = child.ended();
+  return seen;
+}
+
+Outcome ninebit(const Words& arguments, const ChildSettings& settings) {
   return Child(arguments, settings).wait();
 }
 

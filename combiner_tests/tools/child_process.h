@@ -17,6 +17,8 @@ inline const std::string kProgram = std::getenv("NINEBIT_TESTED_PROGRAM") != nul
                                         ? std::getenv("NINEBIT_TESTED_PROGRAM")
                                         : NINEBIT_BINARY_DIR "/ninebit";
 
+using Words = std::vector<std::string>;
+
 // How a process ended. `code` is what a shell would tell: the exit code, or 128 + the signal that killed it.
 struct Outcome {
   int code = -1;
@@ -39,12 +41,14 @@ struct ChildSettings {
 // A running `ninebit ARGUMENTS...`. The destructor kills it if nobody has waited for it.
 class Child {
  public:
-  explicit Child(const std::vector<std::string>& arguments, const ChildSettings& settings = {});
+  explicit Child(const Words& arguments, const ChildSettings& settings = {});
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();
 
   [[nodiscard]] bool ended() const;
+  // Waits until this has come or the program has ended; whether it has come.
+  bool until(const std::function<bool()>& come) const;
   void send(int signal) const;  // does nothing to a program that has ended
   Outcome wait();
 
@@ -59,10 +63,10 @@ class Child {
   int process_ = -1;
 };
 
-// A terminal, for the stderr of programs.
+// A terminal that programs write to.
 class Terminal {
  public:
-  Terminal();
+  explicit Terminal(unsigned short columns = 0);  // 0: its width is not known
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
   ~Terminal();
@@ -70,12 +74,17 @@ class Terminal {
   [[nodiscard]] std::string name() const;  // of its file
   // What was written to it since the last call until this text came, with it; less if nothing comes for ten seconds.
   [[nodiscard]] std::string seen_until(const std::string& text) const;
+  // All that is written to it until the program ends.
+  [[nodiscard]] std::string seen_of(const Child& child) const;
 
  private:
+  // Adds what comes within this time; false if nothing does.
+  bool read_more(std::string& seen, int milliseconds) const;
+
   int terminal_ = -1, held_ = -1;
 };
 
 // Runs `ninebit ARGUMENTS...` to its end.
-Outcome ninebit(const std::vector<std::string>& arguments, const ChildSettings& settings = {});
+Outcome ninebit(const Words& arguments, const ChildSettings& settings = {});
 
 }  // namespace tools_test

@@ -8,12 +8,11 @@ namespace {
 
 using namespace ninebit;  // NOLINT(google-build-using-namespace): states are spelled in its words
 
-const std::vector<std::string> kForms{"gl", "rc10", "words", "words-json", "json"};
+const Words kForms{"gl", "rc10", "words", "words-json", "json"};
 
 // The equations of a program stay the same whatever its form is: rows of explain that matter.
-Json meaning_of(const std::string& file, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments{"explain", file, "--json"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
+Json meaning_of(const std::string& file, const Words& more = {}) {
+  const Words arguments = Words{"explain", file, "--json"} + more;
   Json used = Json::array();
   const Json object = json_of(ninebit(arguments));
   for (const Json& row : object.at("rows")) {
@@ -44,18 +43,6 @@ TEST(Convert, EveryFormToEveryOther) {
   }
 }
 
-TEST(Convert, FormsByFlag) {
-  const TempFolder folder;
-  const std::string& calls = kArticle;
-  for (const char* form : {"gl", "rc10", "words", "json"}) {
-    const std::string file = write_bytes(folder / form, ninebit({"convert", calls, "--to", form}).out);
-    EXPECT_EQ(ninebit({"validate", file, "--from", form}).code, 0) << form;
-    EXPECT_EQ(ninebit({"validate", file, "--from", std::string(form) == "gl" ? "rc10" : "gl"}).code, 3) << form;
-  }
-  const std::string json = write_bytes(folder / "w", ninebit({"convert", calls, "--to", "words-json"}).out);
-  EXPECT_EQ(ninebit({"validate", json, "--from", "words"}).code, 0);
-}
-
 TEST(Convert, Chips) {
   const TempFolder folder;
   CombinerState state = article_state();
@@ -72,7 +59,7 @@ TEST(Convert, CodeOut) {
   const std::string program = write_program(folder, "a.json", article_state());
   EXPECT_TRUE(ninebit({"convert", program, "--to", "glsl"}).out.starts_with("#version 330"));
   EXPECT_TRUE(ninebit({"convert", program, "--to", "glsl-es"}).out.starts_with("#version 300 es"));
-  EXPECT_NE(ninebit({"convert", program, "--to", "c"}).out.find("void ninebit_combine("), std::string::npos);
+  expect_parts(ninebit({"convert", program, "--to", "c"}).out, {"void ninebit_combine("});
 }
 
 TEST(Convert, WhatAFormLacksIsTold) {
@@ -104,9 +91,7 @@ TEST(Convert, WhatOpenGlLacksComesOnlyThroughWordsJsonAndCode) {
   ASSERT_EQ(json.code, 0) << json.err;
   const std::string file = write_bytes(folder / "x.json", json.out);
   const Outcome back = ninebit({"convert", file, "--to", "words", "--profile", "nv2a"});
-  for (const char* word : {"RC_OUT_RGB[0] = 0x000c4c4d\n", "RC_FINAL1 = 0x00001ce0\n", "RC_ENABLE = 0x00000001\n"}) {
-    EXPECT_NE(back.out.find(word), std::string::npos) << word << back.out;
-  }
+  expect_parts(back.out, {"RC_OUT_RGB[0] = 0x000c4c4d\n", "RC_FINAL1 = 0x00001ce0\n", "RC_ENABLE = 0x00000001\n"});
   for (const char* form : {"glsl", "glsl-es", "c"}) {
     EXPECT_EQ(ninebit({"convert", words, "--to", form, "--profile", "nv2a"}).code, 0) << form;
   }
@@ -126,7 +111,7 @@ TEST(Convert, JsonAndOutputs) {
   const TempFolder folder;
   const std::string program = write_program(folder, "a.json", article_state());
   const Json object = json_of(ninebit({"convert", program, "--to", "rc10", "--json"}));
-  EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
+  EXPECT_EQ(keys_of(object), (Words{"command", "version", "profile", "rows"}));
   EXPECT_EQ(object["rows"][0]["form"], "rc10");
   EXPECT_EQ(object["rows"][0]["text"], ninebit({"convert", program, "--to", "rc10"}).out);
   const std::string older = write_bytes(folder / "out", "older");

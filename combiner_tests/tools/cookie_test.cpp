@@ -21,17 +21,13 @@ const std::string kModule = NINEBIT_BINARY_DIR "/ninebit_pictures.so";
 
 class Cookie : public testing::Test {
  protected:
-  [[nodiscard]] std::vector<std::string> arguments(const std::string& cookie,
-                                                   const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> flags{"--technique", "light-cookie", "--cookie", cookie};
-    flags.insert(flags.end(), more.begin(), more.end());
-    return small_render(kRoom, folder_ / "out", flags);
+  [[nodiscard]] Words arguments(const std::string& cookie, const Words& more = {}) const {
+    return small_render(kRoom, folder_ / "out", Words{"--technique", "light-cookie", "--cookie", cookie} + more);
   }
-  [[nodiscard]] Json render(const std::string& cookie, std::vector<std::string> more = {}) const {
-    more.insert(more.end(), {"--json", "--quiet"});
-    return json_of(ninebit(arguments(cookie, more)));
+  [[nodiscard]] Json render(const std::string& cookie, Words more = {}) const {
+    return json_of(ninebit(arguments(cookie, more + Words{"--json", "--quiet"})));
   }
-  void expect_refused(const std::string& cookie, const std::vector<std::string>& words) const {
+  void expect_refused(const std::string& cookie, const Words& words) const {
     SCOPED_TRACE(cookie);
     expect_error(ninebit(arguments(cookie)), 3, words);
     EXPECT_FALSE(fs::exists(folder_.path() / "out"));
@@ -82,14 +78,14 @@ TEST_F(Cookie, DdsFilesAndPicturesGiveTheSameBits) {
   const Json plain = render(kPlain);
   EXPECT_EQ(plain["technique"], "light-cookie");
   EXPECT_EQ(plain["facts"], (Json{{"cookie_size", 64}}));
-  EXPECT_EQ(keys_of(plain["hash"]), (std::vector<std::string>{"color", "stencil", "index_map"}));
+  EXPECT_EQ(keys_of(plain["hash"]), (Words{"color", "stencil", "index_map"}));
   EXPECT_GT(plain["pixels"]["shadowed"], 0);
   EXPECT_EQ(render(kDxt1)["hash"], plain["hash"]);
   EXPECT_EQ(render(pictures())["hash"], plain["hash"]);
   EXPECT_NE(render(kPlain, {"--light-rotate", "0,90,0"})["hash"]["color"], plain["hash"]["color"]);
 
   const Json bare = render(kPlain, {"--cookie-shadows", "none"});
-  EXPECT_EQ(keys_of(bare["hash"]), (std::vector<std::string>{"color", "stencil"}));
+  EXPECT_EQ(keys_of(bare["hash"]), (Words{"color", "stencil"}));
   EXPECT_EQ(bare["pixels"]["shadowed"], 0);
 }
 
@@ -97,18 +93,14 @@ TEST_F(Cookie, LayersHaveTheLitPass) {
   const Json with = render(kPlain, {"--layers"});
   const std::string layers = read_bytes(folder_ / "out/layers.exr");
   EXPECT_EQ(with["hash"], render(kPlain)["hash"]);
-  for (const char* part : {"primary", "texture0", "lit_primary", "lit_secondary", "lit_texture0", "lit_spare0",
-                           "lit_output", "stencil", "polygon"}) {
-    EXPECT_NE(layers.find(part), std::string::npos) << part;
-  }
+  expect_parts(layers, {"primary", "texture0", "lit_primary", "lit_secondary", "lit_texture0", "lit_spare0",
+                        "lit_output", "stencil", "polygon"});
 }
 
 // The comparison of polygons decides the shadow. Without shadows the lit pass is traced, which reads the cookie.
 TEST_F(Cookie, TraceFollowsTheShadowOrTheLight) {
-  const auto trace = [](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"trace", "--scene", kRoom, "--size", "64x48", "--pixel", "32,40", "--json"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return json_of(ninebit(arguments));
+  const auto trace = [](const Words& more) {
+    return json_of(ninebit(Words{"trace", "--scene", kRoom, "--size", "64x48", "--pixel", "32,40", "--json"} + more));
   };
   const Json shadow = trace({"--map-size", "64", "--technique", "light-cookie", "--cookie", kPlain});
   EXPECT_EQ(shadow["scene"]["technique"], "light-cookie");
@@ -144,7 +136,7 @@ TEST_F(Cookie, TheModuleIsFoundOrMissed) {
   write_bytes(installed, "not a library");
   const auto broken = run_copy(lone, files);
   EXPECT_NE(broken.first, 0);
-  EXPECT_NE(broken.second.find(installed + ", which"), std::string::npos) << broken.second;
+  expect_parts(broken.second, {installed + ", which"});
 
   fs::copy_file(kModule, installed, fs::copy_options::overwrite_existing);
   const auto found = run_copy(lone, files);
@@ -183,7 +175,7 @@ TEST_F(Cookie, FacesThatDoNotFit) {
 }
 
 TEST_F(Cookie, WrongUsage) {
-  const auto expect_usage = [&](const std::vector<std::string>& flags, const std::vector<std::string>& words) {
+  const auto expect_usage = [&](const Words& flags, const Words& words) {
     SCOPED_TRACE(testing::PrintToString(flags));
     expect_error(ninebit(small_render(kRoom, folder_ / "out", flags)), 2, words);
   };

@@ -8,10 +8,8 @@
 namespace tools_test {
 namespace {
 
-std::vector<std::string> depth_cube(const TempFolder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> flags{"--technique", "depth-cube", "--json", "--quiet"};
-  flags.insert(flags.end(), more.begin(), more.end());
-  return small_render(kRoom, folder / "out", flags);
+Words depth_cube(const TempFolder& folder, const Words& more) {
+  return small_render(kRoom, folder / "out", Words{"--technique", "depth-cube", "--json", "--quiet"} + more);
 }
 
 TEST(DepthCubeCli, AnswersWithTheFactsOfEachKindOfBits) {
@@ -31,18 +29,16 @@ TEST(DepthCubeCli, AnswersWithTheFactsOfEachKindOfBits) {
 TEST(DepthCubeCli, WritesTheMapAndTheLayers) {
   const TempFolder folder;
   json_of(ninebit(depth_cube(folder, {"--depth-bits", "16", "--layers"})));
-  std::vector<std::string> names;
+  Words names;
   for (const auto& [name, bytes] : files_in(folder / "out")) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"color.png", "depth_cube.png", "layers.exr", "maps.exr", "render.json",
-                                             "shadow.png"}));
+  EXPECT_EQ(names, (Words{"color.png", "depth_cube.png", "layers.exr", "maps.exr", "render.json", "shadow.png"}));
 }
 
 TEST(DepthCubeCli, TraceTellsTheComparisonOfThePixelsFace) {
   const Json answer = json_of(ninebit({"trace", "--scene", kRoom, "--size", "200x150", "--map-size", "64", "--pixel",
                                        "100,120", "--technique", "depth-cube", "--depth-bits", "16", "--json"}));
   const std::string text = answer.dump();
-  EXPECT_NE(text.find("\"high byte "), std::string::npos);
-  EXPECT_NE(text.find("\"low byte "), std::string::npos);
+  expect_parts(text, {"\"high byte ", "\"low byte "});
 }
 
 TEST(DepthCubeCli, RefusesWhatIsNoBias) {

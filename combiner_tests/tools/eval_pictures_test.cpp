@@ -24,12 +24,10 @@ class EvalPictures : public testing::Test {
     for (int i = 0; i < width * height * channels; ++i) image.pixels.push_back(random.byte());
     return image;
   }
-  void refuses(const std::vector<std::string>& flags, const std::string& message, int code = 2) const {
-    std::vector<std::string> all{"eval", kArticle};
-    all.insert(all.end(), flags.begin(), flags.end());
-    const Outcome outcome = ninebit(all);
+  void refuses(const Words& flags, const std::string& message, int code = 2) const {
+    const Outcome outcome = ninebit(Words{"eval", kArticle} + flags);
     EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {message});
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png"));
   }
   TempFolder folder_;
@@ -120,7 +118,7 @@ TEST_F(EvalPictures, RegistersHaveTheirNamesInEachLanguage) {
   EXPECT_EQ(traced("v0", "t0"), traced("primary", "tex0"));
   EXPECT_EQ(traced("col0", "tex0"), traced("primary", "tex0"));
   const std::string table = write_bytes(folder_ / "c.csv", "v0.r,primary.r\n1,2\n");
-  EXPECT_NE(ninebit({"eval", kArticle, "--inputs", table}).err.find("duplicate column primary.r"), std::string::npos);
+  expect_parts(ninebit({"eval", kArticle, "--inputs", table}).err, {"duplicate column primary.r"});
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 class EvalStagesTable : public testing::Test {
  protected:
-  Outcome eval(const std::string& table, std::vector<std::string> more = {}) {
+  Outcome eval(const std::string& table, Words more = {}) {
     const std::string program =
         write_bytes(folder_ / "dot.ts",
                     "!!TS1.0\n"
@@ -55,23 +55,19 @@ TEST_F(EvalStagesTable, JsonHasNullForWhatThereIsNot) {
 // `trace` runs the stages on what --set gives, and has their values in all its forms.
 TEST_F(EvalStagesTable, TraceRunsThem) {
   (void)eval("at1.s\n0\n");  // writes the program
-  const auto trace = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), {"trace", folder_ / "dot.ts", "--profile", "nv2a"});
-    return ninebit(more);
+  const auto trace = [&](Words more) {
+    return ninebit(Words{"trace", folder_ / "dot.ts", "--profile", "nv2a"} + more);
   };
-  const std::vector<std::string> set{"--set", "texel0=255,51,0,0", "--set", "at1.s=0.5",
-                                     "--set", "at2=0,2",           "--set", "texel2=1,2,3,4"};
-  const auto with = [&](std::vector<std::string> more) {
+  const Words set{"--set", "texel0=255,51,0,0", "--set", "at1.s=0.5", "--set", "at2=0,2", "--set", "texel2=1,2,3,4"};
+  const auto with = [&](Words more) {
     more.insert(more.end(), set.begin(), set.end());
     return trace(more);
   };
   const Outcome text = with({});
   ASSERT_EQ(text.code, 0) << text.err;
-  EXPECT_NE(text.out.find("  texture stage 1: dot_product by stage 0, s, t, r, q = (0.5, 0, 0, 1), dot\n      product "
-                          "0.5 with (1, 0.2, 0)"),
-            std::string::npos)
-      << text.out;
-  EXPECT_NE(text.out.find("texture read at (0.5, 0.4, 0)"), std::string::npos) << text.out;
+  expect_parts(text.out, {"  texture stage 1: dot_product by stage 0, s, t, r, q = (0.5, 0, 0, 1), dot\n      product "
+                          "0.5 with (1, 0.2, 0)",
+                          "texture read at (0.5, 0.4, 0)"});
   EXPECT_EQ(text.out.find("culled"), std::string::npos);
   EXPECT_EQ(text.err.find("not run"), std::string::npos) << text.err;
   const Json json = Json::parse(with({"--json"}).out);
@@ -82,20 +78,19 @@ TEST_F(EvalStagesTable, TraceRunsThem) {
   EXPECT_EQ(json["texture_shader"]["culled"], false);
   EXPECT_TRUE(json["texture_shader"]["depth"].is_null());
   ASSERT_EQ(with({"-o", folder_ / "t.html"}).code, 0);
-  EXPECT_NE(read_bytes(folder_ / "t.html").find("texture stage 2: "), std::string::npos);
+  expect_parts(read_bytes(folder_ / "t.html"), {"texture stage 2: "});
   ASSERT_EQ(with({"-o", folder_ / "t.svg"}).code, 0);
-  EXPECT_NE(read_bytes(folder_ / "t.svg").find("texture stage 2: "), std::string::npos);
+  expect_parts(read_bytes(folder_ / "t.svg"), {"texture stage 2: "});
   // Without --set all is 0; a culled fragment; registers of textures in the stages' place, with a note.
-  EXPECT_NE(trace({}).out.find("texture stage 3: "), std::string::npos);
-  EXPECT_NE(trace({"--set", "at3.q=-1"}).out.find("the fragment is culled"), std::string::npos);
+  expect_parts(trace({}).out, {"texture stage 3: "});
+  expect_parts(trace({"--set", "at3.q=-1"}).out, {"the fragment is culled"});
   const Outcome registers = trace({"--set", "tex2.r=9", "--json"});
   EXPECT_FALSE(Json::parse(registers.out).contains("texture_shader"));
-  EXPECT_NE(registers.err.find("the texture-shader stages are not run, as --set tex2.r gives"), std::string::npos)
-      << registers.err;
-  const auto expect_wrong = [&](std::vector<std::string> more, const std::string& message) {
+  expect_parts(registers.err, {"the texture-shader stages are not run, as --set tex2.r gives"});
+  const auto expect_wrong = [&](Words more, const std::string& message) {
     const Outcome outcome = trace(std::move(more));
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {message});
   };
   expect_wrong({"--set", "at1.s=0", "--set", "tex0.r=1"}, "--set tex0.r: the texture-shader stages give it");
   expect_wrong({"--set", "at1.s=x"}, "--set: at1.s takes a number, not 'x'");
@@ -112,7 +107,7 @@ TEST_F(EvalStagesTable, BadTablesAreNamed) {
   const auto expect_fault = [&](const std::string& table, const std::string& message) {
     const Outcome outcome = eval(table);
     EXPECT_EQ(outcome.code, 3) << table;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {message});
   };
   expect_fault("at1.s,tex0.r\n0,0\n", "in.csv:1:7: unknown column 'tex0.r'; expected atN.s");
   expect_fault("at1.s,at1.s\n0,0\n", "in.csv:1:7: duplicate column at1.s");
@@ -121,10 +116,10 @@ TEST_F(EvalStagesTable, BadTablesAreNamed) {
   expect_fault("at1.s,texel0.r\n1\n", "in.csv:2:1: the row has 1 field, the header 2");
   const Outcome registers = eval("at1.s\n0\n", {"--registers"});
   EXPECT_EQ(registers.code, 3);
-  EXPECT_NE(registers.err.find("--registers is for tables of registers"), std::string::npos) << registers.err;
+  expect_parts(registers.err, {"--registers is for tables of registers"});
   const Outcome engine = eval("at1.s\n0\n", {"--engine", "reference"});
   EXPECT_EQ(engine.code, 3);
-  EXPECT_NE(engine.err.find("--engine is for tables of registers"), std::string::npos) << engine.err;
+  expect_parts(engine.err, {"--engine is for tables of registers"});
 }
 
 // A table of registers is as ever, and a note says that the stages do not run.
@@ -132,7 +127,7 @@ TEST_F(EvalStagesTable, ATableOfRegistersDoesNotRunThem) {
   const Outcome outcome = eval("tex2.r\n7\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "out.r,out.g,out.b,out.a\n7,0,0,255\n");
-  EXPECT_NE(outcome.err.find("the texture-shader stages are not run"), std::string::npos) << outcome.err;
+  expect_parts(outcome.err, {"the texture-shader stages are not run"});
 }
 
 }  // namespace

@@ -16,9 +16,8 @@ namespace {
 
 class EvalStream : public testing::Test {
  protected:
-  Outcome eval(const std::string& table, std::vector<std::string> more = {}, const ChildSettings& settings = {}) {
-    more.insert(more.begin(), {"eval", article_, "--inputs", write_bytes(folder_ / "in.csv", table)});
-    return ninebit(more, settings);
+  Outcome eval(const std::string& table, Words more = {}, const ChildSettings& settings = {}) {
+    return ninebit(Words{"eval", article_, "--inputs", write_bytes(folder_ / "in.csv", table)} + more, settings);
   }
   // A million rows of two columns.
   std::string write_million() {
@@ -33,7 +32,7 @@ class EvalStream : public testing::Test {
 TEST_F(EvalStream, FaultsHaveTheirPlace) {
   struct Case {
     std::string table, place;
-    std::vector<std::string> words;
+    Words words;
   };
   for (const Case& c : std::vector<Case>{
            {"", ":1:1: ", {"empty", "header"}},
@@ -62,9 +61,7 @@ TEST_F(EvalStream, FaultsHaveTheirPlace) {
            {std::string(1'000'000, 'a'), ":1:1: ", {"65536 bytes"}},
        }) {
     SCOPED_TRACE(testing::PrintToString(c.table.substr(0, 60)));
-    std::vector<std::string> words = c.words;
-    words.push_back("in.csv" + c.place);
-    expect_error(eval(c.table, {"-o", folder_ / "out.csv"}), 3, words);
+    expect_error(eval(c.table, {"-o", folder_ / "out.csv"}), 3, c.words + Words{"in.csv" + c.place});
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out.csv"));
   }
   expect_error(eval("primary.r\n200\n", {"--profile", "geforce256-8bit", "-o", folder_ / "out.csv"}), 3,
@@ -136,18 +133,11 @@ TEST_F(EvalStream, InterruptedWhileWaiting) {
   const std::string rows = "primary.r\n1\n2\n";
   ASSERT_EQ(::write(writer, rows.data(), rows.size()), static_cast<ssize_t>(rows.size()));
   Child child({"eval", article_, "--inputs", "-", "-o", folder_ / "out.csv"}, {.in = pipe});
-  while (files_in(folder_.path() / "").size() < 3 && !child.ended()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // until the output has been begun
-  }
+  child.until([&] { return folder_.names().size() == 3; });  // the output has been begun
   child.send(SIGINT);
   expect_error(child.wait(), 130, {"interrupted"});
   ::close(writer);
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"article.json", "pipe"}));
+  EXPECT_EQ(folder_.names(), (Words{"article.json", "pipe"}));
 }
 
 }  // namespace

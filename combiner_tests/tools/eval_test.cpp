@@ -30,9 +30,8 @@ constexpr std::string_view kComponents = "rgba";
 
 class Eval : public testing::Test {
  protected:
-  Outcome eval(const std::string& program, const std::string& table, std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {"eval", program, "--inputs", write_bytes(folder_ / "in.csv", table)});
-    return ninebit(more);
+  Outcome eval(const std::string& program, const std::string& table, Words more = {}) {
+    return ninebit(Words{"eval", program, "--inputs", write_bytes(folder_ / "in.csv", table)} + more);
   }
   TempFolder folder_;
   std::string article_ = write_program(folder_, "article.json", article_state());
@@ -57,7 +56,7 @@ TEST_F(Eval, TheArticle) {
 TEST_F(Eval, MissingColumns) {
   const std::string program = write_program(folder_, "default.json", CombinerState{});
   const auto registers = [&](const std::string& table) {
-    const std::vector<std::string> lines = lines_of(eval(program, table, {"--registers"}).out);
+    const Words lines = lines_of(eval(program, table, {"--registers"}).out);
     EXPECT_EQ(lines.size(), 2U);
     EXPECT_EQ(lines.at(0),
               "out.r,out.g,out.b,out.a,const0.r,const0.g,const0.b,const0.a,const1.r,const1.g,const1.b,const1.a,"
@@ -212,7 +211,7 @@ TEST_F(Eval, TablesAsTheyCome) {
 
 TEST_F(Eval, JsonRows) {
   const Json object = json_of(eval(article_, "primary.r,tex0.r\n10,12\n10,10\n", {"--json", "--profile", "nv2a"}));
-  EXPECT_EQ(keys_of(object), (std::vector<std::string>{"command", "version", "profile", "rows"}));
+  EXPECT_EQ(keys_of(object), (Words{"command", "version", "profile", "rows"}));
   EXPECT_EQ(object["command"], "eval");
   EXPECT_EQ(object["profile"], "nv2a");
   EXPECT_EQ(object["rows"], Json::parse(R"([{"out.r":0,"out.g":0,"out.b":0,"out.a":1},

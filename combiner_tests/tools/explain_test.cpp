@@ -38,20 +38,6 @@ TEST(ExplainVerb, Json) {
   EXPECT_EQ(object["dead"].size(), 2U);
 }
 
-TEST(ProgramVerbs, HelpHasAnExample) {
-  for (const std::string verb : {"eval", "explain", "convert", "validate"}) {
-    SCOPED_TRACE(verb);
-    const Outcome outcome = ninebit({verb, "--help"});
-    EXPECT_EQ(outcome.code, 0);
-    const std::size_t example = outcome.out.find("Examples:");
-    ASSERT_NE(example, std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("ninebit " + verb + " ", example), std::string::npos) << outcome.out;
-    for (const char* flag : {"--json", "--quiet", "--profile", "--from", "--chip"}) {
-      EXPECT_NE(outcome.out.find(flag), std::string::npos) << flag;
-    }
-  }
-}
-
 TEST(ExplainVerb, WhatCannotRunIsNotExplained) {
   const TempFolder folder;
   const std::string file = write_bytes(folder / "bad.txt", "glEnable(GL_REGISTER_COMBINERS_NV);\nglCombiner();\n");

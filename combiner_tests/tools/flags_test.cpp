@@ -7,15 +7,16 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
 namespace {
 
-using Words = std::vector<std::string>;
-
-const Words kValues{"nan", "inf", "-inf", "-1", "0", "1e308", "", "1000000000000000000000000000000", "1e-320"};
+// For flags that take a number or a list, and for others, where any number is as wrong as another.
+const Words kNumbers{"nan", "inf", "-1", "0", "1e308", "1000000000000000000000000000000", "1e-320"};
+const Words kOthers{"nan", "0"};
 const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl";
 
 // The values that a flag may have.
@@ -33,36 +34,19 @@ const std::map<std::string, std::set<std::string>> kRight{
     {"--polygon-stipple", {"0"}},
 };
 
-struct Verb {
-  Words words;  // "study", "shadows"
-  std::string help;
-};
-
-void add_verbs(const Words& words, std::vector<Verb>& verbs) {
-  Words asked = words;
-  asked.emplace_back("--help");
-  const std::string help = ninebit(asked).out;
-  const std::size_t list = help.find("\nSubcommands:\n");
-  if (list == std::string::npos) {
-    verbs.push_back({words, help});
-    return;
-  }
-  static const std::regex name("\n  ([a-z0-9-]+)");
-  // The list ends with the first line that is not indented; examples follow.
-  static const std::regex end_of_list("\n(?! )");
-  std::string names = help.substr(list + 13);
-  std::smatch last;
-  if (std::regex_search(names, last, end_of_list)) names.resize(static_cast<std::size_t>(last.position()));
-  for (std::sregex_iterator found(names.begin(), names.end(), name), end; found != end; ++found) {
-    Words deeper = words;
-    deeper.push_back((*found)[1]);
-    add_verbs(deeper, verbs);
-  }
-}
-
 struct Flag {
   std::string name, type;
   [[nodiscard]] bool is_choice() const { return type.find('{') != std::string::npos; }
+  [[nodiscard]] bool is_number() const {
+    static const std::regex number(
+        "((N|INT|UINT|FLOAT|DEGREES|SECONDS|PIXELS|DISTANCE|TEXELS|LIST)([=:].*)?|.*HEIGHT.*)");
+    return std::regex_match(type, number);
+  }
+  // The same at flags of the same code: those of other verbs, with another default, and of other texture units.
+  [[nodiscard]] std::string kind() const {
+    static const std::regex own("[0-9]+ |=.*");
+    return std::regex_replace(name + ' ' + type, own, " ");
+  }
 };
 
 // Flags with values, but for those that name files or functions: any text may be such a name.
@@ -78,8 +62,8 @@ std::vector<Flag> flags_in(const std::string& help) {
 }
 
 // The rest of a command that is right without the flag, and over soon.
-Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
-  const std::string name = verb.words.back();
+Words command(const Words& verb, const Flag& flag, const std::string& folder) {
+  const std::string name = verb.back();
   std::map<std::string, std::string> given;
   Words files;
   const bool draws = name == "render" || name == "compare" || name == "frame" || name == "shadows" ||
@@ -95,7 +79,7 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
     }
   }
   if (flag.name == "--bias" || flag.name == "--biases") given["--technique"] = "depth-cube";
-  if (name == "render" || name == "compare" || verb.words.front() == "study") given["-o"] = folder + "/out";
+  if (name == "render" || name == "compare" || verb.front() == "study") given["-o"] = folder + "/out";
   const bool reads = name == "explain" || name == "convert" || name == "validate" || name == "eval";
   if (reads || (name == "trace" && !draws)) files = {kCompare};
   if (name == "draw") {
@@ -127,10 +111,9 @@ Words command(const Verb& verb, const Flag& flag, const std::string& folder) {
   if (name == "depth-packing") given.insert({{"--packings", "rgba8-mod"}, {"--storages", "round"}, {"--depths", "16"}});
   given.erase(flag.name);
   if (flag.name == "--variants") given.erase("--formats");
-  Words words = verb.words;
-  words.insert(words.end(), files.begin(), files.end());
+  Words words = verb + files;
   for (const auto& [one, value] : given) words.insert(words.end(), {one, value});
-  if (verb.words.front() == "bench") words.emplace_back("--quick");
+  if (verb.front() == "bench") words.emplace_back("--quick");
   if (name == "datapath" && flag.name == "--forms") words.emplace_back("--exhaustive-sum");
   words.emplace_back("--quiet");
   return words;
@@ -157,18 +140,21 @@ TEST(Flags, OfAllVerbsRefuseWhatNobodyMeans) {
   const TempFolder folder;
   write_bytes(folder / "in.csv", "primary.r\n1\n");
   write_bytes(folder / "rows.csv", "primary.r,tex0.r,out.a\n1,1,0\n");
-  std::vector<Verb> verbs;
-  add_verbs({}, verbs);
-  EXPECT_GE(verbs.size(), 16U);
   std::size_t runs = 0;
   std::set<std::string> seen;
-  for (const Verb& verb : verbs) {
-    for (const Flag& flag : flags_in(verb.help)) {
-      // Flags that several verbs share are the same code: each kind of value at one of them, one value at the others.
-      const bool known = !seen.insert(flag.name + flag.type).second;
-      for (const std::string& value : known || flag.is_choice() ? Words{"nan"} : kValues) {
-        Words words = command(verb, flag, folder.path());
-        words.push_back(flag.name + '=' + value);
+  for (const auto& [names, help] : help_of_all_verbs()) {
+    if (help.find("\nSubcommands:\n") != std::string::npos) continue;
+    const std::vector<Flag> flags = flags_in(help);
+    std::istringstream words_of(names);
+    const Words verb{std::istream_iterator<std::string>(words_of), {}};
+    for (const Flag& flag : flags) {
+      // Each kind of value at one of the flags of the same code, one value at the others; choices need no other.
+      const bool known = !seen.insert(flag.kind()).second;
+      if (known && flag.is_choice()) continue;
+      Words values = known || flag.is_choice() ? Words{"nan"} : flag.is_number() ? kNumbers : kOthers;
+      if (&flag == &flags.front()) values.emplace_back();
+      for (const std::string& value : values) {
+        const Words words = command(verb, flag, folder.path()) + Words{flag.name + '=' + value};
         SCOPED_TRACE(testing::PrintToString(words));
         expect_answer(words, flag, value);
         std::filesystem::remove_all(folder / "out");

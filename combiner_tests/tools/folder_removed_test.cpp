@@ -18,21 +18,11 @@ namespace {
 class FolderRemoved : public testing::Test {
  protected:
   // Runs until a file of the folder satisfies `begun`, then removes the folder.
-  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments,
-                            const std::function<bool(const std::string& name)>& begun,
+  [[nodiscard]] Outcome run(const Words& arguments, const std::function<bool(const std::string& name)>& begun,
                             const std::function<void()>& go_on = {}, const ChildSettings& settings = {}) const {
     Child child(arguments, settings);
     if (go_on) feed_ = std::thread(go_on);
-    bool seen = false;
-    while (!child.ended() && !seen) {
-      std::error_code gone;
-      std::filesystem::directory_iterator entry(out_, gone);
-      for (; !gone && !seen && entry != std::filesystem::directory_iterator(); entry.increment(gone)) {
-        seen = begun(entry->path().filename().string());
-      }
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
-    EXPECT_TRUE(seen) << "the program ended before it wrote";
+    EXPECT_TRUE(child.until([&] { return has_file(out_, begun); })) << "the program ended before it wrote";
     // Again where the program has written one more file meanwhile.
     for (std::error_code error; std::filesystem::exists(out_, error);) std::filesystem::remove_all(out_, error);
     removed_ = true;
@@ -62,29 +52,29 @@ TEST_F(FolderRemoved, WhileAStudyRuns) {
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
-TEST_F(FolderRemoved, WhileAReportIsWritten) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  const std::string parts = folder_ / "parts";
-  ASSERT_EQ(ninebit({"study", "index-steps", "--formats", "la", "--steps", "1-2", "--quiet", "-o", parts}).code, 0);
-  const auto begun = [](const std::string& name) { return name.starts_with(".report"); };
-  expect_error(run({"study", "merge", parts + "/part-1-of-1.jsonl", "--quiet", "-o", out_}, begun), 4, {out_});
-  EXPECT_FALSE(std::filesystem::exists(out_));
-}
-
-// That is over too soon to be seen from outside: the program is held where it brings its file to the disk.
-TEST_F(FolderRemoved, WhileAProgramIsConverted) {
+// They are over too soon to be seen from outside: the program is held where it brings a file to the disk.
+TEST_F(FolderRemoved, WhileFilesAreWritten) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "the leak sanitizer does not work in a traced program";
-  Child child({"convert", kArticle, "--to", "rc10", "-o", out_ + "/article.rc"}, {.traced = true});
-  if (!child.run_to([](std::uint64_t call) { return call == SYS_fsync; })) {
-    const Outcome outcome = child.wait();
-    if (outcome.code == 126) GTEST_SKIP() << "tracing is not allowed here";
-    FAIL() << "it ended before it wrote: " << outcome.err;
+  const std::string parts = folder_ / "parts";
+  ASSERT_EQ(ninebit({"study", "index-steps", "--profile", "geforce2", "--formats", "l", "--steps", "1-2", "--quiet",
+                     "-o", parts})
+                .code,
+            0);
+  for (const Words& words : {Words{"convert", kArticle, "--to", "rc10", "-o", out_ + "/article.rc"},
+                             Words{"study", "merge", parts + "/part-1-of-1.jsonl", "--quiet", "-o", out_}}) {
+    SCOPED_TRACE(words[0]);
+    Child child(words, {.traced = true});
+    if (!child.run_to([](std::uint64_t call) { return call == SYS_fsync; })) {
+      const Outcome outcome = child.wait();
+      if (outcome.code == 126) GTEST_SKIP() << "tracing is not allowed here";
+      FAIL() << "it ended before it wrote: " << outcome.err;
+    }
+    EXPECT_GE(files_in(out_).size(), 1U);
+    std::filesystem::remove_all(out_);
+    child.let_go();
+    expect_error(child.wait(), 4, {out_});
+    EXPECT_FALSE(std::filesystem::exists(out_));
   }
-  EXPECT_EQ(files_in(out_).size(), 1U);
-  std::filesystem::remove_all(out_);
-  child.let_go();
-  expect_error(child.wait(), 4, {out_ + "/article.rc"});
-  EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
 TEST_F(FolderRemoved, WhileATableIsEvaluated) {
@@ -99,7 +89,7 @@ TEST_F(FolderRemoved, WhileATableIsEvaluated) {
     table << "2\n";
   };
   const auto begun = [](const std::string& name) { return name.starts_with(".table"); };
-  const std::vector<std::string> words{"eval", program, "--inputs", "-", "--quiet", "-o", out_ + "/table.csv"};
+  const Words words{"eval", program, "--inputs", "-", "--quiet", "-o", out_ + "/table.csv"};
   expect_error(run(words, begun, feed, {.in = pipe}), 4, {out_ + "/table.csv"});
   EXPECT_FALSE(std::filesystem::exists(out_));
 }

@@ -17,11 +17,11 @@ const std::string kExpected = NINEBIT_SOURCE_DIR "/scenes/expected_hashes.json";
 
 struct Golden {
   std::string scene;
-  std::vector<std::string> flags;
+  Words flags;
 };
 
 // Each technique once, for each of three scenes; reflective with fewer samples, as it draws the slowest.
-const std::vector<std::string> kEveryTechnique{
+const Words kEveryTechnique{
     "--size 320x240 --map-size 256",
     "--size 320x240 --map-size 256 --technique depth-cube --depth-bits 16",
     "--size 320x240 --map-size 256 --technique shadow-map",
@@ -87,7 +87,7 @@ Json rendered() {
   int number = 0;
   for (const Golden& golden : goldens()) {
     for (const std::string& flags : golden.flags) {
-      std::vector<std::string> arguments{"render", golden.scene, "-o", folder / "out", "--json", "--quiet"};
+      Words arguments{"render", golden.scene, "-o", folder / "out", "--json", "--quiet"};
       std::istringstream words(flags);
       for (std::string word; words >> word;) {
         arguments.push_back((word.starts_with("scenes/") ? NINEBIT_SOURCE_DIR "/" : "") + word);

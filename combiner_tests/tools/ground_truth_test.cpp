@@ -11,15 +11,13 @@
 namespace tools_test {
 namespace {
 
-std::vector<std::string> judged_render(const TempFolder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> flags{"--size", "160x120", "--map-size", "64", "--ground-truth"};
-  flags.insert(flags.end(), more.begin(), more.end());
-  return small_render(kRoom, folder / "out", flags);
+Words judged_render(const TempFolder& folder, const Words& more) {
+  return small_render(kRoom, folder / "out", Words{"--size", "160x120", "--map-size", "64", "--ground-truth"} + more);
 }
 
 // The words of a command whose words have no quotes, without the program's name.
-std::vector<std::string> words_of_command(const std::string& command) {
-  std::vector<std::string> words;
+Words words_of_command(const std::string& command) {
+  Words words;
   for (std::size_t from = 0; from < command.size();) {
     const std::size_t end = std::min(command.find(' ', from), command.size());
     words.push_back(command.substr(from, end - from));
@@ -32,19 +30,15 @@ std::vector<std::string> words_of_command(const std::string& command) {
 
 // What a command ends with that traces a pixel says of it.
 Json truth_by(const std::string& command) {
-  std::vector<std::string> words = words_of_command(command);
-  words.insert(words.end(), {"--json", "--quiet"});
-  return json_of(ninebit(words))["truth"];
+  return json_of(ninebit(words_of_command(command) + Words{"--json", "--quiet"}))["truth"];
 }
 
 // Every cause that occurs has a pixel, and its command finds that cause there; samples are pixels of a larger picture.
 TEST(GroundTruthOfRender, TheWorstPixelsCanBeTraced) {
   const TempFolder folder;
-  for (const std::vector<std::string>& flags :
-       {std::vector<std::string>{"--index-step", "1", "--supersample", "2", "--up", "y"},
-        std::vector<std::string>{"--technique", "shadow-map", "--polygon-offset", "0,0", "--profile", "nv2a"}}) {
-    std::vector<std::string> more = flags;
-    more.emplace_back("--json");
+  for (const Words& flags : {Words{"--index-step", "1", "--supersample", "2", "--up", "y"},
+                             Words{"--technique", "shadow-map", "--polygon-offset", "0,0", "--profile", "nv2a"}}) {
+    Words more = flags + Words{"--json"};
     const Json errors = json_of(ninebit(judged_render(folder, more)))["errors"];
     std::set<std::string> causes;
     for (const Json& worst : errors["worst"]) {
@@ -55,11 +49,11 @@ TEST(GroundTruthOfRender, TheWorstPixelsCanBeTraced) {
     EXPECT_GE(causes.size(), 2U);
     more.pop_back();
     std::erase(more, "--quiet");
-    std::vector<std::string> spoken = judged_render(folder, more);
+    Words spoken = judged_render(folder, more);
     std::erase(spoken, "--quiet");
     const Outcome said = ninebit(spoken);
     for (const std::string& cause : causes) {
-      EXPECT_NE(said.out.find("\n  " + cause + ": ninebit trace --scene "), std::string::npos) << said.out;
+      expect_parts(said.out, {"\n  " + cause + ": ninebit trace --scene "});
     }
   }
 }
@@ -72,18 +66,16 @@ TEST(GroundTruthOfRender, QuotesNamesForTheShell) {
   ASSERT_FALSE(answer["errors"]["worst"].empty());
   const std::string quoted = "--scene '" + std::string(folder / "it'\\''s a room.gltf") + "' --size";
   const std::string command = answer["errors"]["worst"][0]["command"];
-  EXPECT_NE(command.find(quoted), std::string::npos) << command;
+  expect_parts(command, {quoted});
 }
 
 // Of compared pictures, too, and of the points of a study.
 TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const TempFolder folder;
-  const std::vector<std::string> size{"--size", "160x120", "--quiet"};
-  std::vector<std::string> compare{
-      "compare", kRoom, "-o", folder / "c", "--json", "--vary", "technique=index-cube,shadow-volume"};
-  compare.insert(compare.end(), size.begin(), size.end());
-  const Json compared = json_of(ninebit(compare));
+  const Words size{"--size", "160x120", "--quiet"};
+  const Json compared = json_of(ninebit(
+      Words{"compare", kRoom, "-o", folder / "c", "--json", "--vary", "technique=index-cube,shadow-volume"} + size));
   ASSERT_EQ(compared["rows"].size(), 2U);
   for (const Json& row : compared["rows"]) {
     ASSERT_FALSE(row["errors"]["worst"].empty());
@@ -91,9 +83,8 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
       EXPECT_EQ(truth_by(worst["command"])["cause"], worst["cause"]) << worst["command"];
     }
   }
-  std::vector<std::string> study{"study", "shadows", kRoom, "--map-sizes", "32,64", "--steps", "1", "-o", folder / "s"};
-  study.insert(study.end(), size.begin(), size.end());
-  const Outcome answer = ninebit(study);
+  const Outcome answer =
+      ninebit(Words{"study", "shadows", kRoom, "--map-sizes", "32,64", "--steps", "1", "-o", folder / "s"} + size);
   ASSERT_EQ(answer.code, 0) << answer.err;
   std::size_t found = 0;
   for (const char* point : {"best", "worst"}) {
@@ -107,20 +98,20 @@ TEST(GroundTruthOfRender, OtherVerbsNameTheWorstPixels) {
   }
   EXPECT_GE(found, 4U);
   const std::string report = read_bytes(folder / "s/report.html");
-  EXPECT_NE(report.find("Wrong pixels of the worst point"), std::string::npos);
+  expect_parts(report, {"Wrong pixels of the worst point"});
   // Its error pictures say what is wrong where: each with a plane of causes and a command.
   std::size_t planes = 0;
   for (std::size_t at = 0; (at = report.find("{\"wrong\":\"data:image/png;base64,", at)) != std::string::npos; ++at)
     ++planes;
   EXPECT_EQ(planes, 2U);
-  EXPECT_NE(report.find("\"command\":\"ninebit trace --scene "), std::string::npos);
-  EXPECT_NE(read_bytes(folder / "s/worst.csv").find("point,cause,x,y,radius,command\r\n"), std::string::npos);
+  expect_parts(report, {"\"command\":\"ninebit trace --scene "});
+  expect_parts(read_bytes(folder / "s/worst.csv"), {"point,cause,x,y,radius,command\r\n"});
 }
 
 // Whatever single values a study has: its question asks the same again, and its commands find what it counted.
 TEST(GroundTruthOfRender, TheCommandsOfAStudyRun) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
-  for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
+  for (const Words& flags : std::vector<Words>{
            {"--map-size", "64"},
            {"--map-size", "64", "--index-step", "1", "--index-scope", "object", "--index-format", "la",
             "--index-scales", "first-x4", "--up", "y", "--cull", "back", "--floor", "none"},
@@ -128,13 +119,10 @@ TEST(GroundTruthOfRender, TheCommandsOfAStudyRun) {
            {"--technique", "shadow-map", "--map-size", "64", "--polygon-offset", "0,0", "--spot-angle", "90"},
            {"--technique", "depth-cube", "--map-size", "64", "--depth-bits", "8", "--bias", "0", "--profile", "nv2a"},
            {"--technique", "shadow-volume", "--light-facing", "--fov", "70"}}) {
-    std::vector<std::string> study{"study", "shadows", kRoom, "--size", "80x60", "--json", "--quiet"};
-    study.insert(study.end(), flags.begin(), flags.end());
-    const Json answer = json_of(ninebit(study));
+    const Json answer =
+        json_of(ninebit(Words{"study", "shadows", kRoom, "--size", "80x60", "--json", "--quiet"} + flags));
     SCOPED_TRACE(answer["question"]);
-    std::vector<std::string> again = words_of_command(answer["question"]);
-    again.insert(again.end(), {"--json", "--quiet"});
-    EXPECT_EQ(json_of(ninebit(again)), answer);
+    EXPECT_EQ(json_of(ninebit(words_of_command(answer["question"]) + Words{"--json", "--quiet"})), answer);
     EXPECT_EQ(answer.contains("worst"), answer["rows"][0]["wrong"] != 0);
     for (const Json& one : answer.contains("worst") ? answer["worst"] : Json::array()) {
       EXPECT_EQ(truth_by(one["command"])["cause"], one["cause"]) << one["command"];
@@ -159,8 +147,7 @@ TEST(GroundTruthOfRender, AStudyNamesTheWorstPixelsOfRender) {
   ASSERT_EQ(by_point.size(), 2U);  // of three
   for (const auto& [point, found] : by_point) {
     const std::string map_size = study["rows"][static_cast<std::size_t>(point)]["map_size"].dump();
-    const std::vector<std::string> flags{"--size",       "160x120", "--map-size",     map_size,
-                                         "--index-step", "1",       "--ground-truth", "--json"};
+    const Words flags{"--size", "160x120", "--map-size", map_size, "--index-step", "1", "--ground-truth", "--json"};
     Json expected = json_of(ninebit(small_render(kRoom, folder / "out", flags)))["errors"]["worst"];
     ASSERT_FALSE(expected.empty());
     for (Json& one : expected) one.erase("command");
@@ -172,8 +159,8 @@ TEST(GroundTruthOfRender, CountsWhatItsLayersShow) {
   const TempFolder folder;
   const Json answer = json_of(ninebit(judged_render(folder, {"--json", "--layers", "--index-step", "1"})));
   const Json& errors = answer["errors"];
-  EXPECT_EQ(keys_of(errors), (std::vector<std::string>{"false_lit", "false_shadowed", "by_cause", "worst"}));
-  const std::vector<std::string> causes{"truncation", "joint", "vanished", "shared", "sampling"};
+  EXPECT_EQ(keys_of(errors), (Words{"false_lit", "false_shadowed", "by_cause", "worst"}));
+  const Words causes{"truncation", "joint", "vanished", "shared", "sampling"};
   EXPECT_EQ(keys_of(errors["by_cause"]), causes);
 
   std::map<std::string, std::vector<std::uint32_t>> planes;
@@ -230,7 +217,7 @@ TEST(GroundTruthOfRender, ChangesNothingElse) {
   Json counts = judged["errors"];
   counts.erase("worst");
   EXPECT_EQ(counts, expected) << "what these bits of the room have always come to";
-  std::vector<std::string> plain = judged_render(folder, {"--json"});
+  Words plain = judged_render(folder, {"--json"});
   std::erase(plain, "--ground-truth");
   const Json unjudged = json_of(ninebit(plain));
   EXPECT_FALSE(unjudged.contains("errors"));
@@ -241,16 +228,16 @@ TEST(GroundTruthOfRender, ChangesNothingElse) {
 
 TEST(GroundTruthOfRender, TellsPeopleTheCounts) {
   const TempFolder folder;
-  std::vector<std::string> arguments = judged_render(folder, {});
+  Words arguments = judged_render(folder, {});
   std::erase(arguments, "--quiet");
   const Outcome outcome = ninebit(arguments);
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("wrote " + (folder / "out/error.png")), std::string::npos) << outcome.err;
+  expect_parts(outcome.err, {"wrote " + (folder / "out/error.png")});
   const Json errors = json_of(ninebit(judged_render(folder, {"--json"})))["errors"];
   const std::string line = "ground truth: " + errors["false_lit"].dump() + " pixels falsely lit, " +
                            errors["false_shadowed"].dump() +
                            " falsely shadowed: " + errors["by_cause"]["joint"].dump() + " joint, ";
-  EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
+  expect_parts(outcome.out, {line});
 }
 
 }  // namespace

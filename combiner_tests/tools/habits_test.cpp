@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <regex>
-#include <set>
 
 #include "combiner_tests/tools/support.h"
 
@@ -13,7 +12,7 @@ namespace {
 
 TEST(Habits, DidYouMean) {
   struct Case {
-    std::vector<std::string> arguments;
+    Words arguments;
     std::string meant;
   };
   const std::vector<Case> cases{
@@ -35,25 +34,28 @@ TEST(Habits, DidYouMean) {
     expect_error(ninebit(c.arguments), 2, {"; did you mean '" + c.meant + "'?"});
   }
   // Nothing that was meant is made up.
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"xyzzy"}, {"info", "--bogus"}, {"profiles", "--profile", "voodoo"}, {"generat"}}) {
+  for (const Words& arguments :
+       std::vector<Words>{{"xyzzy"}, {"info", "--bogus"}, {"profiles", "--profile", "voodoo"}, {"generat"}}) {
     EXPECT_EQ(ninebit(arguments).err.find("did you mean"), std::string::npos) << testing::PrintToString(arguments);
   }
 }
 
 TEST(Habits, VersionWithTheBuildsFacts) {
-  const std::string text = ninebit({"--version"}).out;
+  const Outcome version = ninebit({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.err, "");
+  const std::string& text = version.out;
+  EXPECT_EQ(ninebit({"-V"}).out, text);
   EXPECT_TRUE(std::regex_search(text, std::regex("^ninebit [0-9]+\\.[0-9]+\\.[0-9]+\ncompiler: (GCC|Clang) [0-9]")))
       << text;
-  for (const char* fact : {"\nbuild: ", "\nprocessor: ", "\nSIMD target: "})
-    EXPECT_NE(text.find(fact), std::string::npos);
+  expect_parts(text, {"\nbuild: ", "\nprocessor: ", "\nSIMD target: "});
   const Json info = json_of(ninebit({"info", "--json"}))["rows"][0];
-  EXPECT_NE(text.find("\nSIMD target: " + info["simd_target"].get<std::string>() + "\n"), std::string::npos);
-  EXPECT_NE(text.find("\nbuild: " + info["build"].get<std::string>() + "\n"), std::string::npos);
+  expect_parts(text, {"\nSIMD target: " + info["simd_target"].get<std::string>() + "\n",
+                      "\nbuild: " + info["build"].get<std::string>() + "\n"});
 }
 
 // The program's stderr on a terminal, up to the end of its first line.
-std::string seen_on_a_terminal(const std::vector<std::string>& arguments) {
+std::string seen_on_a_terminal(const Words& arguments) {
   const Terminal terminal;
   (void)ninebit(arguments, {.err = terminal.name()});
   return terminal.seen_until("\n");
@@ -75,7 +77,7 @@ TEST(Habits, ColoursOnTerminalsAlone) {
 
 TEST(Habits, ADumbTerminalGetsNoEscapes) {
   const TempFolder folder;
-  const std::vector<std::string> drawing = small_render(kRoom, folder / "out");
+  const Words drawing = small_render(kRoom, folder / "out");
   ::unsetenv("NO_COLOR");
   ::setenv("TERM", "xterm", 1);
   EXPECT_NE(seen_on_a_terminal(drawing).find("\r\x1b[K["), std::string::npos) << "the progress bar";
@@ -86,61 +88,32 @@ TEST(Habits, ADumbTerminalGetsNoEscapes) {
   ::setenv("TERM", "xterm", 1);
 }
 
-// The verbs that the help lists, "study index-steps" among them.
-std::set<std::string> verbs_of(const std::vector<std::string>& path) {
-  std::vector<std::string> arguments = path;
-  arguments.emplace_back("--help");
-  const std::string help = ninebit(arguments).out;
-  std::set<std::string> verbs;
-  const std::size_t list = help.find("Subcommands:");
-  if (list == std::string::npos) return verbs;
-  // An empty line ends the list; examples may follow.
-  const std::string listed = help.substr(list, help.find("\n\n", list) - list);
-  const std::regex line("\n  ([a-z-]+) ");
-  for (std::sregex_iterator it(listed.begin(), listed.end(), line), end; it != end; ++it) {
-    std::vector<std::string> part = path;
-    part.push_back((*it)[1]);
-    std::string name;
-    for (const std::string& word : part) name += (name.empty() ? "" : " ") + word;
-    verbs.insert(name);
-    verbs.merge(verbs_of(part));
-  }
-  return verbs;
-}
-
-TEST(Habits, EveryVerbHasAnExample) {
-  const std::set<std::string> verbs = verbs_of({});
-  EXPECT_GE(verbs.size(), 14U);
-  for (const std::string& verb : verbs) {
-    std::vector<std::string> arguments;
-    for (std::size_t begin = 0; begin <= verb.size();) {
-      const std::size_t end = std::min(verb.find(' ', begin), verb.size());
-      arguments.push_back(verb.substr(begin, end - begin));
-      begin = end + 1;
-    }
-    arguments.emplace_back("--help");
-    const std::string help = ninebit(arguments).out;
+TEST(Habits, EveryVerbHasAnExampleAndTheCommonFlags) {
+  EXPECT_GE(help_of_all_verbs().size(), 14U);
+  for (const auto& [verb, help] : help_of_all_verbs()) {
+    SCOPED_TRACE(verb);
     const std::size_t example = help.find("Example");
-    ASSERT_NE(example, std::string::npos) << verb;
-    EXPECT_NE(help.find("ninebit " + verb, example), std::string::npos) << verb;
+    ASSERT_NE(example, std::string::npos);
+    EXPECT_NE(help.find("ninebit " + (verb.empty() ? "render" : verb), example), std::string::npos);
+    const bool is_group = help.find("Subcommands:") != std::string::npos;
+    if (!is_group && verb != "help" && verb != "gl-run") expect_parts(help, {"--json", "--quiet"});
   }
 }
 
 TEST(Habits, ManualAndCompletionsTellOfEveryVerb) {
-  const std::set<std::string> verbs = verbs_of({});
   for (const char* form : {"man", "bash", "zsh", "fish"}) {
     SCOPED_TRACE(form);
     const Outcome outcome = ninebit({"generate", form});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    for (const std::string& verb : verbs) {
+    for (const auto& [verb, help] : help_of_all_verbs()) {
       const std::string name = verb.substr(verb.rfind(' ') + 1);
       const std::string written = std::string(form) == "man" ? std::regex_replace(name, std::regex("-"), "\\-") : name;
-      EXPECT_NE(outcome.out.find(written), std::string::npos) << verb;
+      expect_parts(outcome.out, {written});
     }
     for (const char* flag : {"technique", "shadow-volume", "threads", "nv2a"}) {
       const std::string written =
           std::string(form) == "man" ? std::regex_replace(std::string(flag), std::regex("-"), "\\-") : flag;
-      EXPECT_NE(outcome.out.find(written), std::string::npos) << flag;
+      expect_parts(outcome.out, {written});
     }
   }
   EXPECT_EQ(ninebit({"--help"}).out.find("generate"), std::string::npos) << "it is for the build";

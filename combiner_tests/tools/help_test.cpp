@@ -9,17 +9,17 @@ namespace tools_test {
 namespace {
 
 TEST(Help, OfAVerbIsThatOfItsFlag) {
-  for (const std::vector<std::string>& verb : std::vector<std::vector<std::string>>{
+  for (const Words& verb : std::vector<Words>{
            {}, {"render"}, {"study"}, {"study", "shadows"}, {"prove", "kit"}, {"gl-run"}, {"help"}, {"generate"}}) {
     SCOPED_TRACE(testing::PrintToString(verb));
-    std::vector<std::string> asked{"help"}, flagged = verb;
+    Words asked{"help"}, flagged = verb;
     asked.insert(asked.end(), verb.begin(), verb.end());
     flagged.emplace_back("--help");
     const Outcome help = ninebit(asked), flag = ninebit(flagged);
     EXPECT_EQ(help.code, 0) << help.err;
     EXPECT_EQ(help.err, "");
     EXPECT_EQ(help.out, flag.out);
-    EXPECT_NE(help.out.find("Usage: ninebit"), std::string::npos);
+    expect_parts(help.out, {"Usage: ninebit"});
   }
 }
 
@@ -27,12 +27,6 @@ TEST(Help, OfNothing) {
   expect_error(ninebit({"help", "rendr"}), 2, {"unknown command 'rendr'; expected one of render, ", "'render'?"});
   expect_error(ninebit({"help", "study", "shadow"}), 2, {"unknown command 'shadow'", "'shadows'?"});
   expect_error(ninebit({"help", "render", "more"}), 2, {"`ninebit render` has no commands of its own"});
-}
-
-TEST(Help, ShortVersion) {
-  const Outcome outcome = ninebit({"-V"});
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.out, ninebit({"--version"}).out);
 }
 
 // The flags of each technique stand together, and every flag of render that takes a value names its default, or is one
@@ -68,17 +62,14 @@ TEST(Help, OfRenderIsGroupedWithDefaults) {
 TEST(Help, RefusedFlags) {
   const TempFolder folder;
   const std::string table = write_bytes(folder / "t.csv", "primary.r\n1\n");
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"explain", kArticle},
-                                             {"validate", kArticle},
-                                             {"convert", kArticle, "--to", "json"},
-                                             {"eval", kArticle, "--inputs", table},
-                                             {"profiles"},
-                                             {"trace", kArticle}}) {
+  for (const Words& arguments : std::vector<Words>{{"explain", kArticle},
+                                                   {"validate", kArticle},
+                                                   {"convert", kArticle, "--to", "json"},
+                                                   {"eval", kArticle, "--inputs", table},
+                                                   {"profiles"},
+                                                   {"trace", kArticle}}) {
     SCOPED_TRACE(arguments[0]);
-    std::vector<std::string> threaded = arguments;
-    threaded.insert(threaded.end(), {"--threads", "2"});
-    expect_error(ninebit(threaded), 2, {"--threads", "one thread"});
+    expect_error(ninebit(arguments + Words{"--threads", "2"}), 2, {"--threads", "one thread"});
     EXPECT_EQ(ninebit(arguments).code, 0);
   }
   expect_error(ninebit({"study", "depth-packing", "--profile", "nv2a"}), 2, {"--profile", "does not depend"});
@@ -110,8 +101,7 @@ TEST(Help, Lists) {
     if (*list == '\0') continue;
     const Outcome outcome = steps(list);
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find(std::string("invalid list '") + list + "'; expected a list of"), std::string::npos)
-        << outcome.err;
+    expect_parts(outcome.err, {std::string("invalid list '") + list + "'; expected a list of"});
   }
   const TempFolder folder;
   const auto varied = [&](const std::string& list) {
@@ -120,7 +110,7 @@ TEST(Help, Lists) {
   };
   EXPECT_EQ(json_of(varied("index-step=1-3"))["rows"].size(), 3U);
   EXPECT_EQ(json_of(varied("index-step=1,2"))["rows"].size(), 2U);
-  EXPECT_NE(varied("index-step=1,1").err.find("'1' is given twice"), std::string::npos);
+  expect_parts(varied("index-step=1,1").err, {"'1' is given twice"});
 }
 
 }  // namespace

@@ -11,12 +11,9 @@ namespace {
 
 class InputError : public testing::Test {
  protected:
-  void expect_refused(const std::string& scene, const std::vector<std::string>& words,
-                      const std::vector<std::string>& flags = {}) const {
+  void expect_refused(const std::string& scene, const Words& words, const Words& flags = {}) const {
     SCOPED_TRACE(scene + ' ' + testing::PrintToString(flags));
-    std::vector<std::string> wanted = words;
-    wanted.push_back(scene);
-    expect_error(ninebit(small_render(scene, folder_ / "out/deep", flags)), 3, wanted);
+    expect_error(ninebit(small_render(scene, folder_ / "out/deep", flags)), 3, words + Words{scene});
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
   }
   [[nodiscard]] std::string make(const std::string& name, std::string_view bytes) const {
@@ -124,10 +121,9 @@ TEST_F(InputError, TooManyPolygonsSaysWhatWouldDo) {
                  {"--index-format", "la"});
   expect_refused(kBunny, {"too many sections", "index format l with step 2 has 128", "index format la would do"},
                  {"--index-format", "l", "--index-scope", "section"});
-  for (const std::vector<std::string>& remedy :
-       std::vector<std::vector<std::string>>{{"--index-step", "6"},
-                                             {"--index-step", "16", "--index-scope", "object"},
-                                             {"--index-format", "la", "--index-scope", "section"}}) {
+  for (const Words& remedy : std::vector<Words>{{"--index-step", "6"},
+                                                {"--index-step", "16", "--index-scope", "object"},
+                                                {"--index-format", "la", "--index-scope", "section"}}) {
     const Outcome outcome = ninebit(small_render(kBunny, folder_ / "done", remedy));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
   }
@@ -152,7 +148,7 @@ TEST_F(InputError, TheLastCodeIsUsable) {
 TEST_F(InputError, HarmlessScenes) {
   const std::string good = make("good.obj", kTriangle + "f 1 2 3\n");
   const std::string with = make("with.obj", kTriangle + "f 1 2 3\nf 1 1 2\nf 2 2 2\n");
-  const auto render = [&](const std::string& scene, std::vector<std::string> flags) {
+  const auto render = [&](const std::string& scene, Words flags) {
     flags.emplace_back("--json");
     return json_of(ninebit(small_render(scene, folder_ / "done", flags)));
   };
@@ -162,12 +158,10 @@ TEST_F(InputError, HarmlessScenes) {
   EXPECT_EQ(more["hash"]["color"], plain["hash"]["color"]);
   EXPECT_EQ(render(make("only.obj", kTriangle + "f 1 1 1\n"), {"--floor", "none"})["pixels"]["background"], 48 * 36);
 
-  const std::vector<std::string> front{"--floor", "none", "--camera", "0.3,0.3,2", "--look-at", "0.3,0.3,0"};
+  const Words front{"--floor", "none", "--camera", "0.3,0.3,2", "--look-at", "0.3,0.3,0"};
   for (const char* light : {"5,5,0", "0.2,0.2,0", "0,0,0", "0.5,0,0"}) {
     SCOPED_TRACE(light);
-    std::vector<std::string> flags = front;
-    flags.insert(flags.end(), {"--light", light});
-    const Json answer = render(good, flags);
+    const Json answer = render(good, front + Words{"--light", light});
     EXPECT_GT(answer["pixels"]["lit"].get<int>() + answer["pixels"]["shadowed"].get<int>(), 0);
   }
 }

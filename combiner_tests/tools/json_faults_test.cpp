@@ -9,7 +9,7 @@ namespace {
 
 // Each line of stderr that is an error ends with the message of the object.
 void expect_same_lines(const Outcome& outcome, const Json& faults) {
-  std::vector<std::string> errors;
+  Words errors;
   for (const std::string& line : lines_of(outcome.err)) {
     if (line.starts_with("ninebit: error: ")) errors.push_back(line);
   }
@@ -20,20 +20,19 @@ void expect_same_lines(const Outcome& outcome, const Json& faults) {
 }
 
 TEST(JsonFaults, WrongUsage) {
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"render", kRoom, "-o", "out", "--json", "--size", "none"},
-                                             {"render", "--json"},
-                                             {"trace", "--json"},
-                                             {"rendr", "--json"},
-                                             {"study", "index-steps", "--steps", "0", "--json"},
-                                             {"vectors", "-o", "out", "--programs", "1", "--json"}}) {
+  for (const Words& arguments : std::vector<Words>{{"render", kRoom, "-o", "out", "--json", "--size", "none"},
+                                                   {"render", "--json"},
+                                                   {"trace", "--json"},
+                                                   {"rendr", "--json"},
+                                                   {"study", "index-steps", "--steps", "0", "--json"},
+                                                   {"vectors", "-o", "out", "--programs", "1", "--json"}}) {
     SCOPED_TRACE(testing::PrintToString(arguments));
     const Outcome outcome = ninebit(arguments);
     const Json faults = faults_of(outcome, 2);
-    EXPECT_EQ(keys_of(faults), (std::vector<std::string>{"command", "version", "exit_code", "error", "errors"}));
+    EXPECT_EQ(keys_of(faults), (Words{"command", "version", "exit_code", "error", "errors"}));
     EXPECT_EQ(faults["command"], arguments[0]);
     EXPECT_EQ(faults["errors"].size(), 1U);
-    EXPECT_NE(faults["error"]["message"].get<std::string>().find("--help)"), std::string::npos);
+    expect_parts(faults["error"]["message"].get<std::string>(), {"--help)"});
     expect_same_lines(outcome, faults);
   }
 }

@@ -34,11 +34,11 @@ class Limits : public testing::Test {
     file << tail;
     return folder_ / name;
   }
-  [[nodiscard]] Outcome render(const std::string& scene, const std::vector<std::string>& more = {}) const {
+  [[nodiscard]] Outcome render(const std::string& scene, const Words& more = {}) const {
     return ninebit(small_render(scene, folder_ / "out", more));
   }
   // Refused, within so many KiB, and without an output folder.
-  void expect_refused(const Outcome& outcome, const std::vector<std::string>& words, long most_kib) const {
+  void expect_refused(const Outcome& outcome, const Words& words, long most_kib) const {
     expect_error(outcome, 3, words);
     EXPECT_TRUE(ninebit::test::kSanitized || outcome.peak_kib < most_kib)
         << outcome.peak_kib << " KiB: " << outcome.err;
@@ -53,7 +53,7 @@ TEST_F(Limits, AFileThatIsNoSceneTakesAMultipleOfItsSize) {
   struct Case {
     const char* name;
     std::string text;
-    std::vector<std::string> words;
+    Words words;
     long times;
   };
   const std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n";
@@ -140,17 +140,8 @@ std::string big_endian(std::uint32_t value) {
   return text;
 }
 
-std::uint32_t crc_of(std::string_view bytes) {
-  std::uint32_t crc = ~0U;
-  for (const char c : bytes) {
-    crc ^= static_cast<unsigned char>(c);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
-  }
-  return ~crc;
-}
-
 std::string chunk(const std::string& type, const std::string& data) {
-  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc_of(type + data));
+  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc32_of(type + data));
 }
 
 // A PNG whose header promises so many pixels, with no more behind it than a compressor's first bytes.

@@ -30,9 +30,8 @@ const std::string kDefinition =
     "psd.PSFinalCombinerInputsABCD = 0xc;\npsd.PSFinalCombinerInputsEFG = 0x1c80;\npsd.PSCombinerCount = 0x101;\n"
     "psd.PSTextureModes = PS_TEXTUREMODES(PS_TEXTUREMODES_PROJECT2D, PS_TEXTUREMODES_CUBEMAP, 0, 0);\n";
 
-std::vector<std::string> on_nv2a(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--profile", "nv2a"});
-  return arguments;
+Words on_nv2a(Words arguments) {
+  return arguments + Words{"--profile", "nv2a"};
 }
 
 TEST(LogFiles, ConvertListsTheSetUps) {
@@ -49,7 +48,7 @@ TEST(LogFiles, ConvertListsTheSetUps) {
                 "    2         1          23          2          1  1           spare0 = 2·(tex1 × primary)\n");
   const Outcome first = ninebit(on_nv2a({"convert", log, "--frame", "1"}));
   EXPECT_EQ(lines_of(first.out).size(), 3U) << first.out;
-  EXPECT_NE(first.out.find("1 draw in frame 1"), std::string::npos) << first.out;
+  expect_parts(first.out, {"1 draw in frame 1"});
   const std::string output = folder / "list.txt";
   EXPECT_EQ(ninebit(on_nv2a({"convert", log, "-o", output})).code, 0);
   EXPECT_EQ(read_bytes(output), all.out);
@@ -86,11 +85,10 @@ TEST(LogFiles, EveryVerbTakesASetUp) {
   ASSERT_EQ(converted.code, 0) << converted.err;
   const std::string plain = write_bytes(folder / "f.rc", converted.out);
   EXPECT_EQ(converted.err, "");
-  EXPECT_NE(converted.out.find("!!TS1.0\ntexture_2d();\n"), std::string::npos) << converted.out;
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"eval", "?", "--inputs", rows},
-                                                    {"trace", "?", "--set", "tex1=100,0,0,255"},
-                                                    {"validate", "?"}}) {
-    std::vector<std::string> of_log = arguments, of_file = arguments;
+  expect_parts(converted.out, {"!!TS1.0\ntexture_2d();\n"});
+  for (const Words& arguments :
+       {Words{"eval", "?", "--inputs", rows}, {"trace", "?", "--set", "tex1=100,0,0,255"}, {"validate", "?"}}) {
+    Words of_log = arguments, of_file = arguments;
     of_log[1] = second;
     of_file[1] = plain;
     const Outcome a = ninebit(on_nv2a(of_log)), b = ninebit(on_nv2a(of_file));
@@ -113,10 +111,10 @@ TEST(LogFiles, EveryVerbTakesASetUp) {
 TEST(LogFiles, SeveralSetUpsMustBePicked) {
   const TempFolder folder;
   const std::string log = write_bytes(folder / "f.log", kLog);
-  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& why) {
+  const auto refused = [&](const Words& arguments, const std::string& why) {
     const Outcome outcome = ninebit(on_nv2a(arguments));
     EXPECT_EQ(outcome.code, 3) << outcome.err;
-    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {why});
   };
   refused({"explain", log}, "the log has 2 combiner set-ups; pick one with #1 to #2 behind the file's name");
   refused({"explain", log + "#3"}, "the log has 2 combiner set-ups; expected a number from 1 to 2");
@@ -132,7 +130,7 @@ TEST(LogFiles, NamesThatEndInANumberOpenAsTheyAre) {
   const std::string log = write_bytes(folder / "f.log", kLog);
   const std::string named = write_bytes(folder / "f.log#1", "!!RC1.0\nout.rgb = col1;\n");
   const Outcome outcome = ninebit(on_nv2a({"explain", named}));
-  EXPECT_NE(outcome.out.find("rgb = secondary"), std::string::npos) << outcome.out << outcome.err;
+  expect_parts(outcome.out, {"rgb = secondary"});
   EXPECT_EQ(ninebit(on_nv2a({"explain", log + "#2"})).code, 0);
   expect_error(ninebit({"explain", folder / "none.log#1"}), 3, {"none.log", "could not be read"});
   const std::string calls = write_bytes(folder / "calls.gl", article_calls());
@@ -163,10 +161,8 @@ TEST(LogFiles, GuessesAndSkippedLinesAreNoted) {
   const std::string log = write_bytes(folder / "g.log", "start\n0x1e60 0x101\n0x17fc 0x5\n0x17fc 0x0\n");
   const Outcome outcome = ninebit(on_nv2a({"convert", log}));
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("ninebit: note: " + log + ":1:1: read as: method in column 1, data in column 2;"),
-            std::string::npos)
-      << outcome.err;
-  EXPECT_NE(outcome.err.find("1 line is not a register write; the first is line 1"), std::string::npos) << outcome.err;
+  expect_parts(outcome.err, {"ninebit: note: " + log + ":1:1: read as: method in column 1, data in column 2;",
+                             "1 line is not a register write; the first is line 1"});
   EXPECT_EQ(ninebit(on_nv2a({"convert", log, "--quiet"})).err, "");
 }
 
@@ -194,9 +190,8 @@ TEST(LogFiles, RowsThatDoNotFitTheHeaderAreErrors) {
   const std::string log = write_bytes(folder / "bad.csv", kHeader + "0x97,0xac0,red\n0x97,?,1\n0x97,0x1e60,0x101\n");
   const Outcome outcome = ninebit(on_nv2a({"convert", log}));
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_NE(outcome.err.find(log + ":2:12: 'red' in column 3 is not a number of 32 bits"), std::string::npos)
-      << outcome.err;
-  EXPECT_NE(outcome.err.find(log + ":3:6: '?' is not a method"), std::string::npos) << outcome.err;
+  expect_parts(outcome.err,
+               {log + ":2:12: 'red' in column 3 is not a number of 32 bits", log + ":3:6: '?' is not a method"});
   EXPECT_EQ(ninebit(on_nv2a({"validate", log})).code, 3);
 }
 
@@ -207,7 +202,7 @@ TEST(LogFiles, RowsOfTablesDoNotReachOutsideThroughANumber) {
   const std::string table = write_bytes(folder / "t.csv", "program,primary.r,tex1.r,out.r\nlink.log#2,255,100,200\n");
   const Outcome outcome = ninebit(on_nv2a({"verify", table}));
   EXPECT_EQ(outcome.code, 3) << outcome.out;
-  EXPECT_NE(outcome.err.find("is a link out of the folder"), std::string::npos) << outcome.err;
+  expect_parts(outcome.err, {"is a link out of the folder"});
   write_bytes(folder / "f.log", kLog);
   const std::string inside = write_bytes(folder / "u.csv", "program,primary.r,tex1.r,out.r\nf.log#2,255,100,200\n");
   EXPECT_EQ(ninebit(on_nv2a({"verify", inside})).code, 0);
@@ -218,12 +213,9 @@ TEST(XboxFiles, EveryVerbReadsADefinition) {
   const std::string file = write_bytes(folder / "psd.c", kDefinition);
   const Outcome explained = ninebit(on_nv2a({"explain", file}));
   EXPECT_EQ(explained.code, 0) << explained.err;
-  EXPECT_NE(explained.out.find("spare0 = 2·(tex0 × primary)"), std::string::npos);
-  EXPECT_NE(explained.out.find("words that combiners do not read\n"), std::string::npos);
-  EXPECT_NE(
-      explained.out.find("texture shader\n  tex0 = texture 0 at (s0, t0) / q0\n  tex1 = texture 1 at (s1, t1, r1)\n"),
-      std::string::npos)
-      << explained.out;
+  expect_parts(explained.out,
+               {"spare0 = 2·(tex0 × primary)", "words that combiners do not read\n",
+                "texture shader\n  tex0 = texture 0 at (s0, t0) / q0\n  tex1 = texture 1 at (s1, t1, r1)\n"});
   EXPECT_EQ(ninebit(on_nv2a({"validate", file})).code, 0);
   EXPECT_EQ(ninebit(on_nv2a({"validate", file, "--from", "xbox"})).code, 0);
   const std::string wrong = write_bytes(folder / "wrong.c", "psd.PSCombinerCount = 9;\n");
@@ -231,9 +223,7 @@ TEST(XboxFiles, EveryVerbReadsADefinition) {
   const std::string text = write_bytes(folder / "text.c", "psd.PSCombinerCounts = 9;\n");
   const Outcome refused = ninebit(on_nv2a({"validate", text}));
   EXPECT_EQ(refused.code, 3);
-  EXPECT_NE(refused.err.find(text + ":1:5: 'PSCombinerCounts' is not a member of D3DPIXELSHADERDEF; did you mean"),
-            std::string::npos)
-      << refused.err;
+  expect_parts(refused.err, {text + ":1:5: 'PSCombinerCounts' is not a member of D3DPIXELSHADERDEF; did you mean"});
 }
 
 TEST(XboxFiles, OtherWordsAreKeptWhereTheyHaveAPlace) {
@@ -267,7 +257,7 @@ TEST(XboxFiles, BinaryFilesOfAnotherSizeAreRefused) {
   expect_error(ninebit(on_nv2a({"validate", longer})), 3, {"longer.bin", "this is a binary file"});
   const Outcome named = ninebit(on_nv2a({"validate", longer, "--from", "xbox"}));
   EXPECT_EQ(named.code, 3);
-  EXPECT_NE(named.err.find("480 bytes, which are 2 definitions; expected the 240"), std::string::npos) << named.err;
+  expect_parts(named.err, {"480 bytes, which are 2 definitions; expected the 240"});
 }
 
 }  // namespace

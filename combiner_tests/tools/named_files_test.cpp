@@ -1,4 +1,5 @@
-// Names of files that stand in files: every reader treats every kind of name alike.
+// Names of files that stand in files: every reader asks the one rule which of them it may read. What that rule says of
+// names of all kinds is tested in combiner_tests/system/inside_folder_test.cpp.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -30,7 +31,7 @@ struct Reader {
   std::string extension;  // of the file that is read
   std::string content;    // that the reader accepts
   // Reads the name in the file `in/` + something, from the folder `in`.
-  std::function<Outcome(const std::string& name, const std::vector<std::string>& more)> read;
+  std::function<Outcome(const std::string& name, const Words& more)> read;
   bool is_json = false;          // whether the file can hold any character
   bool ignores_missing = false;  // whether a file that is not there is no error
 };
@@ -42,10 +43,7 @@ class NamedFiles : public testing::Test {
     for (const char* folder : {"in/sub", "out"}) fs::create_directories(folder_.path() / folder);
     ASSERT_EQ(::mkfifo((folder_ / "in/fifo").c_str(), 0600), 0);
     fs::create_directory_symlink("sub", folder_ / "in/linked");
-    fs::create_directory_symlink("../out", folder_ / "in/up");
     fs::create_symlink("/dev/zero", folder_ / "in/zero");
-    fs::create_symlink("loop", folder_ / "in/loop");
-    fs::create_symlink("none", folder_ / "in/dangling");
     ninebit::Image8 image{4, 4, 3, std::vector<std::uint8_t>(48, 200)};
     ASSERT_TRUE(ninebit::write_png(folder_ / "picture.png", image));
     picture_ = read_bytes(folder_ / "picture.png");
@@ -56,67 +54,39 @@ class NamedFiles : public testing::Test {
   // Puts the reader's file where it may be read and where it may not.
   void put(const Reader& reader) const {
     const std::string& e = reader.extension;
-    for (const std::string& name : {"plain" + e, "sub/plain" + e, "..plain" + e, "a..b" + e, "\xC3\xA9" + e}) {
+    for (const std::string& name : {"plain" + e, "sub/plain" + e, "\xC3\xA9" + e}) {
       write_bytes(in(name), reader.content);
     }
     write_bytes(folder_ / ("out/secret" + e), reader.content);
-    for (const auto& [link, to] : {std::pair{"link", "plain"}, {"link2", "sub/plain"}, {"way_out", "../out/secret"}}) {
+    for (const auto& [link, to] : {std::pair{"link", "sub/plain"}, {"way_out", "../out/secret"}}) {
       fs::remove(in(link + e));
       fs::create_symlink(to + e, in(link + e));
     }
   }
 
-  [[nodiscard]] static std::vector<std::string> names_inside(const std::string& e) {
-    return {"plain" + e, "./plain" + e, "sub/plain" + e,    "sub//plain" + e, "./sub/./plain" + e, "..plain" + e,
-            "a..b" + e,  "link" + e,    "linked/plain" + e, "link2" + e,      "\xC3\xA9" + e};
+  [[nodiscard]] static Words names_inside(const std::string& e) {
+    return {"./sub//plain" + e, "link" + e, "linked/plain" + e, "\xC3\xA9" + e};
   }
 
   // Names of files that exist and are only read if that is allowed.
-  [[nodiscard]] std::vector<std::string> names_outside(const std::string& e) const {
-    return {"../out/secret" + e,
-            "sub/../plain" + e,
-            "sub/../../out/secret" + e,
-            folder_ / ("out/secret" + e),
-            in("plain" + e),
-            "way_out" + e,
-            "up/secret" + e,
-            "./../out/secret" + e};
+  [[nodiscard]] Words names_outside(const std::string& e) const {
+    return {"../out/secret" + e, in("plain" + e), "way_out" + e};
   }
 
   // Names of what is never read.
-  [[nodiscard]] static std::vector<std::string> names_of_nothing(const std::string& e, bool is_json) {
-    std::vector<std::string> names{"..",
-                                   "../../../../../../../../etc/passwd",
-                                   "/etc/passwd",
-                                   "/dev/zero",
-                                   "/dev/stdin",
-                                   "/proc/self/fd/0",
-                                   "file:///etc/passwd",
-                                   "file:plain" + e,
-                                   "http://localhost/plain" + e,
-                                   "C:\\plain" + e,
-                                   "C:plain" + e,
-                                   "..\\out\\secret" + e,
-                                   "sub\\..\\plain" + e,
-                                   "\\\\host\\plain" + e,
-                                   "%2e%2e/out/secret" + e,
-                                   "fifo",
-                                   "zero",
-                                   "loop",
-                                   "dangling",
-                                   "sub",
-                                   "sub/",
-                                   "plain" + e + "/",
-                                   ".",
-                                   "~/plain" + e,
-                                   "$HOME/plain" + e,
-                                   "none" + e,
-                                   "plain" + e + "\x01",
-                                   "\x1b[31m" + e,
-                                   std::string(5000, 'x') + e};
-    if (is_json) {
-      names.insert(names.end(), {"plain" + e + std::string("\0", 1), std::string("\0../out/secret", 14), "../\n" + e});
-    }
+  [[nodiscard]] static Words names_of_nothing(const std::string& e, bool is_json) {
+    Words names{"../../../../../../../../etc/passwd",
+                "/dev/stdin",
+                "file:///etc/passwd",
+                "..\\out\\secret" + e,
+                "%2e%2e/out/secret" + e,
+                "fifo",
+                "zero",
+                "sub",
+                "none" + e,
+                "\x1b[31m" + e,
+                std::string(5000, 'x') + e};
+    if (is_json) names.insert(names.end(), {std::string("\0../out/secret", 14), "../\n" + e});
     return names;
   }
 
@@ -128,7 +98,7 @@ class NamedFiles : public testing::Test {
       const Outcome outcome = reader.read(name, {});
       EXPECT_EQ(outcome.code, 0) << name << ": " << outcome.err;
     }
-    const auto expect_refused = [&](const std::string& name, const std::vector<std::string>& more) {
+    const auto expect_refused = [&](const std::string& name, const Words& more) {
       if (HasFailure()) return;  // one name tells enough
       SCOPED_TRACE(testing::PrintToString(name.substr(0, 60)));
       const Outcome outcome = reader.read(name, more);
@@ -140,7 +110,7 @@ class NamedFiles : public testing::Test {
       EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << outcome.err;
       EXPECT_LT(outcome.err.size(), 2100U) << outcome.err.substr(0, 2000);
       if (more.empty() && (name.starts_with("..") || name.starts_with('/'))) {
-        EXPECT_NE(outcome.err.find("--allow-outside"), std::string::npos) << outcome.err;
+        expect_parts(outcome.err, {"--allow-outside"});
       }
     };
     for (const std::string& name : names_outside(e)) {
@@ -149,19 +119,13 @@ class NamedFiles : public testing::Test {
       EXPECT_EQ(allowed.code, 0) << name << ": " << allowed.err;
     }
     for (const std::string& name : names_of_nothing(e, reader.is_json)) expect_refused(name, {});
-    for (const char* name : {"fifo", "zero", "/dev/zero", "sub", "dangling"}) expect_refused(name, {"--allow-outside"});
-  }
-
-  static Outcome run(std::vector<std::string> words, const std::vector<std::string>& more,
-                     const ChildSettings& settings = {}) {
-    words.insert(words.end(), more.begin(), more.end());
-    return ninebit(words, settings);
+    for (const char* name : {"fifo", "/dev/zero"}) expect_refused(name, {"--allow-outside"});
   }
 
   // Draws an effect with these members.
-  [[nodiscard]] Outcome draw(const std::string& members, const std::vector<std::string>& more) const {
+  [[nodiscard]] Outcome draw(const std::string& members, const Words& more) const {
     write_effect(members);
-    return run({"draw", in("effect.json"), "-o", folder_ / "drawn.png", "--quiet"}, more);
+    return ninebit(Words{"draw", in("effect.json"), "-o", folder_ / "drawn.png", "--quiet"} + more);
   }
   void write_effect(const std::string& members) const {
     write_bytes(in("effect.json"), R"({"ninebit": "effect", "version": 1, "size": 8, )" + members + "}");
@@ -202,16 +166,16 @@ TEST_F(NamedFiles, OfEffects) {
 }
 
 TEST_F(NamedFiles, OfATracedEffect) {
-  const auto trace = [&](const std::string& name, const std::vector<std::string>& more) {
+  const auto trace = [&](const std::string& name, const Words& more) {
     write_effect(programmed(name));
-    return run({"trace", "--effect", in("effect.json"), "--pixel", "1,1", "--quiet"}, more);
+    return ninebit(Words{"trace", "--effect", in("effect.json"), "--pixel", "1,1", "--quiet"} + more);
   };
   expect_the_same_of_every_name({"program", ".rc1", kTex0, trace, true});
 }
 
 TEST_F(NamedFiles, OfScenes) {
-  const auto render = [&](const std::string& file, const std::vector<std::string>& more) {
-    return run(small_render(in(file), folder_ / "rendered", {"--quiet"}), more);
+  const auto render = [&](const std::string& file, const Words& more) {
+    return ninebit(small_render(in(file), folder_ / "rendered", {"--quiet"}) + more);
   };
   write_bytes(in("m.obj"), kSquareMesh);
   expect_the_same_of_every_name({"material library", ".mtl", "newmtl a\nKd 1 0 0\n# TOPSECRET\n",
@@ -256,7 +220,7 @@ TEST_F(NamedFiles, OfScenes) {
 TEST_F(NamedFiles, OfTables) {
   expect_the_same_of_every_name({"program of a row", ".rc1", kTex0, [&](const auto& name, const auto& more) {
                                    write_bytes(in("rows.csv"), "program,tex0.r,out.r\n" + name + ",255,255\n");
-                                   return run({"verify", in("rows.csv"), "--quiet"}, more);
+                                   return ninebit(Words{"verify", in("rows.csv"), "--quiet"} + more);
                                  }});
 }
 
@@ -265,13 +229,12 @@ TEST_F(NamedFiles, OfPartsOfStudies) {
   const std::string program = read_bytes(NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl");
   write_bytes(in("plain.gl"), program);
   const ChildSettings in_folder{.folder = in("")};
-  const std::vector<std::string> study{"study",   "index-steps", "--program", "plain.gl",  "--formats",
-                                       "channel", "--steps",     "1",         "--profile", "geforce2",
-                                       "--quiet", "-o",          "run"};
+  const Words study{"study", "index-steps", "--program", "plain.gl", "--formats", "channel", "--steps",
+                    "1",     "--profile",   "geforce2",  "--quiet",  "-o",        "run"};
   ASSERT_EQ(ninebit(study, in_folder).code, 0);
   const auto part = ninebit::read_part(in("run/part-1-of-1.jsonl"));
   ASSERT_TRUE(part) << part.error().text();
-  const auto merge = [&](const std::string& name, const std::vector<std::string>& more) {
+  const auto merge = [&](const std::string& name, const Words& more) {
     ninebit::PartHeader header = part->header;
     for (auto& [option, value] : header.question.options) {
       if (value == "plain.gl") value = name;
@@ -280,7 +243,7 @@ TEST_F(NamedFiles, OfPartsOfStudies) {
     std::string text = ninebit::header_line(header);
     for (const auto& unit : part->units) text += ninebit::unit_line(unit);
     write_bytes(in("part.jsonl"), text + ninebit::end_line(part->units.size(), ninebit::sha256(text)));
-    return run({"study", "merge", "part.jsonl", "--quiet", "-o", "merged"}, more, in_folder);
+    return ninebit(Words{"study", "merge", "part.jsonl", "--quiet", "-o", "merged"} + more, in_folder);
   };
   expect_the_same_of_every_name({"program", ".gl", program, merge, true});
 }

@@ -75,12 +75,11 @@ TEST(OtherKinds, GivenAsAProgram) {
   // All verbs that read programs.
   const std::string file = write_bytes(folder / "file", kinds.front().bytes);
   const std::string table = write_bytes(folder / "t.csv", "tex0.r,out.r\n1,1\n");
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"explain", file},
-                                             {"convert", file, "--to", "json"},
-                                             {"trace", file, "--set", "tex0.r=1"},
-                                             {"eval", file, "--inputs", table},
-                                             {"verify", table, "--program", file}}) {
+  for (const Words& arguments : std::vector<Words>{{"explain", file},
+                                                   {"convert", file, "--to", "json"},
+                                                   {"trace", file, "--set", "tex0.r=1"},
+                                                   {"eval", file, "--inputs", table},
+                                                   {"verify", table, "--program", file}}) {
     SCOPED_TRACE(arguments.front());
     expect_error(ninebit(arguments), 3, {"/file: this is a PNG picture; `ninebit draw` reads it as a texture"});
   }
@@ -118,13 +117,22 @@ TEST(OtherKinds, GivenAsATableOrAProfile) {
   std::vector<Kind> kinds = foreign_kinds();
   kinds.push_back({kRc10Text, "an !!RC1.0 program"});
   kinds.push_back({article_calls(), "GL calls"});
+  int number = 0;
   for (const Kind& kind : kinds) {
     SCOPED_TRACE(kind.seems);
     const std::string file = write_bytes(folder / "file.json", kind.bytes);
     const std::string is = "/file.json: " + being(kind.seems) + "; ";
-    expect_error(ninebit({"eval", program, "--inputs", file}), 3, {is + use_of(kind.seems, "a table")});
-    expect_error(ninebit({"verify", file, "--program", program}), 3, {is + use_of(kind.seems, "a table")});
-    expect_error(ninebit({"profiles", "--profile", file}), 3, {is + use_of(kind.seems, "a profile")});
+    // Each verb with some of the kinds: what a file seems to be is asked of its bytes alone.
+    switch (number++ % 3) {
+      case 0:
+        expect_error(ninebit({"eval", program, "--inputs", file}), 3, {is + use_of(kind.seems, "a table")});
+        break;
+      case 1:
+        expect_error(ninebit({"verify", file, "--program", program}), 3, {is + use_of(kind.seems, "a table")});
+        break;
+      default:
+        expect_error(ninebit({"profiles", "--profile", file}), 3, {is + use_of(kind.seems, "a profile")});
+    }
   }
 }
 
@@ -136,7 +144,7 @@ TEST(OtherKinds, GivenAsASceneAPictureAnEffectOrAPart) {
                     explains = ": these are GL calls; `ninebit explain` reads them",
                     textures = ": this is a PNG picture; `ninebit draw` reads it as a texture",
                     effects = ": this is an effect; `ninebit draw` draws it";
-  const auto expect = [](const std::vector<std::string>& arguments, const std::string& words) {
+  const auto expect = [](const Words& arguments, const std::string& words) {
     SCOPED_TRACE(testing::PrintToString(arguments));
     expect_error(ninebit(arguments), 3, {words});
   };
@@ -178,14 +186,14 @@ TEST(OtherKinds, AreNamedFromTheWholeText) {
 // Faults of a text that is what it should be are told one by one, with their places.
 TEST(OtherKinds, AreNotWhatHasFaults) {
   const TempFolder folder;
-  for (const auto& [text, places] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+  for (const auto& [text, places] : std::vector<std::pair<std::string, Words>>{
            {"glCombinerInputNV(1);\nglEnable(GL_FOO);\nglX();\nglY();\nglZ();\n", {":1:", ":2:", ":3:", ":4:", ":5:"}},
            {"!!RC1.0\nout.rgb = spare2;\nout.a = spare3;\n", {":2:11:", ":3:9:"}},
            {"lCombinerInputNV(GL_COMBINER0_NV);\n", {":1:1:"}},
            {"RC_IN_RGB[0] = 0x1g\nRC_BAD = 1\n", {":1:"}}}) {
     const Outcome outcome = ninebit({"validate", write_bytes(folder / "file", text)});
     EXPECT_EQ(outcome.code, 3);
-    for (const std::string& place : places) EXPECT_NE(outcome.err.find(place), std::string::npos) << outcome.err;
+    for (const std::string& place : places) expect_parts(outcome.err, {place});
   }
 }
 

@@ -11,10 +11,9 @@ namespace {
 class Pages : public testing::Test {
  protected:
   // The page that the arguments write.
-  std::string page_of(std::vector<std::string> arguments) {
+  std::string page_of(Words arguments) {
     const std::string file = folder_ / "page.html";
-    arguments.insert(arguments.end(), {"-o", file});
-    const Outcome outcome = ninebit(arguments);
+    const Outcome outcome = ninebit(arguments + Words{"-o", file});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "wrote " + file + "\n");
@@ -38,20 +37,14 @@ Json data_of(const std::string& page, const std::string& id) {
   return Json::parse(page.substr(from, page.find("</script>", from) - from));
 }
 
-const std::vector<std::string> kArticleFragment{"trace", kArticle,          "--set", "primary=102,0,0,0",
-                                                "--set", "tex0=100,0,0,255"};
-
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
+const Words kArticleFragment{"trace", kArticle, "--set", "primary=102,0,0,0", "--set", "tex0=100,0,0,255"};
 
 TEST_F(Pages, ATraceHasItsJsonAndItsText) {
   const std::string page = page_of(kArticleFragment);
   const Json pass = data_of(page, "passes")["passes"].at(0);
-  EXPECT_EQ(pass["trace"], json_of(ninebit(with(kArticleFragment, {"--json"}))));
+  EXPECT_EQ(pass["trace"], json_of(ninebit(kArticleFragment + Words{"--json"})));
   EXPECT_EQ(pass["explanation"]["rows"], json_of(ninebit({"explain", kArticle, "--json"}))["rows"]);
-  EXPECT_NE(page.find("<dt>Out</dt><dd>bytes 0, 0, 0, 1</dd>"), std::string::npos);
+  expect_parts(page, {"<dt>Out</dt><dd>bytes 0, 0, 0, 1</dd>"});
   ::unsetenv("COLUMNS");
   const std::string text = ninebit(kArticleFragment).out;
   EXPECT_NE(page.find(text.substr(0, text.find('<'))), std::string::npos);
@@ -63,7 +56,7 @@ TEST_F(Pages, AnExplanationHasTheProgram) {
   EXPECT_EQ(data_of(page, "program"), json_of(ninebit({"convert", kArticle, "--to", "json"})));
   EXPECT_EQ(data_of(page, "explanation"), json_of(ninebit({"explain", kArticle, "--json"})));
   EXPECT_EQ(occurrences(page, "\nprogramDiagram("), 1U);
-  EXPECT_NE(page.find("spare0 = 4·(primary − tex0)"), std::string::npos);
+  expect_parts(page, {"spare0 = 4·(primary − tex0)"});
 }
 
 // The modules became one script; nothing is loaded from elsewhere.
@@ -126,21 +119,20 @@ TEST_F(Pages, WhatCannotBeWrittenLeavesTheOlderFile) {
 TEST_F(Pages, APixelAndAPixelWithoutFragment) {
   const std::string effect = NINEBIT_SOURCE_DIR "/scenes/effects/dot3_specular.json";
   const std::string drawn = page_of({"trace", "--effect", effect, "--pixel", "128,80"});
-  EXPECT_NE(drawn.find("<h1>Pixel 128,80 of "), std::string::npos);
+  expect_parts(drawn, {"<h1>Pixel 128,80 of "});
   EXPECT_EQ(data_of(drawn, "passes")["passes"].at(0)["trace"]["effect"]["pixel"], Json({128, 80}));
   const std::string sky = page_of({"trace", "--scene", kRoom, "--pixel", "3,4", "--size", "20x20", "--light", "0,1,0",
                                    "--camera", "0,50,0", "--look-at", "0,90,1", "--floor", "none"});
   EXPECT_EQ(occurrences(sky, "<script"), 0U);
-  EXPECT_NE(sky.find("no fragment to trace"), std::string::npos);
+  expect_parts(sky, {"no fragment to trace"});
 }
 
 // Each pass that drew here has its own trace, whose colour is that of its fragment.
 TEST_F(Pages, EveryPassThatDrewAtAPixel) {
-  const std::vector<std::string> room{"trace", "--scene", kRoom, "--size", "80x60", "--pixel", "40,50"};
-  const std::vector<std::string> effect{"trace", "--effect", NINEBIT_SOURCE_DIR "/scenes/effects/index_cube.json",
-                                        "--pixel", "300,240"};
+  const Words room{"trace", "--scene", kRoom, "--size", "80x60", "--pixel", "40,50"};
+  const Words effect{"trace", "--effect", NINEBIT_SOURCE_DIR "/scenes/effects/index_cube.json", "--pixel", "300,240"};
   for (const auto& arguments : {room, effect}) {
-    const Json object = json_of(ninebit(with(arguments, {"--json", "--quiet"})));
+    const Json object = json_of(ninebit(arguments + Words{"--json", "--quiet"}));
     const Json& pixel = object[object.contains("scene") ? "scene" : "effect"];
     const Json drawn = data_of(page_of(arguments), "passes");
     EXPECT_EQ(drawn["passes"].at(drawn["first"].get<std::size_t>())["trace"], object) << "shown first";

@@ -21,7 +21,7 @@ using ninebit::test::StoredPart;
 struct PictureCase {
   const char* name;
   std::string scene;
-  std::vector<std::string> flags;
+  Words flags;
   int step = 2;
   bool objects = false;  // what has the indices
   std::string format = "rgb";
@@ -49,12 +49,12 @@ double code_number(const std::vector<double>& channels, int step) {
 }
 
 // The channels that hold an index of a format: those of a register, and those of index_cube.exr.
-std::vector<std::string> register_channels(const std::string& format) {
+Words register_channels(const std::string& format) {
   if (format == "rgb") return {"R", "G", "B"};
   if (format == "la") return {"B", "A"};
   return {format == "l" ? "B" : "A"};
 }
-std::vector<std::string> map_channels(const std::string& format) {
+Words map_channels(const std::string& format) {
   if (format == "rgb") return {"R", "G", "B"};
   if (format == "la") return {"Y", "A"};
   return {format == "l" ? "Y" : "A"};
@@ -63,9 +63,9 @@ std::vector<std::string> map_channels(const std::string& format) {
 class Pictures : public testing::TestWithParam<PictureCase> {
  protected:
   void SetUp() override {
-    std::vector<std::string> flags{"--size", "120x90", "--map-size", "64", "--layers", "--json"};
-    flags.insert(flags.end(), GetParam().flags.begin(), GetParam().flags.end());
-    answer_ = json_of(ninebit(small_render(GetParam().scene, folder_ / "out", flags)));
+    answer_ = json_of(
+        ninebit(small_render(GetParam().scene, folder_ / "out",
+                             Words{"--size", "120x90", "--map-size", "64", "--layers", "--json"} + GetParam().flags)));
     ASSERT_TRUE(answer_.is_object());
     layers_ = read_exr(folder_ / "out/layers.exr");
     for (const StoredPart& part : layers_) {
@@ -88,11 +88,10 @@ class Pictures : public testing::TestWithParam<PictureCase> {
 
   // Polygons at equal depth are all compared. The layers show the first one; another one may have marked the pixel.
   void expect_marked_by_another(std::size_t pixel, double polygon) const {
-    std::vector<std::string> arguments{"trace", "--scene", GetParam().scene, "--pixel",
-                                       std::to_string(pixel % kWidth) + "," + std::to_string(pixel / kWidth)};
-    arguments.insert(arguments.end(), {"--size", "120x90", "--map-size", "64", "--json"});
-    arguments.insert(arguments.end(), GetParam().flags.begin(), GetParam().flags.end());
-    const Json traced = json_of(ninebit(arguments));
+    const Json traced = json_of(ninebit(Words{"trace", "--scene", GetParam().scene, "--pixel",
+                                              std::to_string(pixel % kWidth) + "," + std::to_string(pixel / kWidth),
+                                              "--size", "120x90", "--map-size", "64", "--json"} +
+                                        GetParam().flags));
     int others = 0;
     for (const Json& pass : traced["scene"]["passes"]) {
       if (pass["name"] != "comparison") continue;

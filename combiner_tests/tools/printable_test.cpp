@@ -50,7 +50,7 @@ TEST(Printable, LongMessagesLoseTheirMiddle) {
     EXPECT_LE(brief.size(), 2'010U);
     EXPECT_TRUE(brief.starts_with("a.gl:1: ")) << brief;
     EXPECT_TRUE(brief.ends_with(" was given before")) << brief;
-    EXPECT_NE(brief.find(" … "), std::string::npos);
+    expect_parts(brief, {" … "});
     EXPECT_EQ(printable(brief), brief) << "it is still UTF-8";
   }
 }
@@ -73,7 +73,7 @@ TEST(Printable, NamesOfFilesInEveryMessage) {
       write_bytes(folder / (kName + ".json"),
                   R"({"ninebit": "profile", "version": 1, "base": "geforce2", "name": "x", "\u001b": 1})");
   struct Case {
-    std::vector<std::string> arguments;
+    Words arguments;
     int code;
   };
   const std::vector<Case> errors{
@@ -109,18 +109,17 @@ TEST(Printable, NamesInAnswersForPeople) {
   const std::string program = folder / (kName + ".gl"), out = folder / (kName + ".csv");
   std::filesystem::copy_file(kArticle, program);
   const std::string table = write_bytes(folder / "t.csv", "tex0.r\n1\n");
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"validate", program},
-                                             {"trace", program, "--set", "tex0.r=1"},
-                                             {"eval", program, "--inputs", table, "-o", out},
-                                             {"convert", program, "--to", "rc10", "-o", out},
-                                             small_render(kRoom, folder / kName)}) {
+  for (const Words& arguments : std::vector<Words>{{"validate", program},
+                                                   {"trace", program, "--set", "tex0.r=1"},
+                                                   {"eval", program, "--inputs", table, "-o", out},
+                                                   {"convert", program, "--to", "rc10", "-o", out},
+                                                   small_render(kRoom, folder / kName)}) {
     SCOPED_TRACE(printable(testing::PrintToString(arguments)));
     const Outcome outcome = ninebit(arguments);
     EXPECT_EQ(outcome.code, 0) << printable(outcome.err);
     EXPECT_TRUE(is_clean(outcome.out)) << printable(outcome.out);
     EXPECT_TRUE(is_clean(outcome.err)) << printable(outcome.err);
-    EXPECT_NE((outcome.out + outcome.err).find("ninebit: error: \\x1b[2J\\x7f\\xc2\\x9b\\xff"), std::string::npos);
+    expect_parts((outcome.out + outcome.err), {"ninebit: error: \\x1b[2J\\x7f\\xc2\\x9b\\xff"});
     EXPECT_EQ(outcome.err.find("\nninebit: error"), std::string::npos) << "a name must not look like a message";
   }
 }

@@ -34,7 +34,7 @@ TEST(ProfileFile, EqualsItsBaseInARendering) {
   const std::string other =
       write_bytes(folder / "early.json", R"({"base": "geforce2", "name": "early", "narrowing_point": "before-scale"})");
   const auto hash_of = [&](const std::string& profile) {
-    const std::vector<std::string> more{"--json", "--index-step", "2", "--profile", profile};
+    const Words more{"--json", "--index-step", "2", "--profile", profile};
     return json_of(ninebit(small_render(kRoom, folder / "out", more))).at("hash");
   };
   const Json base = hash_of("geforce2");
@@ -79,8 +79,7 @@ TEST(ProfileFile, AllFaultsAreTold) {
   const std::string bad = write_bytes(folder / "bad.json", "{\"base\": \"x\",\n \"name\": \"nv2a\"}");
   const Outcome outcome = ninebit({"profiles", "--profile", bad});
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_NE(outcome.err.find("ninebit: error: " + bad + ":1:10: "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("\nninebit: error: " + bad + ":2:10: "), std::string::npos) << outcome.err;
+  expect_parts(outcome.err, {"ninebit: error: " + bad + ":1:10: ", "\nninebit: error: " + bad + ":2:10: "});
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "combiner_tests/tools/program_support.h"
 
-#include <sstream>
 #include <stdexcept>
 
 #include "ninebit/language/gl_calls.h"
@@ -24,13 +23,6 @@ CombinerState article_state() {
 
 std::string write_program(const TempFolder& folder, const std::string& name, const CombinerState& state) {
   return write_bytes(folder / name, print_json_program(state));
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 }  // namespace tools_test

@@ -16,7 +16,4 @@ inline const std::string kArticle = NINEBIT_SOURCE_DIR "/docs/programs/index_com
 // Writes the state as JSON; gives the file's path.
 std::string write_program(const TempFolder& folder, const std::string& name, const ninebit::CombinerState& state);
 
-// stdout's lines, without their ends.
-std::vector<std::string> lines_of(const std::string& text);
-
 }  // namespace tools_test

@@ -16,7 +16,6 @@
 namespace tools_test {
 namespace {
 
-using Words = std::vector<std::string>;
 using std::chrono::steady_clock;
 
 // Fails, and kills the program, where it does not end soon.
@@ -91,7 +90,10 @@ TEST_F(RegularFiles, OthersAreRefusedAtOnce) {
   ASSERT_EQ(::bind(listening, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   for (const std::string& file : {fifo, device, socket}) {
     std::filesystem::create_symlink(file, file + ".obj");
-    for (const Words& words : commands(file)) {
+    // Every reader meets the pipe, on which it would wait; every fifth one what else there is.
+    const std::vector<Words> all = commands(file);
+    for (std::size_t i = 0; i < all.size(); i += file == fifo ? 1 : 5) {
+      const Words& words = all[i];
       SCOPED_TRACE(testing::PrintToString(words));
       Child child(words);
       const Outcome outcome = ends_soon(child);
@@ -132,6 +134,7 @@ TEST_F(RegularFiles, TheFirstSignalEndsAWaitForStandardInput) {
                                                {"prove", "equivalent", program_, "-"},
                                                {"draw", "-", "-o", folder_ / "out.png"}}) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      if (signal != SIGINT && words[0] != "validate") continue;  // one handler for all verbs
       SCOPED_TRACE(testing::PrintToString(words) + " " + std::to_string(signal));
       Child child(words, {.in = fifo});
       std::this_thread::sleep_for(std::chrono::milliseconds(150));

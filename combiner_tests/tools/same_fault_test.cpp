@@ -72,19 +72,16 @@ std::string log_of(const std::string& words) {
 
 class SameFaults : public testing::Test {
  protected:
-  void expect_refusal(const std::string& text, const std::string& gl_error, const std::vector<std::string>& flags) {
+  void expect_refusal(const std::string& text, const std::string& gl_error, const Words& flags) {
     SCOPED_TRACE(text);
     const std::string file = write_bytes(folder_ / "program", text);
     const std::string inputs = write_bytes(folder_ / "inputs.csv", "tex0.r\n1\n");
-    const auto run = [&](std::vector<std::string> arguments) {
-      arguments.insert(arguments.end(), flags.begin(), flags.end());
-      arguments.insert(arguments.end(), {"--profile", "nv2a"});
-      return ninebit(arguments);
-    };
+    const auto run = [&](const Words& words) { return ninebit(words + flags + Words{"--profile", "nv2a"}); };
     const Outcome validated = run({"validate", file});
     EXPECT_EQ(validated.code, 1) << validated.err;
-    EXPECT_NE(validated.out.find(gl_error), std::string::npos) << validated.out << validated.err;
+    expect_parts(validated.out, {gl_error});
     EXPECT_EQ(run({"explain", file}).code, 3);
+    if (gl_error != kSameFaults[0].gl_error) return;  // all verbs read programs by the same call
     EXPECT_EQ(run({"eval", file, "--inputs", inputs}).code, 3);
     EXPECT_EQ(run({"convert", file, "--to", "rc10"}).code, 3);
     EXPECT_EQ(run({"trace", file}).code, 3);
@@ -107,7 +104,7 @@ TEST_F(SameFaults, HaveOneExitCodeInEveryLanguage) {
 }
 
 TEST_F(SameFaults, WhatIsNoProgramHasAnotherInEveryLanguage) {
-  const std::vector<std::string> none{
+  const Words none{
       "glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV;\n",
       "!!RC1.0\n{ rgb { spare0 = tex0 ** tex1; } }\n",
       "!!RC1.0\n{ rgb { spare0 = tex0 . tex1; discard = tex0; spare1 = mux(); } }\nout.rgb = spare0;\n",
@@ -123,7 +120,6 @@ TEST_F(SameFaults, WhatIsNoProgramHasAnotherInEveryLanguage) {
     const std::string file = write_bytes(folder_ / "program", text);
     EXPECT_EQ(ninebit({"validate", file, "--profile", "nv2a"}).code, 3);
     EXPECT_EQ(ninebit({"explain", file, "--profile", "nv2a"}).code, 3);
-    EXPECT_EQ(ninebit({"convert", file, "--to", "json", "--profile", "nv2a"}).code, 3);
   }
 }
 

@@ -6,31 +6,28 @@
 namespace tools_test {
 namespace {
 
-std::vector<std::string> shadow_map_render(const std::string& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments = small_render(kRoom, folder, {"--technique", "shadow-map"});
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+Words shadow_map_render(const std::string& folder, const Words& more) {
+  return small_render(kRoom, folder, {"--technique", "shadow-map"}) + more;
 }
 
 TEST(ShadowMapProgram, AnswersWithFactsAndHashesTheMap) {
   const TempFolder folder;
   const Json d24 = json_of(ninebit(shadow_map_render(folder / "a", {"--json"})));
   EXPECT_EQ(d24["technique"], "shadow-map");
-  EXPECT_EQ(keys_of(d24["facts"]), (std::vector<std::string>{"polygon_offset_factor", "polygon_offset_units",
-                                                             "texel_size", "depth_step", "texture_units"}));
+  EXPECT_EQ(keys_of(d24["facts"]),
+            (Words{"polygon_offset_factor", "polygon_offset_units", "texel_size", "depth_step", "texture_units"}));
   EXPECT_EQ(d24["facts"]["texture_units"], 2);
-  EXPECT_EQ(keys_of(d24["hash"]), (std::vector<std::string>{"color", "stencil", "shadow_map"}));
+  EXPECT_EQ(keys_of(d24["hash"]), (Words{"color", "stencil", "shadow_map"}));
   EXPECT_GT(d24["pixels"]["lit"], 0);
   EXPECT_GT(d24["pixels"]["shadowed"], 0);
   const Json packed =
       json_of(ninebit(shadow_map_render(folder / "b", {"--json", "--depth-encoding", "rgba8-modf", "--layers"})));
-  EXPECT_EQ(keys_of(packed["hash"]), (std::vector<std::string>{"color", "stencil", "packed_depth", "shadow_map"}));
+  EXPECT_EQ(keys_of(packed["hash"]), (Words{"color", "stencil", "packed_depth", "shadow_map"}));
   EXPECT_TRUE(packed["facts"].contains("encoding_error"));
   EXPECT_EQ(packed["hash"]["shadow_map"], d24["hash"]["shadow_map"]);
-  std::vector<std::string> names;
+  Words names;
   for (const auto& [name, bytes] : files_in(folder / "b")) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"color.png", "layers.exr", "maps.exr", "render.json", "shadow.png",
-                                             "shadow_map.png"}));
+  EXPECT_EQ(names, (Words{"color.png", "layers.exr", "maps.exr", "render.json", "shadow.png", "shadow_map.png"}));
 }
 
 // The flag reaches the map.

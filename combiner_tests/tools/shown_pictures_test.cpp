@@ -31,7 +31,7 @@ TEST(ShownPictures, TheDemoNamesTheProfileOfEachPicture) {
       const std::string effect = figure.substr(first, figure.find('.', first) - first);
       profile = Json::parse(read_bytes(kTree + "/scenes/effects/" + effect + ".json")).value("profile", profile);
     }
-    EXPECT_NE(figure.find("Profile " + profile + "."), std::string::npos) << figure;
+    expect_parts(figure, {"Profile " + profile + "."});
   }
   EXPECT_EQ(figures, 5);
 }
@@ -45,9 +45,8 @@ TEST(ShownPictures, TheCornellBoxIsShownWithReflectedLightFirst) {
   EXPECT_GT(light[0], light[1]);
   EXPECT_GT(light[1], light[2]);
   const std::string text = read_bytes(kTree + "/README.md");
-  EXPECT_NE(text.find("The Cornell box with reflected light, without it, and the difference"), std::string::npos);
-  EXPECT_NE(text.find("gather the light of other surfaces: with it,\nwithout it, and the difference"),
-            std::string::npos);
+  expect_parts(text, {"The Cornell box with reflected light, without it, and the difference",
+                      "gather the light of other surfaces: with it,\nwithout it, and the difference"});
 }
 
 }  // namespace

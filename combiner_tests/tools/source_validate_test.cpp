@@ -8,10 +8,8 @@ namespace {
 
 class SourceValidate : public testing::Test {
  protected:
-  Outcome validate(const std::string& text, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"validate", write_bytes(folder_ / "set.c", text)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return ninebit(arguments);
+  Outcome validate(const std::string& text, const Words& more = {}) {
+    return ninebit(Words{"validate", write_bytes(folder_ / "set.c", text)} + more);
   }
   TempFolder folder_;
 };
@@ -32,16 +30,15 @@ TEST_F(SourceValidate, FaultsOfTheTextAreListed) {
     const std::string text = "void good(void)\n{\n  " + kGood + "\n}\nvoid f(void)\n{\n  " + call + "\n}\n";
     const Outcome outcome = validate(text);
     EXPECT_EQ(outcome.code, 3);
-    EXPECT_NE(outcome.out.find("\nf "), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.err.find(folder_ / "set.c" + ":7:"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    expect_parts(outcome.out, {"\nf "});
+    expect_parts(outcome.err, {folder_ / "set.c" + ":7:", message});
     const Outcome json = validate(text, {"--json"});
     EXPECT_EQ(json.code, 3);
     const Json rows = Json::parse(json.out)["rows"];
     ASSERT_EQ(rows.size(), 1U) << json.out;
     EXPECT_TRUE(rows[0]["gl_error"].is_null());
     EXPECT_EQ(rows[0]["line"], 7);
-    EXPECT_NE(rows[0]["message"].get<std::string>().find(message), std::string::npos) << json.out;
+    expect_parts(rows[0]["message"].get<std::string>(), {message});
     // The faults are those of the function itself.
     const Outcome alone = validate(text, {"--function", "f", "--quiet"});
     EXPECT_EQ(alone.code, 3);
@@ -60,7 +57,7 @@ TEST_F(SourceValidate, ValuesThatAreNotKnownAreNoFaults) {
   EXPECT_EQ(outcome.err, "");
   const Outcome wrong = validate(helper + "void all(void) { set(GL_COMBINER0_NV, GL_ONE, tint); }\n");
   EXPECT_EQ(wrong.code, 1) << wrong.err;
-  EXPECT_NE(wrong.out.find("GL_INVALID_ENUM"), std::string::npos) << wrong.out;
+  expect_parts(wrong.out, {"GL_INVALID_ENUM"});
 }
 
 // The source compares with these strings, or they are the beginning of a program.
@@ -71,7 +68,7 @@ TEST_F(SourceValidate, PartsOfProgramsAreNoFaults) {
       "void f(void) { " +
       kGood + " }\n");
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-  const std::vector<std::string> lines = lines_of(outcome.out);
+  const Words lines = lines_of(outcome.out);
   ASSERT_EQ(lines.size(), 4U) << outcome.out;
   EXPECT_TRUE(lines[2].starts_with("string                       1           0         1        0")) << lines[2];
 }
@@ -80,9 +77,7 @@ TEST_F(SourceValidate, DestructorsHaveTheirNames) {
   const Outcome outcome = validate("struct In { In() { " + kGood + " } ~In() { " + kGood + " } };\nSetup::Setup() { " +
                                    kGood + " }\nSetup::~Setup() { " + kGood + " }\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* const name : {"\nIn::In ", "\nIn::~In ", "\nSetup::Setup ", "\nSetup::~Setup "}) {
-    EXPECT_NE(outcome.out.find(name), std::string::npos) << outcome.out;
-  }
+  expect_parts(outcome.out, {"\nIn::In ", "\nIn::~In ", "\nSetup::Setup ", "\nSetup::~Setup "});
   EXPECT_EQ(
       validate("Setup::Setup() { " + kGood + " }\nSetup::~Setup() { " + kGood + " }\n", {"--function", "Setup::~Setup"})
           .code,
@@ -121,9 +116,7 @@ TEST_F(SourceValidate, StagesOfAnotherChip) {
   for (const std::string& body : {set, set + enable, kGood + enable}) {
     const Outcome refused = validate("void f(void)\n{\n  " + body + "\n}\n");
     EXPECT_EQ(refused.code, 1) << refused.out;
-    EXPECT_NE((refused.out + refused.err).find("GL_INVALID_ENUM: profile geforce2 has no texture shaders"),
-              std::string::npos)
-        << refused.out << refused.err;
+    expect_parts((refused.out + refused.err), {"GL_INVALID_ENUM: profile geforce2 has no texture shaders"});
     EXPECT_EQ(validate("void f(void)\n{\n  " + body + "\n}\n", {"--profile", "nv2a"}).code, 0);
   }
   EXPECT_EQ(validate("void f(void)\n{\n  " + kGood + set + "\n}\n").code, 0);

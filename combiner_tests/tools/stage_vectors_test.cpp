@@ -11,7 +11,6 @@
 namespace tools_test {
 namespace {
 
-using Words = std::vector<std::string>;
 const std::string kStages = NINEBIT_SOURCE_DIR "/docs/tutorials/stages.c";
 
 class StageVectors : public testing::Test {
@@ -31,14 +30,6 @@ class StageVectors : public testing::Test {
                                           " '" + pack + "/runner.c' '" + kStages + "' -lm -o '" + program + "'");
     EXPECT_EQ(status, 0) << messages;
     return shell("'" + program + "' '" + pack + "/vectors.txt' --results '" + results_ + "'");
-  }
-
-  static std::pair<std::string, int> shell(const std::string& command) {
-    std::FILE* const out = popen((command + " 2>&1").c_str(), "r");
-    if (out == nullptr) return {"popen failed", -1};
-    std::string text;
-    for (int byte = std::fgetc(out); byte != EOF; byte = std::fgetc(out)) text += static_cast<char>(byte);
-    return {text, WEXITSTATUS(pclose(out))};
   }
 
   TempFolder folder_;
@@ -74,14 +65,11 @@ TEST_F(StageVectors, EachMistakeIsFoundInItsGroupAndNamed) {
     const auto [text, status] = check(folder, c.flag);
     EXPECT_EQ(status, 1);
     EXPECT_TRUE(text.starts_with(std::string("first failing group: ") + c.group + " (rule 3")) << text;
-    EXPECT_NE(text.find("\n  PSTextureModes = 0x"), std::string::npos) << text;
-    EXPECT_NE(text.find("\n  expected "), std::string::npos) << text;
+    expect_parts(text, {"\n  PSTextureModes = 0x", "\n  expected "});
     const Outcome said = ninebit({"verify", results_, "--vectors", folder, "--most", "1"});
     EXPECT_EQ(said.code, 1);
-    EXPECT_NE(said.out.find(std::string("\nOne mistake explains all of them: ") + c.mistake + " (rule"),
-              std::string::npos)
-        << said.out;
-    EXPECT_NE(said.out.find("): shows tex0 "), std::string::npos) << said.out;
+    expect_parts(said.out,
+                 {std::string("\nOne mistake explains all of them: ") + c.mistake + " (rule", "): shows tex0 "});
     const Json object = Json::parse(ninebit({"verify", results_, "--vectors", folder, "--json"}).out);
     EXPECT_EQ(object["mistakes"][0]["mistake"], c.mistake);
     EXPECT_EQ(object["rows"][0]["group"], c.group);

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 
 #include "combiner_tests/tools/support.h"
@@ -11,23 +9,11 @@
 namespace tools_test {
 namespace {
 
-// A shell command's stdout; empty if it fails.
-std::string output_of(const std::string& command) {
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {};
-  std::string text;
-  std::array<char, 4096> piece{};
-  for (std::size_t size = 0; (size = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
-    text.append(piece.data(), size);
-  }
-  return pclose(pipe) == 0 ? text : std::string();
-}
-
 // OpenImageIO alone would bring 250 libraries, and their 160 ms, into every start.
 TEST(StartUp, LoadsFewLibraries) {
-  const std::string libraries = output_of("ldd '" + kProgram + "' 2>/dev/null");
-  if (libraries.empty()) GTEST_SKIP() << "there is no ldd to ask";
-  EXPECT_NE(libraries.find("libOpenEXR"), std::string::npos) << libraries;
+  const auto [libraries, status] = shell("ldd '" + kProgram + "'");
+  if (status != 0) GTEST_SKIP() << "ldd does not answer: " << libraries;
+  expect_parts(libraries, {"libOpenEXR"});
   EXPECT_EQ(libraries.find("libOpenImageIO"), std::string::npos)
       << "ninebit_image is linked; ninebit_image_output suffices to write pictures\n"
       << libraries;

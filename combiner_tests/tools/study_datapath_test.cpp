@@ -10,10 +10,7 @@ namespace {
 
 class StudyDatapath : public testing::Test {
  protected:
-  static Outcome study(std::vector<std::string> more) {
-    more.insert(more.begin(), {"study", "datapath"});
-    return ninebit(more);
-  }
+  static Outcome study(Words more) { return ninebit(Words{"study", "datapath"} + more); }
   TempFolder folder_;
 };
 
@@ -22,13 +19,12 @@ TEST_F(StudyDatapath, OperationsOfOneProfile) {
   EXPECT_EQ(json["command"], "study datapath");
   EXPECT_EQ(json["profile"], "geforce256-8bit");
   ASSERT_EQ(json["rows"].size(), 8U + 4U * 6U + 1U + 2U + 1U + 1U);
-  EXPECT_EQ(
-      keys_of(json["rows"][0]),
-      (std::vector<std::string>{"profile", "operation", "form", "cases", "exact", "distinct", "max_error_codes",
-                                "mean_error_codes", "mean_bias_codes", "worst", "worst_code", "worst_exact_codes"}));
+  EXPECT_EQ(keys_of(json["rows"][0]),
+            (Words{"profile", "operation", "form", "cases", "exact", "distinct", "max_error_codes", "mean_error_codes",
+                   "mean_bias_codes", "worst", "worst_code", "worst_exact_codes"}));
   const Outcome words = study({"--profile", "geforce256-8bit"});
   EXPECT_EQ(words.code, 0) << words.err;
-  EXPECT_NE(words.out.find("geforce256-8bit: a product"), std::string::npos) << words.out;
+  expect_parts(words.out, {"geforce256-8bit: a product"});
 }
 
 // The same fragments as all combinations and as a table: the same rows.
@@ -53,10 +49,8 @@ TEST_F(StudyDatapath, ProgramsWithFixedInputs) {
   std::string table = "tex0.r,primary.r,primary.a\n";
   for (int code = 0; code <= 255; ++code) table += std::to_string(code) + ",102,7\n";
   const std::string file = write_bytes(folder_ / "codes.csv", table);
-  const std::vector<std::string> over{"--program", kArticle, "--over", "t0.r", "--set", "col0=102,0,0,7", "--json"};
-  std::vector<std::string> written = over;
-  written.insert(written.end(), {"-o", folder_ / "out", "--quiet"});
-  const Json set = json_of(study(written));
+  const Words over{"--program", kArticle, "--over", "t0.r", "--set", "col0=102,0,0,7", "--json"};
+  const Json set = json_of(study(over + Words{"-o", folder_ / "out", "--quiet"}));
   const Json inputs = json_of(study({"--program", kArticle, "--inputs", file, "--json"}));
   for (const char* key : {"max_error_codes", "mean_error_codes", "exact", "misrounded", "fragments"}) {
     EXPECT_EQ(set["rows"][3][key], inputs["rows"][3][key]) << key;
@@ -66,7 +60,7 @@ TEST_F(StudyDatapath, ProgramsWithFixedInputs) {
   EXPECT_EQ(set["histogram"].size(), 4U * 17U);
   const Files files = files_in(folder_ / "out");
   EXPECT_TRUE(files.at("error.csv").starts_with("tex0.r,error.r,error.g,error.b,error.a\n0,"));
-  EXPECT_NE(files.at("error.npy").find("(256, 4)"), std::string::npos);
+  expect_parts(files.at("error.npy"), {"(256, 4)"});
   expect_error(study({"--program", kArticle, "--over", "tex0.r", "--set", "tex0=1,2,3,4"}), 2,
                {"--set and --over both name tex0.r"});
   expect_error(study({"--program", kArticle, "--over", "tex0.r", "--set", "tex9=1,2,3,4"}), 2, {"tex9"});
@@ -75,12 +69,9 @@ TEST_F(StudyDatapath, ProgramsWithFixedInputs) {
 
 // Several profiles in one report: the rows are those of each alone.
 TEST_F(StudyDatapath, ProgramsUnderSeveralProfiles) {
-  const std::vector<std::string> asked{"--program", kArticle, "--over", "tex0.r", "--set", "primary=90,0,0,0"};
-  const auto of = [&](const std::string& profiles, const std::vector<std::string>& more) {
-    std::vector<std::string> words = asked;
-    words.insert(words.end(), {"--profile", profiles});
-    words.insert(words.end(), more.begin(), more.end());
-    return study(words);
+  const Words asked{"--program", kArticle, "--over", "tex0.r", "--set", "primary=90,0,0,0"};
+  const auto of = [&](const std::string& profiles, const Words& more) {
+    return study(asked + Words{"--profile", profiles} + more);
   };
   const Json both = json_of(of("nv2a,geforce256-8bit", {"--json", "--quiet", "-o", folder_ / "out"}));
   EXPECT_EQ(both["profile"], "nv2a,geforce256-8bit");
@@ -92,11 +83,10 @@ TEST_F(StudyDatapath, ProgramsUnderSeveralProfiles) {
   EXPECT_TRUE(files.contains("nv2a-error.csv") && files.contains("geforce256-8bit-error.npy"));
   // One plot for a slide has the series of both, but for those that are 0 everywhere.
   const std::string& slide = files.at("added-by-stage.svg");
-  EXPECT_NE(slide.find("nv2a, alpha"), std::string::npos);
-  EXPECT_NE(slide.find("geforce256-8bit, alpha"), std::string::npos);
+  expect_parts(slide, {"nv2a, alpha", "geforce256-8bit, alpha"});
   EXPECT_EQ(slide.find("nv2a, red"), std::string::npos);
   const Outcome said = of("nv2a,geforce256-8bit", {});
-  EXPECT_NE(said.out.find("\ngeforce256-8bit, alpha: exact for "), std::string::npos) << said.out;
+  expect_parts(said.out, {"\ngeforce256-8bit, alpha: exact for "});
   // Its parts are merged as those of any study.
   for (const char* part : {"1/2", "2/2"}) {
     EXPECT_EQ(of("nv2a,geforce256-8bit", {"--shard", part, "-o", folder_ / "parts", "--quiet"}).code, 0) << part;
@@ -151,12 +141,11 @@ TEST_F(StudyDatapath, ChannelsThatSeparate) {
   EXPECT_TRUE(files.at("error-g.csv").starts_with("primary.g,tex0.g,error.g\n"));
   EXPECT_TRUE(files.contains("error-r.npy") && files.contains("error-green.png"));
   const Outcome said = study({"--program", program, "--over", over});
-  EXPECT_NE(said.out.find("green over primary.g, tex0.g: exact for "), std::string::npos) << said.out;
+  expect_parts(said.out, {"green over primary.g, tex0.g: exact for "});
 
   // A report on some of the units has no maps and files of the errors, which would show fragments that were not
   // measured.
-  const std::vector<std::string> part{"--program", program,          "--over",   over,
-                                      "-o",        folder_ / "part", "--budget", "0.005"};
+  const Words part{"--program", program, "--over", over, "-o", folder_ / "part", "--budget", "0.005"};
   EXPECT_TRUE(study(part).out.starts_with("Only "));
   const Files some = files_in(folder_ / "part");
   EXPECT_TRUE(some.contains("histogram.svg"));

@@ -14,12 +14,8 @@ namespace tools_test {
 namespace {
 
 using namespace ninebit;
-using Words = std::vector<std::string>;
-
 Outcome merge_parts(const Words& parts, const std::string& folder, const ChildSettings& settings = {}) {
-  Words words{"study", "merge", "--quiet", "-o", folder};
-  words.insert(words.end(), parts.begin(), parts.end());
-  return ninebit(words, settings);
+  return ninebit(Words{"study", "merge", "--quiet", "-o", folder} + parts, settings);
 }
 
 // The lines of a part as a run writes them.
@@ -33,10 +29,7 @@ class AlteredPart : public testing::Test {
  protected:
   // Each study in its smallest form; the part stands in the folder "out".
   void make(const Words& study) {
-    Words words{"study"};
-    words.insert(words.end(), study.begin(), study.end());
-    words.insert(words.end(), {"--quiet", "-o", folder_ / "out"});
-    const Outcome outcome = ninebit(words);
+    const Outcome outcome = ninebit(Words{"study"} + study + Words{"--quiet", "-o", folder_ / "out"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     auto part = read_part(folder_ / "out/part-1-of-1.jsonl");
     ASSERT_TRUE(part) << part.error().text();
@@ -51,9 +44,7 @@ class AlteredPart : public testing::Test {
     const auto begin = std::chrono::steady_clock::now();
     const Outcome outcome = merge_parts({file}, folder_ / "merged");
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    Words all = words;
-    all.push_back("evil.jsonl:");
-    expect_error(outcome, 3, all);
+    expect_error(outcome, 3, words + Words{"evil.jsonl:"});
     EXPECT_LT(seconds.count(), 10.0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "merged"));
   }
@@ -137,8 +128,7 @@ TEST_F(AlteredPart, ItsSceneNamesFilesBelowItsFolderAlone) {
   write_bytes(folder_ / "work/s.obj", "mtllib ../outside.mtl\n" + corners + "usemtl red\nf 1 2 3\n");
   write_bytes(folder_ / "outside.mtl", "newmtl red\nKd 1 0 0\n");
   const Words run{"study", "shadows", "s.obj", "--size", "8x8", "--map-sizes", "8", "--quiet", "-o", "run"};
-  Words allowed = run;
-  allowed.emplace_back("--allow-outside");
+  const Words allowed = run + Words{"--allow-outside"};
   expect_error(ninebit(run, in_work), 3, {"'../outside.mtl'", "--allow-outside"});
   ASSERT_EQ(ninebit(allowed, in_work).code, 0);
   expect_error(merge_parts({"run/part-1-of-1.jsonl"}, "merged", in_work), 3, {"'../outside.mtl'", "--allow-outside"});

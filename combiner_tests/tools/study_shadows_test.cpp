@@ -8,10 +8,8 @@
 namespace tools_test {
 namespace {
 
-std::vector<std::string> small_sweep(const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"study", "shadows", kRoom, "--size", "80x60"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+Words small_sweep(const Words& more) {
+  return Words{"study", "shadows", kRoom, "--size", "80x60"} + more;
 }
 
 TEST(StudyShadows, RowsAreWhatRenderCounts) {
@@ -39,9 +37,8 @@ TEST(StudyShadows, WithoutAxesMapSizesAreSwept) {
 }
 
 TEST(StudyShadows, TheQuestionIsACommandThatAsksTheSame) {
-  const std::vector<std::string> flags{"--technique",    "shadow-map",        "--light",  "-1,4,2",
-                                       "--light-facing", "--map-sizes",       "64",       "--cull",
-                                       "none",           "--polygon-offsets", "0,0;1,16", "--json"};
+  const Words flags{"--technique", "shadow-map", "--light",           "-1,4,2",   "--light-facing", "--map-sizes", "64",
+                    "--cull",      "none",       "--polygon-offsets", "0,0;1,16", "--json"};
   const Json answer = json_of(ninebit(small_sweep(flags)));
   const std::string question = answer["question"];
   EXPECT_EQ(question, "ninebit study shadows " + kRoom +
@@ -72,8 +69,7 @@ TEST(StudyShadows, AGivenMapSizeIsTheOnlyOne) {
 // The report's pictures have traces, which are what their commands print.
 TEST(StudyShadows, TheReportHasTheTracesOfListedPixels) {
   const TempFolder folder;
-  const std::vector<std::string> flags{"--technique", "shadow-map",   "--map-sizes", "32,128",
-                                       "-o",          folder / "out", "--json",      "--quiet"};
+  const Words flags{"--technique", "shadow-map", "--map-sizes", "32,128", "-o", folder / "out", "--json", "--quiet"};
   const Json answer = json_of(ninebit(small_sweep(flags)));
   const Json data = data_of(read_bytes(folder / "out/report.html"));
   ASSERT_EQ(data["pictures"].size(), 2U);
@@ -94,9 +90,7 @@ TEST(StudyShadows, WithoutATextureThePageHasCommands) {
                                 "--technique", "shadow-map", "--floor", "none", "-o", folder / "out", "--json"});
   const Json answer = json_of(done);
   ASSERT_FALSE(answer["worst"].empty());
-  EXPECT_NE(done.err.find("warning: the report has no traces, and their commands fail, too: "), std::string::npos)
-      << done.err;
-  EXPECT_NE(done.err.find("missing.png"), std::string::npos) << done.err;
+  expect_parts(done.err, {"warning: the report has no traces, and their commands fail, too: ", "missing.png"});
   const Json data = data_of(read_bytes(folder / "out/report.html"));
   ASSERT_EQ(data["pictures"][0]["traces"].size(), answer["worst"].size());
   for (const Json& one : data["pictures"][0]["traces"]) EXPECT_EQ(one["text"], "") << one;
@@ -104,9 +98,9 @@ TEST(StudyShadows, WithoutATextureThePageHasCommands) {
 
 TEST(StudyShadows, WrongGrids) {
   struct Case {
-    std::vector<std::string> flags;
+    Words flags;
     int code;
-    std::vector<std::string> words;
+    Words words;
   };
   const std::vector<Case> cases{
       {{"--map-sizes", "100"}, 2, {"--map-sizes", "invalid list '100'", "powers of two"}},
@@ -166,11 +160,9 @@ TEST(StudyDepthPacking, NamesWherePackingsAndStoragesAreFound) {
   EXPECT_NE(rows[0]["max_error"], rows[1]["max_error"]);
   const std::string help = ninebit({"study", "depth-packing", "--help"}).out;
   for (const ninebit::DepthPacking& packing : ninebit::depth_packings()) {
-    EXPECT_NE(help.find(std::string(packing.name) + ' '), std::string::npos) << packing.name;
-    EXPECT_NE(help.find(packing.source), std::string::npos) << packing.name;
+    expect_parts(help, {std::string(packing.name) + ' ', packing.source});
   }
-  for (const ninebit::StorageRule& rule : ninebit::storage_rules())
-    EXPECT_NE(help.find(rule.formula), std::string::npos) << rule.name;
+  for (const ninebit::StorageRule& rule : ninebit::storage_rules()) expect_parts(help, {rule.formula});
 }
 
 TEST(StudyDepthPacking, WrongGrids) {

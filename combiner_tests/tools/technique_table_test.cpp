@@ -8,7 +8,7 @@
 namespace tools_test {
 namespace {
 
-const std::vector<std::pair<std::string, std::vector<std::string>>> kTechniques{
+const std::vector<std::pair<std::string, Words>> kTechniques{
     {"index-cube", {}},
     {"depth-cube", {}},
     {"shadow-map", {}},
@@ -27,7 +27,7 @@ class ChildMemoryHolds {
   ChildMemoryHolds& operator=(const ChildMemoryHolds&) = delete;
 };
 
-std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+Words operator+(Words a, const Words& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
@@ -43,14 +43,13 @@ TEST(TechniqueTable, ProcessesPrintTheSameHashes) {
         continue;
       }
       for (const std::string size : {"128x64", "150x70"}) {
-        const std::vector<std::string> arguments =
-            std::vector<std::string>{"render", kRoom, "-o",          folder / "out", "--json",          "--quiet",
-                                     "--size", size,  "--technique", technique,      "--depth-stencil", format} +
-            (technique == "shadow-volume" ? flags : flags + std::vector<std::string>{"--map-size", "32"});
+        const Words arguments = Words{"render", kRoom, "-o",          folder / "out", "--json",          "--quiet",
+                                      "--size", size,  "--technique", technique,      "--depth-stencil", format} +
+                                (technique == "shadow-volume" ? flags : flags + Words{"--map-size", "32"});
         std::vector<Json> answers;
         for (const auto& [threads, memory] : {std::pair("1", 0x5A), std::pair("1", 0xA5), std::pair("3", 0x01)}) {
           const ChildMemoryHolds holds(memory);
-          answers.push_back(json_of(ninebit(arguments + std::vector<std::string>{"--threads", threads})));
+          answers.push_back(json_of(ninebit(arguments + Words{"--threads", threads})));
           ASSERT_TRUE(answers.back().is_object()) << technique << ' ' << format;
         }
         for (const Json& answer : answers) {
@@ -60,8 +59,7 @@ TEST(TechniqueTable, ProcessesPrintTheSameHashes) {
       }
     }
     expect_error(
-        ninebit(small_render(kRoom, folder / "out",
-                             std::vector<std::string>{"--technique", technique, "--depth-stencil", "d16"} + flags)),
+        ninebit(small_render(kRoom, folder / "out", Words{"--technique", technique, "--depth-stencil", "d16"} + flags)),
         3, {"d16 has no stencil bits", "expected one of d24s8, d15s1, f24s8, w24s8, wf24s8"});
   }
 }

@@ -39,13 +39,10 @@ class TexturedRender : public testing::Test {
     for (int i = 0; i < side * side; ++i) image.pixels.insert(image.pixels.end(), {red, 255, 255});
     ASSERT_TRUE(ninebit::write_png(folder_ / name, image));
   }
-  [[nodiscard]] Outcome run(std::vector<std::string> more = {}) const {
+  [[nodiscard]] Outcome run(Words more = {}) const {
     return tools_test::ninebit(small_render(folder_ / "scene/s.obj", folder_ / "out", more));
   }
-  [[nodiscard]] Json answer(std::vector<std::string> more = {}) const {
-    more.insert(more.end(), {"--json", "--quiet"});
-    return json_of(run(more));
-  }
+  [[nodiscard]] Json answer(Words more = {}) const { return json_of(run(more + Words{"--json", "--quiet"})); }
 
   TempFolder folder_;
 };
@@ -70,7 +67,7 @@ TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
   if (ninebit::test::kSanitized)
     GTEST_SKIP() << "the leak sanitizer's thread crashes now and then after pictures were read";
   picture("scene/t.png", 4, 10);
-  const auto trace = [&](std::vector<std::string> more) {
+  const auto trace = [&](Words more) {
     more.insert(more.begin(),
                 {"trace", "--scene", folder_ / "scene/s.obj", "--size", "32x24", "--pixel", "16,14", "--quiet"});
     return tools_test::ninebit(more);
@@ -81,9 +78,9 @@ TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
   EXPECT_EQ(answer["scene"]["passes"][1]["fragments"].at(answer["scene"]["fragment"].get<std::size_t>())["fate"],
             "alpha test failed");
   const Outcome text = trace({});
-  EXPECT_NE(text.out.find("traced: pass comparison, "), std::string::npos) << text.out;
+  expect_parts(text.out, {"traced: pass comparison, "});
   EXPECT_EQ(trace({"-o", folder_ / "page.html"}).code, 0);
-  EXPECT_NE(read_bytes(folder_ / "page.html").find("<dt>Pass</dt><dd>comparison</dd>"), std::string::npos);
+  expect_parts(read_bytes(folder_ / "page.html"), {"<dt>Pass</dt><dd>comparison</dd>"});
 
   // No face of a volume is at this pixel: the pass that coloured it.
   const Json volume = json_of(trace({"--json", "--technique", "shadow-volume"}));
@@ -102,17 +99,17 @@ TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
 
 // The pass that decided may have no program.
 TEST(TraceOfVolumes, NamesThePassThatHasNothingToTrace) {
-  const auto trace = [](std::vector<std::string> more) {
-    more.insert(more.begin(), {"trace", "--scene", tools_test::kRoom, "--size", "64x48", "--pixel", "32,40",
-                               "--technique", "shadow-volume", "--quiet"});
-    return tools_test::ninebit(more);
+  const auto trace = [](Words more) {
+    return tools_test::ninebit(Words{"trace", "--scene", tools_test::kRoom, "--size", "64x48", "--pixel", "32,40",
+                                     "--technique", "shadow-volume", "--quiet"} +
+                               more);
   };
   const Json answer = json_of(trace({"--json"}));
   EXPECT_EQ(answer["scene"]["pass"], "volumes");
   EXPECT_TRUE(answer["scene"]["fragment"].is_null());
   EXPECT_FALSE(answer.contains("stages"));
   const Outcome text = trace({});
-  EXPECT_NE(text.out.find("pass volumes decided, without a program: nothing to trace"), std::string::npos) << text.out;
+  expect_parts(text.out, {"pass volumes decided, without a program: nothing to trace"});
 }
 
 TEST_F(TexturedRender, CartoonIgnoresIt) {
@@ -131,7 +128,7 @@ TEST_F(TexturedRender, WarnsOnceOfAllThatIsIgnored) {
   EXPECT_EQ(outcome.code, 0);
   const std::string words =
       "ignored: normal maps; alpha blending; exact sizes of textures, resampled to powers of two: 't.png' (3 x 3)";
-  EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  expect_parts(outcome.err, {words});
   EXPECT_EQ(outcome.err.find("warning"), outcome.err.rfind("warning"));
 }
 

@@ -7,8 +7,8 @@ namespace tools_test {
 namespace {
 
 struct WrongUsage {
-  std::vector<std::string> arguments;
-  std::vector<std::string> words;  // of the message
+  Words arguments;
+  Words words;  // of the message
 };
 
 TEST(UsageError, VerbsAndArguments) {
@@ -43,7 +43,7 @@ TEST(UsageError, ValuesOfRender) {
   const std::string degrees = "degrees from 0.01 to 170";
   struct Flag {
     std::string name;
-    std::vector<std::string> wrong;
+    Words wrong;
     std::string expected;
   };
   const std::vector<Flag> flags{
@@ -90,7 +90,7 @@ TEST(UsageError, PickedPixel) {
 // The other side of the same limits, and points that begin with a minus sign.
 TEST(UsageError, LimitsThemselvesAreFine) {
   const TempFolder folder;
-  const std::vector<std::vector<std::string>> fine{
+  const std::vector<Words> fine{
       {"--size", "1x1", "--map-size", "1", "--index-step", "1", "--threads", "1024", "--floor", "none"},
       {"--size", "16384x1", "--index-step", "16", "--floor", "-1.5", "--fov", "170"},
       {"--size", "8x6", "--pick", "7,5", "--index-scope", "section", "--section-size", "4"},
@@ -99,7 +99,7 @@ TEST(UsageError, LimitsThemselvesAreFine) {
       {"--index-order", "neighbour", "--patch-angle", "90", "--index-scales", "first-x4", "--check-order"},
       {"--camera", "-1,-2,-3.5", "--look-at", "-1,0.5,-2", "--light", "-1,1e-1,-2", "--threads", "0"},
   };
-  for (const std::vector<std::string>& flags : fine) {
+  for (const Words& flags : fine) {
     SCOPED_TRACE(testing::PrintToString(flags));
     const Outcome outcome = ninebit(small_render(kRoom, folder / "out", flags));
     EXPECT_EQ(outcome.code, 0) << outcome.err;

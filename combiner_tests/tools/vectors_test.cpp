@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
+#include <map>
 #include <sstream>
-#include <thread>
+#include <tuple>
 
 #include "combiner_tests/tools/support.h"
 #include "ninebit/combiner/normalize.h"
@@ -17,48 +17,56 @@
 namespace tools_test {
 namespace {
 
-using Words = std::vector<std::string>;
 const std::string kEmulator = NINEBIT_SOURCE_DIR "/docs/tutorials/combiner.c";
 const std::string kReader = NINEBIT_SOURCE_DIR "/docs/tutorials/read_vectors.c";
 const std::string kMux = "'-DMUX_BY_MSB(c)=((c)>>8&1)' ", kRight = kMux + "-DROUNDS=1 -DHALF=128";
 
-// Runs a shell command; both its streams, and its exit status.
-std::pair<std::string, int> in_shell(const std::string& command) {
-  std::FILE* const out = popen((command + " 2>&1").c_str(), "r");
-  if (out == nullptr) return {"popen failed", -1};
-  std::string text;
-  for (int byte = std::fgetc(out); byte != EOF; byte = std::fgetc(out)) text += static_cast<char>(byte);
-  return {text, WEXITSTATUS(pclose(out))};
+Words make_pack(const std::string& folder, const Words& more = {}) {
+  return Words{"vectors", "-o", folder, "--profile", "nv2a", "--quiet", "--programs", "1200", "--fragments", "6"} +
+         more;
+}
+
+// The pack that the tests read, made once.
+const std::string& pack() {
+  static const TempFolder folder;
+  static const std::string made = [] {
+    const Outcome outcome = ninebit(make_pack(folder / "pack"));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return folder / "pack";
+  }();
+  return made;
+}
+
+// The pack's runner with an emulator: its program, what it printed, its exit status, and its file of results.
+struct Checked {
+  std::string program, text, results;
+  int status = -1;
+};
+
+// With the emulator that is compiled with these flags, once for each.
+const Checked& check(const std::string& flags, const std::string& folder = pack()) {
+  static const TempFolder made;
+  static std::map<std::string, Checked> known;
+  const auto [found, is_new] = known.try_emplace(flags + folder);
+  Checked& one = found->second;
+  if (!is_new) return one;
+  one.program = made / std::to_string(known.size());
+  one.results = one.program + ".txt";
+  const auto [messages, status] = shell("cc -std=c99 -O1 -pedantic -Wall -Wextra -Werror " + flags + " '" + folder +
+                                        "/runner.c' '" + kEmulator + "' -o '" + one.program + "'");
+  EXPECT_EQ(status, 0) << messages;
+  std::tie(one.text, one.status) =
+      shell("'" + one.program + "' '" + folder + "/vectors.txt' --results '" + one.results + "'");
+  return one;
+}
+
+Json verdict(const std::string& results, int code) {
+  return json_of(ninebit({"verify", results, "--vectors", pack(), "--json"}), code);
 }
 
 class Vectors : public testing::Test {
  protected:
-  std::string pack(const Words& more = {}) {
-    const std::string folder = folder_ / "pack";
-    Words words{"vectors", "-o", folder, "--profile", "nv2a", "--quiet", "--programs", "1200", "--fragments", "6"};
-    words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = ninebit(words);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return folder;
-  }
-
-  // The runner's output with the emulator that is compiled with these flags.
-  std::pair<std::string, int> check(const std::string& pack, const std::string& flags) {
-    const std::string program = folder_ / "check";
-    const auto [messages, status] = in_shell("cc -std=c99 -O1 -pedantic -Wall -Wextra -Werror " + flags + " '" + pack +
-                                             "/runner.c' '" + kEmulator + "' -o '" + program + "'");
-    EXPECT_EQ(status, 0) << messages;
-    return in_shell("'" + program + "' '" + pack + "/vectors.txt' --results '" + results_ + "'");
-  }
-
-  Json verdict(const std::string& pack, int code) {
-    const Outcome outcome = ninebit({"verify", results_, "--vectors", pack, "--json"});
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    return Json::parse(outcome.out, nullptr, false);
-  }
-
   TempFolder folder_;
-  std::string results_ = folder_ / "results.txt";
 };
 
 TEST_F(Vectors, TheDefaultPackIsSmallAndItsFilesAreNamed) {
@@ -66,12 +74,12 @@ TEST_F(Vectors, TheDefaultPackIsSmallAndItsFilesAreNamed) {
   const Outcome outcome = ninebit({"vectors", "-o", folder, "--profile", "nv2a"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("pack ")) << outcome.out;
-  EXPECT_NE(outcome.out.find(": 10000 programs, 16 fragments each, seed 1\n"), std::string::npos) << outcome.out;
+  expect_parts(outcome.out, {": 10000 programs, 16 fragments each, seed 1\n"});
   std::size_t bytes = 0;
   const Files files = files_in(folder);
   for (const auto& [name, content] : files) {
     bytes += content.size();
-    EXPECT_NE(outcome.err.find("wrote " + folder + "/" + name + "\n"), std::string::npos) << outcome.err;
+    expect_parts(outcome.err, {"wrote " + folder + "/" + name + "\n"});
   }
   EXPECT_EQ(files.size(), 3U);
   EXPECT_LE(bytes, 6'000'000U);
@@ -96,10 +104,9 @@ TEST_F(Vectors, AnswersAndIsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST_F(Vectors, TheJsonOfAProgramIsThatOfItsWords) {
-  const std::string folder = pack();
-  const auto read = ninebit::read_vector_pack(read_bytes(folder + "/vectors.txt"), "v.txt", ninebit::profiles::nv2a);
+  const auto read = ninebit::read_vector_pack(read_bytes(pack() + "/vectors.txt"), "v.txt", ninebit::profiles::nv2a);
   ASSERT_TRUE(read.ok()) << read.error().text();
-  std::istringstream lines(in_shell("gzip -dc '" + folder + "/programs.jsonl.gz'").first);
+  std::istringstream lines(shell("gzip -dc '" + pack() + "/programs.jsonl.gz'").first);
   std::size_t program = 0;
   for (std::string line; std::getline(lines, line); ++program) {
     const auto parsed = ninebit::parse_json_program({line, "p"}, ninebit::profiles::nv2a);
@@ -113,15 +120,14 @@ TEST_F(Vectors, TheJsonOfAProgramIsThatOfItsWords) {
 }
 
 TEST_F(Vectors, ARightEmulatorPasses) {
-  const std::string folder = pack();
-  const auto [text, status] = check(folder, kRight);
-  EXPECT_EQ(status, 0);
-  EXPECT_EQ(text, "profile nv2a: 7200 fragments, 0 differ; 65 of 65 groups pass\n");
-  const Json object = verdict(folder, 0);
+  const Checked& right = check(kRight);
+  EXPECT_EQ(right.status, 0);
+  EXPECT_EQ(right.text, "profile nv2a: 7200 fragments, 0 differ; 65 of 65 groups pass\n");
+  const Json object = verdict(right.results, 0);
   EXPECT_EQ(object["count"], 7200);
   EXPECT_EQ(object["agree"], 7200);
   EXPECT_TRUE(object["mistakes"].empty());
-  const Outcome outcome = ninebit({"verify", results_, "--vectors", folder + "/vectors.txt", "--profile", "nv2a"});
+  const Outcome outcome = ninebit({"verify", right.results, "--vectors", pack() + "/vectors.txt", "--profile", "nv2a"});
   EXPECT_EQ(outcome.out, "7200 fragments of 1200 programs: 7200 agree, 0 differ\n");
 }
 
@@ -132,7 +138,6 @@ struct Broken {
 
 // Three emulators that are wrong in one thing each, and others.
 TEST_F(Vectors, BrokenEmulatorsAreNamed) {
-  const std::string folder = pack();
   const Broken cases[] = {
       {kMux + "-DROUNDS=0 -DHALF=127.5", "mapping-half-bias-normal (rule 4)", "arithmetic = exact"},
       {kRight + " -DCLAMPS_NEGATIVE=0", "negative-texels (rules 2,15)", "negative inputs are not clamped to 0"},
@@ -144,30 +149,27 @@ TEST_F(Vectors, BrokenEmulatorsAreNamed) {
   };
   for (const Broken& broken : cases) {
     SCOPED_TRACE(broken.flags);
-    const auto [text, status] = check(folder, broken.flags);
+    const auto& [program, text, results, status] = check(broken.flags);
     EXPECT_EQ(status, 1);
     EXPECT_TRUE(text.starts_with("first failing group: " + std::string(broken.group) + ": ")) << text;
-    for (const char* part : {"\n  program ", "\n  RC_ENABLE = 0x", "\n  tex0 ", "\n  after stage 0: spare0.r ",
-                             "\n  expected ", "\n  got ", "\ngroups that differ:\n"}) {
-      EXPECT_NE(text.find(part), std::string::npos) << part << text;
-    }
-    const Json object = verdict(folder, 1);
+    expect_parts(text, {"\n  program ", "\n  RC_ENABLE = 0x", "\n  tex0 ", "\n  after stage 0: spare0.r ",
+                        "\n  expected ", "\n  got ", "\ngroups that differ:\n"});
+    const Json object = verdict(results, 1);
     ASSERT_FALSE(object["mistakes"].empty());
     EXPECT_EQ(object["mistakes"][0]["mistake"], broken.mistake) << object["mistakes"].dump();
     EXPECT_EQ(object["mistakes"][0]["agree_then"], object["count"]) << object["mistakes"].dump();
     EXPECT_EQ(object["mistakes"][0]["explains"], object["differ"]);
-    const Outcome outcome = ninebit({"verify", results_, "--vectors", folder, "--most", "2"});
+    const Outcome outcome = ninebit({"verify", results, "--vectors", pack(), "--most", "2"});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_NE(outcome.out.find("\nOne mistake explains all of them: " + std::string(broken.mistake)), std::string::npos)
-        << outcome.out;
+    expect_parts(outcome.out, {"\nOne mistake explains all of them: " + std::string(broken.mistake)});
   }
 }
 
 // Two mistakes at once: neither explains all, the plan has both, each with a program and a fragment.
 TEST_F(Vectors, TwoMistakesArePlanned) {
-  const std::string folder = pack();
-  EXPECT_EQ(check(folder, "-DROUNDS=1 -DHALF=127").second, 1);
-  const Json object = verdict(folder, 1);
+  const Checked& checked = check("-DROUNDS=1 -DHALF=127");
+  EXPECT_EQ(checked.status, 1);
+  const Json object = verdict(checked.results, 1);
   const Json& plan = object["plan"];
   ASSERT_EQ(plan.size(), 2U) << plan.dump();
   EXPECT_EQ(keys_of(plan[0]), (Words{"mistake", "rules", "group", "explains", "share", "breaks", "same", "program",
@@ -181,7 +183,7 @@ TEST_F(Vectors, TwoMistakesArePlanned) {
   EXPECT_NEAR(plan[0]["share"].get<double>() + plan[1]["share"].get<double>(), 1.0, 0.01);
   // The program and the fragment of a step give what is expected, and not what is shown.
   const std::string program = write_bytes(folder_ / "step.gl", plan[0]["calls"].get<std::string>());
-  std::vector<std::string> trace{"trace", program, "--profile", "nv2a", "--json"};
+  Words trace{"trace", program, "--profile", "nv2a", "--json"};
   std::istringstream inputs(plan[0]["inputs"].get<std::string>());
   for (std::string one; inputs >> one;) {
     trace.emplace_back("--set");
@@ -192,10 +194,9 @@ TEST_F(Vectors, TwoMistakesArePlanned) {
   EXPECT_EQ(json_of(traced)["out"]["bytes"], plan[0]["expected"]) << traced.out;
   EXPECT_NE(plan[0]["shown"], plan[0]["expected"]);
   // The mux by the lowest bit is not in GL: its program is words.
-  EXPECT_NE(plan[1]["calls"].get<std::string>().find("RC_OUT_RGB[0] = 0x"), std::string::npos);
-  const Outcome outcome = ninebit({"verify", results_, "--vectors", folder, "--most", "0"});
-  EXPECT_NE(outcome.out.find("\n1. half = 127 (rules 4, 11): explains "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\nTogether they explain all of them.\n"), std::string::npos) << outcome.out;
+  expect_parts(plan[1]["calls"].get<std::string>(), {"RC_OUT_RGB[0] = 0x"});
+  const Outcome outcome = ninebit({"verify", checked.results, "--vectors", pack(), "--most", "0"});
+  expect_parts(outcome.out, {"\n1. half = 127 (rules 4, 11): explains ", "\nTogether they explain all of them.\n"});
 }
 
 TEST_F(Vectors, QuickPacksAreSmall) {
@@ -208,20 +209,18 @@ TEST_F(Vectors, QuickPacksAreSmall) {
 
 // With combine_stage the runner names the emulator's first wrong register.
 TEST_F(Vectors, StagesAreCompared) {
-  const auto [text, status] = check(pack(), kMux + "-DCOMBINE_STAGE -DROUNDS=1 -DHALF=127");
+  const auto& [program, text, results, status] = check(kMux + "-DCOMBINE_STAGE -DROUNDS=1 -DHALF=127");
   EXPECT_EQ(status, 1);
   const std::size_t stage = text.find("\n  after stage 0: ");
   ASSERT_NE(stage, std::string::npos) << text;
-  EXPECT_NE(text.substr(stage, text.find('\n', stage + 1) - stage).find(" (yours is "), std::string::npos) << text;
+  expect_parts(text.substr(stage, text.find('\n', stage + 1) - stage), {" (yours is "});
 }
 
 // The runner prints a program in each of the layouts of an emulator's words, and all are read as the same program.
 TEST_F(Vectors, TheRunnerPrintsAProgramAsWords) {
-  const std::string folder = pack();
-  (void)check(folder, kRight);
-  const std::string run = "'" + (folder_ / "check") + "' '" + folder + "/vectors.txt' --print 1100";
+  const std::string run = "'" + check(kRight).program + "' '" + pack() + "/vectors.txt' --print ";
   const auto explained = [&](const std::string& flags) {
-    const auto [text, status] = in_shell(run + flags);
+    const auto [text, status] = shell(run + "1100" + flags);
     EXPECT_EQ(status, 0) << text;
     const Outcome outcome =
         ninebit({"convert", write_bytes(folder_ / "p.words", text), "--to", "json", "--profile", "nv2a"});
@@ -236,17 +235,17 @@ TEST_F(Vectors, TheRunnerPrintsAProgramAsWords) {
   const auto [addresses, also] = explained(" --address");
   EXPECT_TRUE(addresses.starts_with("0x401940 = 0x")) << addresses;
   EXPECT_EQ(also, program);
-  EXPECT_EQ(in_shell("'" + (folder_ / "check") + "' '" + folder + "/vectors.txt' --print 5000").second, 2);
+  EXPECT_EQ(shell(run + "5000").second, 2);
 }
 
 TEST_F(Vectors, ThirtyLinesOfCReadAPack) {
-  const std::string folder = pack(), program = folder_ / "read", source = read_bytes(kReader);
+  const std::string program = folder_ / "read", source = read_bytes(kReader);
   EXPECT_LE(std::count(source.begin(), source.end(), '\n'), 30);
   for (const std::string& flags : {kRight, kMux + "-DROUNDS=1 -DHALF=127"}) {
-    const auto [messages, compiled] = in_shell("cc -std=c99 -pedantic -Wall -Wextra -Werror " + flags + " '" + kReader +
-                                               "' '" + kEmulator + "' -o '" + program + "'");
+    const auto [messages, compiled] = shell("cc -std=c99 -pedantic -Wall -Wextra -Werror " + flags + " '" + kReader +
+                                            "' '" + kEmulator + "' -o '" + program + "'");
     ASSERT_EQ(compiled, 0) << messages;
-    const auto [text, status] = in_shell("cd '" + folder + "' && '" + program + "'");
+    const auto [text, status] = shell("cd '" + pack() + "' && '" + program + "'");
     const bool is_right = flags == kRight;
     EXPECT_EQ(status, is_right ? 0 : 1) << text;
     EXPECT_TRUE(!is_right || text == "0 of 7200 fragments are wrong\n") << text;
@@ -254,49 +253,44 @@ TEST_F(Vectors, ThirtyLinesOfCReadAPack) {
 }
 
 TEST_F(Vectors, TheRunnerReportsWhatItCannotRead) {
-  const std::string folder = pack();
-  (void)check(folder, kRight);
-  const std::string text = read_bytes(folder + "/vectors.txt"), program = "'" + (folder_ / "check") + "'";
-  const auto run = [&](const std::string& pack) {
-    write_bytes(folder_ / "v.txt", pack);
-    return in_shell(program + " '" + (folder_ / "v.txt") + "'");
+  const std::string text = read_bytes(pack() + "/vectors.txt"), program = "'" + check(kRight).program + "'";
+  const auto run = [&](const std::string& bytes) {
+    write_bytes(folder_ / "v.txt", bytes);
+    return shell(program + " '" + (folder_ / "v.txt") + "'");
   };
   using Answer = std::pair<std::string, int>;
   EXPECT_EQ(run("hello\n"), Answer("runner: cannot read a pack from " + (folder_ / "v.txt") + "\n", 2));
-  EXPECT_EQ(in_shell(program).second, 2);
+  EXPECT_EQ(shell(program).second, 2);
   const Answer cut = run(text.substr(0, text.rfind("\np ") + 1));
   EXPECT_EQ(cut.second, 2);
-  EXPECT_NE(cut.first.find("the pack is cut off: 'end' is missing"), std::string::npos) << cut.first;
+  expect_parts(cut.first, {"the pack is cut off: 'end' is missing"});
   std::string wrong = text;
   wrong.replace(wrong.find("\nbase "), 6, "\nbase x");
   const Answer words = run(wrong);
   EXPECT_EQ(words.second, 2);
-  EXPECT_NE(words.first.find(": wrong words\n"), std::string::npos) << words.first;
+  expect_parts(words.first, {": wrong words\n"});
 }
 
 TEST_F(Vectors, ResultsThatCannotBeJudged) {
-  const std::string folder = pack();
-  (void)check(folder, kRight);
-  const std::string text = read_bytes(results_);
-  expect_error(ninebit({"verify", results_}), 3, {"vectors.txt", "No such file"});
-  expect_error(ninebit({"verify", results_, "--vectors", results_}), 3, {"results.txt:1", "expected a pack"});
-  expect_error(ninebit({"verify", results_, "--vectors", folder, "--profile", "geforce2"}), 3,
+  const std::string text = read_bytes(check(kRight).results), results = write_bytes(folder_ / "results.txt", text);
+  expect_error(ninebit({"verify", results}), 3, {"vectors.txt", "No such file"});
+  expect_error(ninebit({"verify", results, "--vectors", results}), 3, {"results.txt:1", "expected a pack"});
+  expect_error(ninebit({"verify", results, "--vectors", pack(), "--profile", "geforce2"}), 3,
                {"vectors.txt:2", "the pack is of profile nv2a, not of geforce2"});
-  expect_error(ninebit({"verify", results_, "--vectors", folder, "--program", "x.gl"}), 2, {"--vectors", "--program"});
-  write_bytes(results_, text.substr(0, text.size() - 4));
-  expect_error(ninebit({"verify", results_, "--vectors", folder}), 3,
+  expect_error(ninebit({"verify", results, "--vectors", pack(), "--program", "x.gl"}), 2, {"--vectors", "--program"});
+  write_bytes(results, text.substr(0, text.size() - 4));
+  expect_error(ninebit({"verify", results, "--vectors", pack()}), 3,
                {"results.txt:1201", "expected 6 colours of 8 hexadecimal digits"});
-  write_bytes(folder + "/results.txt", text);
-  EXPECT_EQ(ninebit({"verify", folder + "/results.txt"}).code, 0) << "the pack is beside it";
-  EXPECT_EQ(ninebit({"verify", "-", "--vectors", folder}, {.in = folder + "/results.txt"}).code, 0);
+  write_bytes(results, text);
+  EXPECT_EQ(ninebit({"verify", "-", "--vectors", pack()}, {.in = results}).code, 0);
+  std::filesystem::copy(pack() + "/vectors.txt", folder_ / "vectors.txt");
+  EXPECT_EQ(ninebit({"verify", results}).code, 0) << "the pack is beside it";
 }
 
 // Parts of a pack may be run; the first program without results is named with its line. Line N + 1 has program N.
 TEST_F(Vectors, ProgramsWithoutResultsAreNamed) {
-  const std::string folder = pack();
-  (void)check(folder, kRight);
-  const std::string text = read_bytes(results_);
-  EXPECT_EQ(verdict(folder, 0)["missing"], nullptr);
+  const std::string text = read_bytes(check(kRight).results), results = folder_ / "results.txt";
+  EXPECT_EQ(verdict(check(kRight).results, 0)["missing"], nullptr);
   const auto line_at = [&](int line) {
     std::size_t at = 0;
     for (int i = 1; i < line; ++i) at = text.find('\n', at) + 1;
@@ -310,11 +304,11 @@ TEST_F(Vectors, ProgramsWithoutResultsAreNamed) {
                         Case{2, 4, ":2: program 1 is missing; 1198 of 1200 programs have results\n"},
                         Case{301, 1202, ":301: program 300 is missing; 299 of 1200 programs have results\n"}}) {
     SCOPED_TRACE(c.said);
-    write_bytes(results_, text.substr(0, line_at(c.line)) + text.substr(line_at(c.end)));
-    const Outcome outcome = ninebit({"verify", results_, "--vectors", folder});
+    write_bytes(results, text.substr(0, line_at(c.line)) + text.substr(line_at(c.end)));
+    const Outcome outcome = ninebit({"verify", results, "--vectors", pack()});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_TRUE(outcome.out.starts_with(results_ + c.said)) << outcome.out;
-    const Json missing = verdict(folder, 0)["missing"];
+    EXPECT_TRUE(outcome.out.starts_with(results + c.said)) << outcome.out;
+    const Json missing = verdict(results, 0)["missing"];
     EXPECT_EQ(missing, (Json{{"programs", c.end - c.line}, {"first", c.line - 1}, {"line", c.line}})) << missing.dump();
   }
 }
@@ -324,17 +318,18 @@ TEST_F(Vectors, OfAProfileOfOnesOwn) {
   const std::string own = write_bytes(folder_ / "own.json", R"({"base": "nv2a", "name": "mine", "half": 127})");
   const std::string folder = folder_ / "own";
   ASSERT_EQ(ninebit({"vectors", "-o", folder, "--profile", own, "--programs", "300", "--fragments", "4"}).code, 0);
-  EXPECT_EQ(check(folder, kMux + "-DROUNDS=1 -DHALF=127").second, 0);
-  expect_error(ninebit({"verify", results_, "--vectors", folder}), 3, {"profile mine", "give its file with --profile"});
-  EXPECT_EQ(ninebit({"verify", results_, "--vectors", folder, "--profile", own}).code, 0);
+  const Checked& checked = check(kMux + "-DROUNDS=1 -DHALF=127", folder);
+  EXPECT_EQ(checked.status, 0);
+  expect_error(ninebit({"verify", checked.results, "--vectors", folder}), 3,
+               {"profile mine", "give its file with --profile"});
+  EXPECT_EQ(ninebit({"verify", checked.results, "--vectors", folder, "--profile", own}).code, 0);
 }
 
 TEST_F(Vectors, OtherFilesOfTheFolderStay) {
   std::filesystem::create_directories(folder_ / "pack");
   write_bytes(folder_ / "pack/notes.txt", "mine");
-  const std::string first = read_bytes(pack() + "/vectors.txt");
-  const std::string again = read_bytes(pack({"--seed", "2"}) + "/vectors.txt");
-  EXPECT_NE(first, again);
+  ASSERT_EQ(ninebit(make_pack(folder_ / "pack", {"--seed", "2"})).code, 0);
+  EXPECT_NE(read_bytes(folder_ / "pack/vectors.txt"), read_bytes(pack() + "/vectors.txt"));
   EXPECT_EQ(read_bytes(folder_ / "pack/notes.txt"), "mine");
   EXPECT_EQ(files_in(folder_ / "pack").size(), 4U);
 }
@@ -342,7 +337,7 @@ TEST_F(Vectors, OtherFilesOfTheFolderStay) {
 TEST_F(Vectors, AnInterruptLeavesNothing) {
   const std::string folder = folder_ / "pack";
   Child child({"vectors", "-o", folder, "--programs", "100000", "--fragments", "80", "--threads", "1"});
-  while (!std::filesystem::exists(folder) && !child.ended()) std::this_thread::yield();
+  child.until([&] { return std::filesystem::exists(folder); });
   child.send(SIGINT);
   const Outcome outcome = child.wait();
   EXPECT_EQ(outcome.code, 130) << outcome.err;

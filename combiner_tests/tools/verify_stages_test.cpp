@@ -11,10 +11,8 @@ namespace {
 
 class VerifyStages : public testing::Test {
  protected:
-  Outcome verify(const std::string& table, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"verify", write_bytes(folder_ / "rows.csv", table)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return ninebit(arguments);
+  Outcome verify(const std::string& table, const Words& more = {}) {
+    return ninebit(Words{"verify", write_bytes(folder_ / "rows.csv", table)} + more);
   }
   TempFolder folder_;
 };

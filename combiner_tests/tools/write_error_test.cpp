@@ -1,7 +1,6 @@
 // Outputs that cannot be written: exit code 4, one line that says where and why, older files whole, nothing left over.
 #include <gtest/gtest.h>
 
-#include "combiner_tests/tools/small_disk.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
@@ -47,51 +46,12 @@ TEST_F(WriteError, AFolderInTheWay) {
   }
 }
 
-// Each file in turn is the one that finds no room.
-TEST_F(WriteError, FilesMayNotGrow) {
-  Files newer;
-  {
-    const TempFolder other;
-    ASSERT_EQ(ninebit(small_render(kRoom, other / "out", {"--layers"})).code, 0);
-    newer = files_in(other / "out");
-  }
-  ASSERT_EQ(newer.size(), 6U);
-  std::vector<std::uint64_t> limits{0, 1, 100};
-  for (const auto& [name, bytes] : newer) limits.push_back(bytes.size() - 1);
-  for (const std::uint64_t limit : limits) {
-    SCOPED_TRACE(limit);
-    // Messages would fall under the limit as well, unless they go to no file.
-    EXPECT_EQ(render({.file_size_limit = limit, .err = "/dev/null"}).code, 4);
-    EXPECT_EQ(files_in(out_), older_);
-  }
+// A file that may not grow, or a full disk, leaves the older files: over_older_test.cpp. A new folder is not left over.
+TEST_F(WriteError, AFolderThatWasMadeIsRemoved) {
   expect_error(render({.file_size_limit = 1000}), 4, {out_, "File too large"});
   EXPECT_EQ(files_in(out_), older_);
   EXPECT_EQ(ninebit(small_render(kRoom, folder_ / "never"), {.file_size_limit = 1000}).code, 4);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "never"));
-
-  EXPECT_EQ(render().code, 0);
-  newer["notes.txt"] = older_["notes.txt"];
-  EXPECT_EQ(files_in(out_), newer);
-}
-
-TEST_F(WriteError, FullDisk) {
-  const std::string disk = folder_ / "disk";
-  const SmallDisk small(disk);
-  if (!small.mounted()) GTEST_SKIP() << "mounting is not allowed here: " << small.error();
-  for (const auto& [name, bytes] : older_) write_bytes(disk + '/' + name, bytes);
-  // Nothing at all, and only a little, can be written.
-  const std::string ballast = disk + "/ballast";
-  small.fill("ballast");
-  Files before = files_in(disk);
-  expect_error(ninebit(small_render(kRoom, disk, {"--layers"})), 4, {disk, "No space left on device"});
-  EXPECT_EQ(files_in(disk), before);
-  std::filesystem::resize_file(ballast, before["ballast"].size() - 20000);
-  before = files_in(disk);
-  expect_error(ninebit(small_render(kRoom, disk, {"--layers", "--size", "640x480"})), 4,
-               {disk, "No space left on device"});
-  EXPECT_EQ(files_in(disk), before);
-  std::filesystem::remove(ballast);
-  EXPECT_EQ(ninebit(small_render(kRoom, disk)).code, 0);
 }
 
 }  // namespace
