@@ -85,9 +85,7 @@ TEST(Archive, TheFirstEffectAndNamedOnesAreDrawn) {
   ASSERT_EQ(first["warnings"].size(), 1U);
   const auto warning = first["warnings"][0].get<std::string>();
   expect_parts(warning, {"frame.zip/a.json is taken, the first of 2 effects"});
-  const Outcome traced = ninebit({"trace", "--effect", archive + "/b.json", "--pixel", "1,1"});
-  EXPECT_EQ(traced.code, 0) << traced.err;
-  EXPECT_TRUE(traced.err.empty()) << traced.err;
+  EXPECT_TRUE(err_of(ninebit({"trace", "--effect", archive + "/b.json", "--pixel", "1,1"})).empty());
   expect_error(ninebit({"draw", archive + "/c.json", "-o", folder / "p.png"}), 3,
                {"frame.zip", "'c.json'", "expected one of its 2"});
 }

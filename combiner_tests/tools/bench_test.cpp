@@ -54,9 +54,8 @@ TEST(Bench, CombinerMeasuresEveryTarget) {
 TEST(Bench, CombinerPrintsItsPrograms) {
   const TempFolder folder;
   for (const char* program : {"index", "heavy", "eight", "default"}) {
-    const Outcome printed = ninebit({"bench", "combiner", "--print", program});
-    ASSERT_EQ(printed.code, 0);
-    const std::string file = write_bytes(folder / "program.gl", printed.out);
+    const std::string file =
+        write_bytes(folder / "program.gl", out_of(ninebit({"bench", "combiner", "--print", program})));
     EXPECT_EQ(ninebit({"validate", file, "--profile", "nv2a"}).code, 0) << program;
   }
 }
@@ -212,9 +211,7 @@ TEST(Bench, TablesForPeople) {
            {{"raster", "--growth"}, "bytes/triangle"},
            {{"frame", kRoom, "--size", "48x36", "--map-size", "32"}, "ms per frame"},
            {{"effect"}, "light_map_detail"}}) {
-    const Outcome outcome = ninebit(Words{"bench"} + part + Words{"--quick", "--threads", "1"});
-    EXPECT_EQ(outcome.code, 0);
-    expect_parts(outcome.out, {shown});
+    expect_parts(out_of(ninebit(Words{"bench"} + part + Words{"--quick", "--threads", "1"})), {shown});
   }
 }
 

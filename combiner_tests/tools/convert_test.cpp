@@ -87,19 +87,17 @@ TEST(Convert, WhatOpenGlLacksComesOnlyThroughWordsJsonAndCode) {
                {"x.words", "cannot be written as gl: OpenGL has no " + lacks});
   expect_error(ninebit({"convert", words, "--to", "rc10", "--profile", "nv2a"}), 3,
                {"cannot be written as rc10: !!RC1.0 cannot express this: " + lacks});
-  const Outcome json = ninebit({"convert", words, "--to", "json", "--profile", "nv2a"});
-  ASSERT_EQ(json.code, 0) << json.err;
-  const std::string file = write_bytes(folder / "x.json", json.out);
+  const std::string file =
+      write_bytes(folder / "x.json", out_of(ninebit({"convert", words, "--to", "json", "--profile", "nv2a"})));
   const Outcome back = ninebit({"convert", file, "--to", "words", "--profile", "nv2a"});
   expect_parts(back.out, {"RC_OUT_RGB[0] = 0x000c4c4d\n", "RC_FINAL1 = 0x00001ce0\n", "RC_ENABLE = 0x00000001\n"});
   for (const char* form : {"glsl", "glsl-es", "c"}) {
     EXPECT_EQ(ninebit({"convert", words, "--to", form, "--profile", "nv2a"}).code, 0) << form;
   }
   // A GeForce 2's profile says of each that it has no such thing, at its word.
-  const Outcome refused = ninebit({"validate", words, "--chip", "nv20"});
-  EXPECT_EQ(refused.code, 1) << refused.err;
+  const std::string refused = out_of(ninebit({"validate", words, "--chip", "nv20"}), 1);
   const std::string place = words + ':';
-  EXPECT_EQ(refused.out,
+  EXPECT_EQ(refused,
             place +
                 "1:1: GL_INVALID_ENUM: general combiner 0, RGB portion: profile geforce2 has no blue-to-alpha "
                 "outputs (NV2A)\n" +

@@ -25,9 +25,7 @@ class EvalPictures : public testing::Test {
     return image;
   }
   void refuses(const Words& flags, const std::string& message, int code = 2) const {
-    const Outcome outcome = ninebit(Words{"eval", kArticle} + flags);
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    expect_parts(outcome.err, {message});
+    expect_parts(err_of(ninebit(Words{"eval", kArticle} + flags), code), {message});
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png"));
   }
   TempFolder folder_;
@@ -74,9 +72,7 @@ TEST_F(EvalPictures, AreWhatTheTableGivesForEachTexel) {
 TEST_F(EvalPictures, AnswersInJson) {
   Random random(1);
   const std::string in = picture("in.png", random_image(random, 5, 3, 4)), out = folder_ / "out.png";
-  const Outcome outcome = ninebit({"eval", kArticle, "--tex0", in, "-o", out, "--json"});
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Json answer = Json::parse(outcome.out);
+  const Json answer = json_of(ninebit({"eval", kArticle, "--tex0", in, "-o", out, "--json"}));
   EXPECT_EQ(answer["size"], Json({5, 3}));
   EXPECT_EQ(answer["fragments"], 15);
   EXPECT_EQ(answer["files"], Json({out}));

@@ -34,17 +34,14 @@ constexpr std::string_view kStageResults =
     "read3.t,read3.r\n";
 
 TEST_F(EvalStagesTable, RowsRunThroughTheStages) {
-  const Outcome outcome = eval(std::string(kStageHeader) + "255,51,0.5,2,0,1,2,3,4\n51,0,1,0,-1,9,8,7,6\n");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, std::string(kStageResults) +
-                             "1,2,3,4,255,51,0,0,0,0,0,0,1,2,3,4,0,0,0,0,0,,0,0,0,,,,0.5,0.4,0,,,\n"
-                             "9,8,7,6,51,0,0,0,0,0,0,0,9,8,7,6,0,0,0,0,1,,0,0,0,,,,0.2,0,0,,,\n");
+  EXPECT_EQ(out_of(eval(std::string(kStageHeader) + "255,51,0.5,2,0,1,2,3,4\n51,0,1,0,-1,9,8,7,6\n")),
+            std::string(kStageResults) +
+                "1,2,3,4,255,51,0,0,0,0,0,0,1,2,3,4,0,0,0,0,0,,0,0,0,,,,0.5,0.4,0,,,\n"
+                "9,8,7,6,51,0,0,0,0,0,0,0,9,8,7,6,0,0,0,0,1,,0,0,0,,,,0.2,0,0,,,\n");
 }
 
 TEST_F(EvalStagesTable, JsonHasNullForWhatThereIsNot) {
-  const Outcome outcome = eval(std::string(kStageHeader) + "255,51,0.5,2,0,1,2,3,4\n", {"--json"});
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Json answer = Json::parse(outcome.out);
+  const Json answer = json_of(eval(std::string(kStageHeader) + "255,51,0.5,2,0,1,2,3,4\n", {"--json"}));
   EXPECT_EQ(answer["command"], "eval");
   ASSERT_EQ(answer["rows"].size(), 1U);
   EXPECT_EQ(answer["rows"][0]["out.g"], 2);
@@ -88,9 +85,7 @@ TEST_F(EvalStagesTable, TraceRunsThem) {
   EXPECT_FALSE(Json::parse(registers.out).contains("texture_shader"));
   expect_parts(registers.err, {"the texture-shader stages are not run, as --set tex2.r gives"});
   const auto expect_wrong = [&](Words more, const std::string& message) {
-    const Outcome outcome = trace(std::move(more));
-    EXPECT_EQ(outcome.code, 2);
-    expect_parts(outcome.err, {message});
+    expect_parts(err_of(trace(std::move(more)), 2), {message});
   };
   expect_wrong({"--set", "at1.s=0", "--set", "tex0.r=1"}, "--set tex0.r: the texture-shader stages give it");
   expect_wrong({"--set", "at1.s=x"}, "--set: at1.s takes a number, not 'x'");

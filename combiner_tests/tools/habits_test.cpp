@@ -103,17 +103,16 @@ TEST(Habits, EveryVerbHasAnExampleAndTheCommonFlags) {
 TEST(Habits, ManualAndCompletionsTellOfEveryVerb) {
   for (const char* form : {"man", "bash", "zsh", "fish"}) {
     SCOPED_TRACE(form);
-    const Outcome outcome = ninebit({"generate", form});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string outcome = out_of(ninebit({"generate", form}));
     for (const auto& [verb, help] : help_of_all_verbs()) {
       const std::string name = verb.substr(verb.rfind(' ') + 1);
       const std::string written = std::string(form) == "man" ? std::regex_replace(name, std::regex("-"), "\\-") : name;
-      expect_parts(outcome.out, {written});
+      expect_parts(outcome, {written});
     }
     for (const char* flag : {"technique", "shadow-volume", "threads", "nv2a"}) {
       const std::string written =
           std::string(form) == "man" ? std::regex_replace(std::string(flag), std::regex("-"), "\\-") : flag;
-      expect_parts(outcome.out, {written});
+      expect_parts(outcome, {written});
     }
   }
   EXPECT_EQ(ninebit({"--help"}).out.find("generate"), std::string::npos) << "it is for the build";

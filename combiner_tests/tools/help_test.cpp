@@ -99,9 +99,7 @@ TEST(Help, Lists) {
   for (const char* list : {"3-1", "1,3", "1,,2", "", "1-", "-1", "1-300", "a"}) {
     SCOPED_TRACE(list);
     if (*list == '\0') continue;
-    const Outcome outcome = steps(list);
-    EXPECT_EQ(outcome.code, 2);
-    expect_parts(outcome.err, {std::string("invalid list '") + list + "'; expected a list of"});
+    expect_parts(err_of(steps(list), 2), {std::string("invalid list '") + list + "'; expected a list of"});
   }
   const TempFolder folder;
   const auto varied = [&](const std::string& list) {

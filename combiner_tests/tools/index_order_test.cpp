@@ -110,10 +110,8 @@ TEST(IndexOrder, CheckOrderPassesWithoutFalseNeighbours) {
 
 TEST(IndexOrder, CheckOrderWithoutNeighbourIsAWarning) {
   const TempFolder folder;
-  const Outcome outcome = ninebit(room_render(folder, {"--check-order"}));
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(has_text(outcome.err, "ninebit: warning: --check-order has no effect without --index-order neighbour\n"))
-      << outcome.err;
+  EXPECT_TRUE(has_text(err_of(ninebit(room_render(folder, {"--check-order"}))),
+                       "ninebit: warning: --check-order has no effect without --index-order neighbour\n"));
 }
 
 TEST(IndexOrder, IsRefusedByTechniquesWithoutIndices) {
@@ -142,10 +140,8 @@ std::vector<int> codes_of(const std::string& text, const std::string& name) {
 
 TEST(IndexOrder, TraceOfAFormerJointShowsWhereTheDifferenceIsLost) {
   const auto traced = [](const char* order) {
-    const Outcome outcome = ninebit({"trace", "--scene", kRoom, "--size", "800x600", "--pixel", "427,393",
-                                     "--light-facing", "--index-order", order});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome.out;
+    return out_of(ninebit({"trace", "--scene", kRoom, "--size", "800x600", "--pixel", "427,393", "--light-facing",
+                           "--index-order", order}));
   };
   const std::string joint = traced("file"), lost = traced("neighbour");
   EXPECT_TRUE(has_text(joint, " shadowed\n"));

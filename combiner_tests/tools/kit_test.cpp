@@ -150,9 +150,8 @@ TEST_F(Kit, WritesTheProfileOfACard) {
                                 "--json"}))["rows"][0]["out.r"];
   }
   const std::string output = folder_ / "card.json";
-  const Outcome outcome = ninebit({"verify", "--decide", results("nv2a", shown), "--family", "nv2a", "-o", output});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  expect_parts(outcome.err, {"wrote "});
+  expect_parts(err_of(ninebit({"verify", "--decide", results("nv2a", shown), "--family", "nv2a", "-o", output})),
+               {"wrote "});
   EXPECT_EQ(
       Json::parse(read_bytes(output)),
       Json({{"base", "nv2a"}, {"name", "nv2a-card"}, {"expand_offset", 256}, {"narrowing_point", "before-scale"}}));

@@ -112,9 +112,7 @@ TEST(LogFiles, SeveralSetUpsMustBePicked) {
   const TempFolder folder;
   const std::string log = write_bytes(folder / "f.log", kLog);
   const auto refused = [&](const Words& arguments, const std::string& why) {
-    const Outcome outcome = ninebit(on_nv2a(arguments));
-    EXPECT_EQ(outcome.code, 3) << outcome.err;
-    expect_parts(outcome.err, {why});
+    expect_parts(err_of(ninebit(on_nv2a(arguments)), 3), {why});
   };
   refused({"explain", log}, "the log has 2 combiner set-ups; pick one with #1 to #2 behind the file's name");
   refused({"explain", log + "#3"}, "the log has 2 combiner set-ups; expected a number from 1 to 2");
@@ -151,18 +149,16 @@ TEST(LogFiles, FrameIsForLogsAlone) {
 
 TEST(LogFiles, LogsFromStandardInput) {
   const TempFolder folder;
-  const Outcome outcome = ninebit(on_nv2a({"convert", "-"}), {.in = write_bytes(folder / "f.log", kLog)});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(lines_of(outcome.out).size(), 4U) << outcome.out;
+  const std::string outcome = out_of(ninebit(on_nv2a({"convert", "-"}), {.in = write_bytes(folder / "f.log", kLog)}));
+  EXPECT_EQ(lines_of(outcome).size(), 4U) << outcome;
 }
 
 TEST(LogFiles, GuessesAndSkippedLinesAreNoted) {
   const TempFolder folder;
   const std::string log = write_bytes(folder / "g.log", "start\n0x1e60 0x101\n0x17fc 0x5\n0x17fc 0x0\n");
-  const Outcome outcome = ninebit(on_nv2a({"convert", log}));
-  EXPECT_EQ(outcome.code, 0);
-  expect_parts(outcome.err, {"ninebit: note: " + log + ":1:1: read as: method in column 1, data in column 2;",
-                             "1 line is not a register write; the first is line 1"});
+  expect_parts(err_of(ninebit(on_nv2a({"convert", log}))),
+               {"ninebit: note: " + log + ":1:1: read as: method in column 1, data in column 2;",
+                "1 line is not a register write; the first is line 1"});
   EXPECT_EQ(ninebit(on_nv2a({"convert", log, "--quiet"})).err, "");
 }
 
@@ -188,9 +184,7 @@ TEST(LogFiles, ALogThatIsLongerThanAProgramIsStreamed) {
 TEST(LogFiles, RowsThatDoNotFitTheHeaderAreErrors) {
   const TempFolder folder;
   const std::string log = write_bytes(folder / "bad.csv", kHeader + "0x97,0xac0,red\n0x97,?,1\n0x97,0x1e60,0x101\n");
-  const Outcome outcome = ninebit(on_nv2a({"convert", log}));
-  EXPECT_EQ(outcome.code, 3);
-  expect_parts(outcome.err,
+  expect_parts(err_of(ninebit(on_nv2a({"convert", log})), 3),
                {log + ":2:12: 'red' in column 3 is not a number of 32 bits", log + ":3:6: '?' is not a method"});
   EXPECT_EQ(ninebit(on_nv2a({"validate", log})).code, 3);
 }
@@ -200,9 +194,7 @@ TEST(LogFiles, RowsOfTablesDoNotReachOutsideThroughANumber) {
   write_bytes(outside / "f.log", kLog);
   std::filesystem::create_symlink(outside / "f.log", folder / "link.log");
   const std::string table = write_bytes(folder / "t.csv", "program,primary.r,tex1.r,out.r\nlink.log#2,255,100,200\n");
-  const Outcome outcome = ninebit(on_nv2a({"verify", table}));
-  EXPECT_EQ(outcome.code, 3) << outcome.out;
-  expect_parts(outcome.err, {"is a link out of the folder"});
+  expect_parts(err_of(ninebit(on_nv2a({"verify", table})), 3), {"is a link out of the folder"});
   write_bytes(folder / "f.log", kLog);
   const std::string inside = write_bytes(folder / "u.csv", "program,primary.r,tex1.r,out.r\nf.log#2,255,100,200\n");
   EXPECT_EQ(ninebit(on_nv2a({"verify", inside})).code, 0);
@@ -211,9 +203,7 @@ TEST(LogFiles, RowsOfTablesDoNotReachOutsideThroughANumber) {
 TEST(XboxFiles, EveryVerbReadsADefinition) {
   const TempFolder folder;
   const std::string file = write_bytes(folder / "psd.c", kDefinition);
-  const Outcome explained = ninebit(on_nv2a({"explain", file}));
-  EXPECT_EQ(explained.code, 0) << explained.err;
-  expect_parts(explained.out,
+  expect_parts(out_of(ninebit(on_nv2a({"explain", file}))),
                {"spare0 = 2·(tex0 × primary)", "words that combiners do not read\n",
                 "texture shader\n  tex0 = texture 0 at (s0, t0) / q0\n  tex1 = texture 1 at (s1, t1, r1)\n"});
   EXPECT_EQ(ninebit(on_nv2a({"validate", file})).code, 0);
@@ -221,9 +211,8 @@ TEST(XboxFiles, EveryVerbReadsADefinition) {
   const std::string wrong = write_bytes(folder / "wrong.c", "psd.PSCombinerCount = 9;\n");
   EXPECT_EQ(ninebit(on_nv2a({"validate", wrong})).code, 1);
   const std::string text = write_bytes(folder / "text.c", "psd.PSCombinerCounts = 9;\n");
-  const Outcome refused = ninebit(on_nv2a({"validate", text}));
-  EXPECT_EQ(refused.code, 3);
-  expect_parts(refused.err, {text + ":1:5: 'PSCombinerCounts' is not a member of D3DPIXELSHADERDEF; did you mean"});
+  expect_parts(err_of(ninebit(on_nv2a({"validate", text})), 3),
+               {text + ":1:5: 'PSCombinerCounts' is not a member of D3DPIXELSHADERDEF; did you mean"});
 }
 
 TEST(XboxFiles, OtherWordsAreKeptWhereTheyHaveAPlace) {
@@ -239,9 +228,7 @@ TEST(XboxFiles, OtherWordsAreKeptWhereTheyHaveAPlace) {
     EXPECT_EQ(again["texture_shader"].size(), 2U) << form;
   }
   for (const char* form : {"gl", "rc10", "glsl", "glsl-es", "c"}) {
-    const Outcome outcome = ninebit(on_nv2a({"convert", file, "--to", form}));
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "") << form;
+    EXPECT_EQ(err_of(ninebit(on_nv2a({"convert", file, "--to", form}))), "") << form;
   }
   const Outcome nv10 = ninebit({"convert", file, "--to", "words", "--chip", "nv10", "--quiet"});
   EXPECT_EQ(nv10.out.find("PSTextureModes"), std::string::npos);
@@ -255,9 +242,8 @@ TEST(XboxFiles, BinaryFilesOfAnotherSizeAreRefused) {
   EXPECT_EQ(ninebit(on_nv2a({"validate", write_bytes(folder / "psd.bin", bytes)})).code, 0);
   const std::string longer = write_bytes(folder / "longer.bin", bytes + bytes);
   expect_error(ninebit(on_nv2a({"validate", longer})), 3, {"longer.bin", "this is a binary file"});
-  const Outcome named = ninebit(on_nv2a({"validate", longer, "--from", "xbox"}));
-  EXPECT_EQ(named.code, 3);
-  expect_parts(named.err, {"480 bytes, which are 2 definitions; expected the 240"});
+  expect_parts(err_of(ninebit(on_nv2a({"validate", longer, "--from", "xbox"})), 3),
+               {"480 bytes, which are 2 definitions; expected the 240"});
 }
 
 }  // namespace

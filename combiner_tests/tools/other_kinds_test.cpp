@@ -191,9 +191,8 @@ TEST(OtherKinds, AreNotWhatHasFaults) {
            {"!!RC1.0\nout.rgb = spare2;\nout.a = spare3;\n", {":2:11:", ":3:9:"}},
            {"lCombinerInputNV(GL_COMBINER0_NV);\n", {":1:1:"}},
            {"RC_IN_RGB[0] = 0x1g\nRC_BAD = 1\n", {":1:"}}}) {
-    const Outcome outcome = ninebit({"validate", write_bytes(folder / "file", text)});
-    EXPECT_EQ(outcome.code, 3);
-    for (const std::string& place : places) expect_parts(outcome.err, {place});
+    const std::string outcome = err_of(ninebit({"validate", write_bytes(folder / "file", text)}), 3);
+    for (const std::string& place : places) expect_parts(outcome, {place});
   }
 }
 

@@ -37,17 +37,14 @@ TEST_F(PixelShaderTool, IsReadByItsContentAndByTheFlag) {
 
 TEST_F(PixelShaderTool, SaysWhatTheApplicationSets) {
   const std::string shader = file("xps.1.1\ntex t0\nmul r0, t0, c5\n");
-  const Outcome outcome = ninebit({"explain", shader, "--profile", "nv2a"});
-  EXPECT_EQ(outcome.code, 0);
-  expect_parts(outcome.err, {"shader.psh:3:13: c5 is not defined here"});
+  expect_parts(err_of(ninebit({"explain", shader, "--profile", "nv2a"})), {"shader.psh:3:13: c5 is not defined here"});
   EXPECT_EQ(ninebit({"explain", shader, "--profile", "nv2a", "--quiet"}).err, "");
   const std::string bump = file("ps.1.1\ntex t0\ntexbem t1, t0\nmov r0, t1\n", "bump.psh");
   const Outcome bumped = ninebit({"explain", bump, "--profile", "nv2a"});
   expect_parts(bumped.err, {"bump.psh:3:1: the application sets the bump matrix of texture stage 1"});
   EXPECT_EQ(bumped.out.rfind("texture shader\n  tex0 = texture 0 at (s0, t0) / q0\n", 0), 0U) << bumped.out;
-  const Outcome older = ninebit({"explain", bump, "--profile", "geforce2"});
-  EXPECT_EQ(older.code, 3);
-  expect_parts(older.err, {"GL_INVALID_ENUM: profile geforce2 has no texture shaders"});
+  expect_parts(err_of(ninebit({"explain", bump, "--profile", "geforce2"}), 3),
+               {"GL_INVALID_ENUM: profile geforce2 has no texture shaders"});
 }
 
 // Every verb that reads programs reads the files that a shader includes, and none outside of its folder unless allowed.
@@ -174,9 +171,7 @@ TEST_F(PixelShaderTool, ExitCodesAreThoseOfTheOtherForms) {
   expect_error(ninebit({"validate", file("ps.2.0\n")}), 3, {"this is a Direct3D pixel shader of version 2"});
   // More instructions than the profile has combiners, and a texture unit that it does not have.
   const std::string three = file("ps.1.1\nmov r0, v0\nmov r1, r0\nmov r0, r1\n");
-  const Outcome refused = ninebit({"validate", three});
-  EXPECT_EQ(refused.code, 1) << refused.err;
-  expect_parts(refused.out, {"GL_INVALID_VALUE: too many general combiners"});
+  expect_parts(out_of(ninebit({"validate", three}), 1), {"GL_INVALID_VALUE: too many general combiners"});
   EXPECT_EQ(ninebit({"validate", three, "--profile", "nv2a"}).code, 0);
   EXPECT_EQ(ninebit({"validate", file("ps.1.1\ntex t3\nmov r0, t3\n")}).code, 1);
 }

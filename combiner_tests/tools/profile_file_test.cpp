@@ -77,9 +77,8 @@ TEST(ProfileFile, ANameThatIsNoneIsWrongUsage) {
 TEST(ProfileFile, AllFaultsAreTold) {
   const TempFolder folder;
   const std::string bad = write_bytes(folder / "bad.json", "{\"base\": \"x\",\n \"name\": \"nv2a\"}");
-  const Outcome outcome = ninebit({"profiles", "--profile", bad});
-  EXPECT_EQ(outcome.code, 3);
-  expect_parts(outcome.err, {"ninebit: error: " + bad + ":1:10: ", "\nninebit: error: " + bad + ":2:10: "});
+  expect_parts(err_of(ninebit({"profiles", "--profile", bad}), 3),
+               {"ninebit: error: " + bad + ":1:10: ", "\nninebit: error: " + bad + ":2:10: "});
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_F(RegularFiles, OthersAreRefusedAtOnce) {
     std::filesystem::create_symlink(file, file + ".obj");
     // Every reader meets the pipe, on which it would wait; every fifth one what else there is.
     const std::vector<Words> all = commands(file);
-    for (std::size_t i = 0; i < all.size(); i += file == fifo ? 1 : 5) {
+    for (std::size_t i = 0; i < all.size(); i += file == fifo ? 1U : 5U) {
       const Words& words = all[i];
       SCOPED_TRACE(testing::PrintToString(words));
       Child child(words);

@@ -77,9 +77,7 @@ class SameFaults : public testing::Test {
     const std::string file = write_bytes(folder_ / "program", text);
     const std::string inputs = write_bytes(folder_ / "inputs.csv", "tex0.r\n1\n");
     const auto run = [&](const Words& words) { return ninebit(words + flags + Words{"--profile", "nv2a"}); };
-    const Outcome validated = run({"validate", file});
-    EXPECT_EQ(validated.code, 1) << validated.err;
-    expect_parts(validated.out, {gl_error});
+    expect_parts(out_of(run({"validate", file}), 1), {gl_error});
     EXPECT_EQ(run({"explain", file}).code, 3);
     if (gl_error != kSameFaults[0].gl_error) return;  // all verbs read programs by the same call
     EXPECT_EQ(run({"eval", file, "--inputs", inputs}).code, 3);

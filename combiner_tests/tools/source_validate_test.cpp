@@ -32,17 +32,13 @@ TEST_F(SourceValidate, FaultsOfTheTextAreListed) {
     EXPECT_EQ(outcome.code, 3);
     expect_parts(outcome.out, {"\nf "});
     expect_parts(outcome.err, {folder_ / "set.c" + ":7:", message});
-    const Outcome json = validate(text, {"--json"});
-    EXPECT_EQ(json.code, 3);
-    const Json rows = Json::parse(json.out)["rows"];
-    ASSERT_EQ(rows.size(), 1U) << json.out;
+    const Json rows = json_of(validate(text, {"--json"}), 3)["rows"];
+    ASSERT_EQ(rows.size(), 1U);
     EXPECT_TRUE(rows[0]["gl_error"].is_null());
     EXPECT_EQ(rows[0]["line"], 7);
     expect_parts(rows[0]["message"].get<std::string>(), {message});
     // The faults are those of the function itself.
-    const Outcome alone = validate(text, {"--function", "f", "--quiet"});
-    EXPECT_EQ(alone.code, 3);
-    EXPECT_EQ(alone.err, outcome.err);
+    EXPECT_EQ(err_of(validate(text, {"--function", "f", "--quiet"}), 3), outcome.err);
   }
 }
 
@@ -52,32 +48,27 @@ TEST_F(SourceValidate, ValuesThatAreNotKnownAreNoFaults) {
       "  glCombinerInputNV(stage, GL_RGB, GL_VARIABLE_A_NV, input, GL_SIGNED_IDENTITY_NV, GL_RGB);\n"
       "  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color);\n  nvparse(text_of(stage));\n}\n";
   EXPECT_EQ(validate(helper).code, 0);
-  const Outcome outcome = validate(helper + "void all(void) { set(GL_COMBINER0_NV, GL_TEXTURE0_ARB, tint); }\n");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
-  const Outcome wrong = validate(helper + "void all(void) { set(GL_COMBINER0_NV, GL_ONE, tint); }\n");
-  EXPECT_EQ(wrong.code, 1) << wrong.err;
-  expect_parts(wrong.out, {"GL_INVALID_ENUM"});
+  EXPECT_EQ(err_of(validate(helper + "void all(void) { set(GL_COMBINER0_NV, GL_TEXTURE0_ARB, tint); }\n")), "");
+  expect_parts(out_of(validate(helper + "void all(void) { set(GL_COMBINER0_NV, GL_ONE, tint); }\n"), 1),
+               {"GL_INVALID_ENUM"});
 }
 
 // The source compares with these strings, or they are the beginning of a program.
 TEST_F(SourceValidate, PartsOfProgramsAreNoFaults) {
-  const Outcome outcome = validate(
-      "int is_program(const char *s) { return strncmp(s, \"!!RC1.0\", 7) == 0; }\n"
-      "std::string made() { return \"!!RC1.0\\n{ rgb { spare0 = \" + name + \"; } }\"; }\n"
-      "void f(void) { " +
-      kGood + " }\n");
-  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-  const Words lines = lines_of(outcome.out);
-  ASSERT_EQ(lines.size(), 4U) << outcome.out;
+  const std::string outcome =
+      out_of(validate("int is_program(const char *s) { return strncmp(s, \"!!RC1.0\", 7) == 0; }\n"
+                      "std::string made() { return \"!!RC1.0\\n{ rgb { spare0 = \" + name + \"; } }\"; }\n"
+                      "void f(void) { " +
+                      kGood + " }\n"));
+  const Words lines = lines_of(outcome);
+  ASSERT_EQ(lines.size(), 4U) << outcome;
   EXPECT_TRUE(lines[2].starts_with("string                       1           0         1        0")) << lines[2];
 }
 
 TEST_F(SourceValidate, DestructorsHaveTheirNames) {
-  const Outcome outcome = validate("struct In { In() { " + kGood + " } ~In() { " + kGood + " } };\nSetup::Setup() { " +
-                                   kGood + " }\nSetup::~Setup() { " + kGood + " }\n");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  expect_parts(outcome.out, {"\nIn::In ", "\nIn::~In ", "\nSetup::Setup ", "\nSetup::~Setup "});
+  expect_parts(out_of(validate("struct In { In() { " + kGood + " } ~In() { " + kGood + " } };\nSetup::Setup() { " +
+                               kGood + " }\nSetup::~Setup() { " + kGood + " }\n")),
+               {"\nIn::In ", "\nIn::~In ", "\nSetup::Setup ", "\nSetup::~Setup "});
   EXPECT_EQ(
       validate("Setup::Setup() { " + kGood + " }\nSetup::~Setup() { " + kGood + " }\n", {"--function", "Setup::~Setup"})
           .code,

@@ -41,9 +41,8 @@ TEST_F(StageVectors, RightStagesPassAndVerifyAgrees) {
   const auto [text, status] = check(folder, "");
   EXPECT_EQ(status, 0);
   EXPECT_EQ(text, "profile nv2a: 1800 fragments, 0 differ; 30 of 30 groups pass\n");
-  const Outcome verdict = ninebit({"verify", results_, "--vectors", folder});
-  EXPECT_EQ(verdict.code, 0) << verdict.err;
-  EXPECT_EQ(verdict.out, "1800 fragments of 300 programs: 1800 agree, 0 differ\n");
+  EXPECT_EQ(out_of(ninebit({"verify", results_, "--vectors", folder})),
+            "1800 fragments of 300 programs: 1800 agree, 0 differ\n");
   const std::string results = read_bytes(results_);
   write_bytes(results_, results.substr(0, results.find("\n300 ") + 1));
   EXPECT_EQ(ninebit({"verify", results_, "--vectors", folder}).out,
@@ -66,9 +65,7 @@ TEST_F(StageVectors, EachMistakeIsFoundInItsGroupAndNamed) {
     EXPECT_EQ(status, 1);
     EXPECT_TRUE(text.starts_with(std::string("first failing group: ") + c.group + " (rule 3")) << text;
     expect_parts(text, {"\n  PSTextureModes = 0x", "\n  expected "});
-    const Outcome said = ninebit({"verify", results_, "--vectors", folder, "--most", "1"});
-    EXPECT_EQ(said.code, 1);
-    expect_parts(said.out,
+    expect_parts(out_of(ninebit({"verify", results_, "--vectors", folder, "--most", "1"}), 1),
                  {std::string("\nOne mistake explains all of them: ") + c.mistake + " (rule", "): shows tex0 "});
     const Json object = Json::parse(ninebit({"verify", results_, "--vectors", folder, "--json"}).out);
     EXPECT_EQ(object["mistakes"][0]["mistake"], c.mistake);

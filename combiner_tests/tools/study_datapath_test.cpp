@@ -22,9 +22,7 @@ TEST_F(StudyDatapath, OperationsOfOneProfile) {
   EXPECT_EQ(keys_of(json["rows"][0]),
             (Words{"profile", "operation", "form", "cases", "exact", "distinct", "max_error_codes", "mean_error_codes",
                    "mean_bias_codes", "worst", "worst_code", "worst_exact_codes"}));
-  const Outcome words = study({"--profile", "geforce256-8bit"});
-  EXPECT_EQ(words.code, 0) << words.err;
-  expect_parts(words.out, {"geforce256-8bit: a product"});
+  expect_parts(out_of(study({"--profile", "geforce256-8bit"})), {"geforce256-8bit: a product"});
 }
 
 // The same fragments as all combinations and as a table: the same rows.

@@ -32,9 +32,8 @@ TEST(StudyIndexSteps, ThreadsChangeNothing) {
 }
 
 TEST(StudyIndexSteps, AProgramFile) {
-  const Outcome words = index_steps({"--program", kArticle, "--formats", "rgb"});
-  EXPECT_EQ(words.code, 0) << words.err;
-  expect_parts(words.out, {"nv2a, ideal, float-shader with program: step 2 is the smallest safe one"});
+  expect_parts(out_of(index_steps({"--program", kArticle, "--formats", "rgb"})),
+               {"nv2a, ideal, float-shader with program: step 2 is the smallest safe one"});
 }
 
 TEST(StudyIndexSteps, WhatItRefuses) {

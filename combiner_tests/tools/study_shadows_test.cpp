@@ -160,9 +160,9 @@ TEST(StudyDepthPacking, NamesWherePackingsAndStoragesAreFound) {
   EXPECT_NE(rows[0]["max_error"], rows[1]["max_error"]);
   const std::string help = ninebit({"study", "depth-packing", "--help"}).out;
   for (const ninebit::DepthPacking& packing : ninebit::depth_packings()) {
-    expect_parts(help, {std::string(packing.name) + ' ', packing.source});
+    expect_parts(help, {std::string(packing.name) + ' ', std::string(packing.source)});
   }
-  for (const ninebit::StorageRule& rule : ninebit::storage_rules()) expect_parts(help, {rule.formula});
+  for (const ninebit::StorageRule& rule : ninebit::storage_rules()) expect_parts(help, {std::string(rule.formula)});
 }
 
 TEST(StudyDepthPacking, WrongGrids) {

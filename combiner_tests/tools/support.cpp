@@ -121,8 +121,27 @@ const std::map<std::string, std::string>& help_of_all_verbs() {
   return verbs;
 }
 
-Json json_of(const Outcome& outcome, int code) {
-  EXPECT_EQ(outcome.code, code) << outcome.err;
+namespace {
+
+void expect_code(const Outcome& outcome, int code, const Place& place) {
+  const testing::ScopedTrace trace(place.file_name(), static_cast<int>(place.line()), "expected here");
+  EXPECT_EQ(outcome.code, code) << outcome.out << outcome.err;
+}
+
+}  // namespace
+
+std::string out_of(const Outcome& outcome, int code, const Place& place) {
+  expect_code(outcome, code, place);
+  return outcome.out;
+}
+
+std::string err_of(const Outcome& outcome, int code, const Place& place) {
+  expect_code(outcome, code, place);
+  return outcome.err;
+}
+
+Json json_of(const Outcome& outcome, int code, const Place& place) {
+  expect_code(outcome, code, place);
   Json object = Json::parse(outcome.out, nullptr, false);
   EXPECT_TRUE(object.is_object()) << outcome.out;
   return object.is_object() ? object : Json();

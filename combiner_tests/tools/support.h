@@ -60,11 +60,15 @@ void expect_parts(const std::string& text, const Words& parts, const Place& plac
 // every one of `words`.
 void expect_error(const Outcome& outcome, int code, const Words& words, const Place& place = Place::current());
 
+// stdout, or stderr, of a program that ended with `code`; fails where it ended with another one.
+std::string out_of(const Outcome& outcome, int code = 0, const Place& place = Place::current());
+std::string err_of(const Outcome& outcome, int code = 0, const Place& place = Place::current());
+
 // The help of every verb, by its name: "", "study", "study index-steps".
 const std::map<std::string, std::string>& help_of_all_verbs();
 
 // The object that a command printed; fails (and is null) unless it ended with `code` and stdout is one JSON object.
-Json json_of(const Outcome& outcome, int code = 0);
+Json json_of(const Outcome& outcome, int code = 0, const Place& place = Place::current());
 // The data of a page's script element "data".
 Json data_of(const std::string& page);
 // Whether each trace of a page that has a text has that of its command; counts them.

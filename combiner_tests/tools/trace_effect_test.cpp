@@ -38,9 +38,8 @@ TEST(TraceEffect, APixel) {
   }
   expect_error(ninebit({"trace", "--effect", light, "--pixel", "128,128", "--pass", "ambient"}), 2,
                {"--pass ambient: there is no such pass; expected one of diffuse, specular"});
-  const Outcome empty = ninebit({"trace", "--effect", kTones, "--pixel", "0,0", "--quiet"});
-  EXPECT_EQ(empty.code, 0) << empty.err;
-  expect_parts(empty.out, {"not drawn: no fragment to trace"});
+  expect_parts(out_of(ninebit({"trace", "--effect", kTones, "--pixel", "0,0", "--quiet"})),
+               {"not drawn: no fragment to trace"});
   expect_error(ninebit({"trace", "--effect", kTones, "--pixel", "256,0"}), 3, {"256,0 is outside", "0 to 255"});
   expect_error(ninebit({"trace", "--effect", kRoom, "--pixel", "1,1"}), 3,
                {"index_room.gltf: this is a glTF scene; `ninebit render` draws it"});
@@ -49,9 +48,7 @@ TEST(TraceEffect, APixel) {
 // The moment of an effect that moves, and of one that does not.
 TEST(TraceEffect, AMoment) {
   const auto trace = [](const std::string& effect, const std::string& flag) {
-    const Outcome traced = ninebit({"trace", "--effect", kFolder + effect, "--pixel", "60,128", "--json", flag, "1.5"});
-    EXPECT_EQ(traced.code, 0) << traced.err;
-    return traced.err;
+    return err_of(ninebit({"trace", "--effect", kFolder + effect, "--pixel", "60,128", "--json", flag, "1.5"}));
   };
   EXPECT_EQ(trace("dot3_specular.json", "--time").find("has no effect"), std::string::npos);
   const std::string warned = trace("toon.json", "--time");

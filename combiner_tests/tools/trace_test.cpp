@@ -172,12 +172,11 @@ TEST_F(TraceVerb, LeavesWhatEvalSays) {
       }
     }
     outputs.insert(t["out"].dump());
-    const Outcome text = ninebit([&] {
-      arguments.erase(std::find(arguments.begin(), arguments.end(), "--json"));
-      return arguments;
-    }());
-    EXPECT_EQ(text.code, 0) << text.err;
-    expect_parts(text.out, {"\nout: bytes "});
+    expect_parts(out_of(ninebit([&] {
+                   arguments.erase(std::find(arguments.begin(), arguments.end(), "--json"));
+                   return arguments;
+                 }())),
+                 {"\nout: bytes "});
   }
   EXPECT_GT(outputs.size(), 7U);
 }
@@ -297,18 +296,15 @@ TEST_F(TraceVerb, GroundTruthOfAPixel) {
   const Json lit = json_of(trace(0, {"--pass", "lit", "--json"}));
   EXPECT_EQ(lit["scene"]["pass"], "lit");
   EXPECT_FALSE(lit.contains("truth"));
-  const Outcome other = trace(0, {"--pass", "blur"});
-  EXPECT_EQ(other.code, 2);
-  expect_parts(other.err, {"--pass blur: there is no such pass; expected one of depth, comparison, lit, shadow"});
+  expect_parts(err_of(trace(0, {"--pass", "blur"}), 2),
+               {"--pass blur: there is no such pass; expected one of depth, comparison, lit, shadow"});
 }
 
 // A picture that shows the sky: the trace says so, and traces nothing.
 TEST_F(TraceVerb, Background) {
   const Words sky{"trace", "--scene",  kRoom,    "--pixel",   "3,4",    "--size",  "20x20", "--light",
                   "0,1,0", "--camera", "0,50,0", "--look-at", "0,90,1", "--floor", "none",  "--quiet"};
-  const Outcome text = ninebit(sky);
-  EXPECT_EQ(text.code, 0) << text.err;
-  expect_parts(text.out, {" background\n", "no fragment to trace\n"});
+  expect_parts(out_of(ninebit(sky)), {" background\n", "no fragment to trace\n"});
   const Json t = json_of(ninebit(sky + Words{"--json"}));
   EXPECT_EQ(t["scene"]["state"], "background");
   EXPECT_TRUE(t["scene"]["pass"].is_null());

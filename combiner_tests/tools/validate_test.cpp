@@ -25,10 +25,9 @@ const char* const kRefused =
     "glFinalCombinerInputNV(GL_VARIABLE_A_NV, GL_ZERO, GL_EXPAND_NORMAL_NV, GL_RGB);\n";
 
 TEST_F(Validate, ValidPrograms) {
-  const Outcome outcome = validate(article_calls());
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, folder_ / "program" + ": valid for geforce2\n");
-  EXPECT_EQ(validate(article_calls(), {"--quiet"}).out, outcome.out);  // a result
+  const std::string outcome = out_of(validate(article_calls()));
+  EXPECT_EQ(outcome, folder_ / "program" + ": valid for geforce2\n");
+  EXPECT_EQ(validate(article_calls(), {"--quiet"}).out, outcome);  // a result
   const Json object = json_of(validate(article_calls(), {"--json"}));
   EXPECT_EQ(keys_of(object), (Words{"command", "version", "profile", "rows"}));
   EXPECT_EQ(object["rows"], Json::array());
@@ -45,10 +44,7 @@ TEST_F(Validate, EveryRefusalWithItsErrorAndPlace) {
   EXPECT_TRUE(lines[1].starts_with(file + ":2:1: GL_INVALID_VALUE: ")) << lines[1];
   EXPECT_TRUE(lines[2].starts_with(file + ":3:3: GL_INVALID_VALUE: ")) << lines[2];
   EXPECT_TRUE(lines[3].starts_with(file + ":5:1: GL_INVALID_ENUM: ")) << lines[3];
-
-  const Outcome json = validate(kRefused, {"--json"});
-  EXPECT_EQ(json.code, 1);
-  const Json rows = Json::parse(json.out).at("rows");
+  const Json rows = json_of(validate(kRefused, {"--json"}), 1).at("rows");
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[2]["gl_error"], "GL_INVALID_VALUE");
   EXPECT_EQ(rows[2]["line"], 3);
@@ -60,10 +56,9 @@ TEST_F(Validate, EveryRefusalWithItsErrorAndPlace) {
 
 // The other forms have GL's error, too, where their text loaded would raise it.
 TEST_F(Validate, RefusalsInEveryForm) {
-  const Outcome rc10 = validate("!!RC1.0\n{ rgb { spare0 = fog.a * discard; } }\nout.a = spare0;\n", {"--json"});
-  EXPECT_EQ(rc10.code, 1) << rc10.err;
-  const Json of_rc10 = Json::parse(rc10.out).at("rows");
-  ASSERT_EQ(of_rc10.size(), 2U) << rc10.out;
+  const Json of_rc10 =
+      json_of(validate("!!RC1.0\n{ rgb { spare0 = fog.a * discard; } }\nout.a = spare0;\n", {"--json"}), 1).at("rows");
+  ASSERT_EQ(of_rc10.size(), 2U);
   EXPECT_EQ(of_rc10[0]["gl_error"], "GL_INVALID_OPERATION");
   EXPECT_EQ(of_rc10[0]["message"], "fog's alpha can be read by the final combiner alone");
   EXPECT_EQ(of_rc10[0]["line"], 2);
@@ -71,11 +66,8 @@ TEST_F(Validate, RefusalsInEveryForm) {
   EXPECT_EQ(of_rc10[1]["gl_error"], "GL_INVALID_ENUM");
   EXPECT_EQ(lines_of(validate("!!RC1.0\nout.a = color_sum;\n").out),
             (Words{folder_ / "program" + ":2:9: GL_INVALID_OPERATION: 'color_sum' has no alpha, which out.a needs"}));
-
-  const Outcome words = validate("RC_OUT_ALPHA[0] = 0x00002c00\n", {"--json"});
-  EXPECT_EQ(words.code, 1) << words.err;
-  const Json of_words = Json::parse(words.out).at("rows");
-  ASSERT_EQ(of_words.size(), 1U) << words.out;
+  const Json of_words = json_of(validate("RC_OUT_ALPHA[0] = 0x00002c00\n", {"--json"}), 1).at("rows");
+  ASSERT_EQ(of_words.size(), 1U);
   EXPECT_EQ(of_words[0]["gl_error"], "GL_INVALID_VALUE");
   EXPECT_EQ(of_words[0]["line"], 1);
 }
@@ -89,9 +81,7 @@ TEST_F(Validate, TooManyCombinersAreARefusal) {
                                      begin + R"("num_general_combiners":99999999999999999999})",
                                      begin + R"("general_combiners":[)" + json_stages + "]}"}) {
     SCOPED_TRACE(program);
-    const Outcome outcome = validate(program);
-    EXPECT_EQ(outcome.code, 1) << outcome.err;
-    expect_parts(outcome.out, {"GL_INVALID_VALUE"});
+    expect_parts(out_of(validate(program), 1), {"GL_INVALID_VALUE"});
   }
   // So is a constant of one general combiner, on a profile that has none.
   EXPECT_EQ(validate("!!RC1.0\n{const0=(0,0,0,0);rgb{spare0=const0;}}out.a=zero;\n").code, 1);
@@ -108,16 +98,13 @@ TEST_F(Validate, ByProfile) {
   state.per_stage_constants = true;
   const std::string program = write_program(folder_, "program.json", state);
   EXPECT_EQ(ninebit({"validate", program, "--profile", "nv2a"}).code, 0);
-  const Outcome refused = ninebit({"validate", program});
-  EXPECT_EQ(refused.code, 1) << refused.err;
-  EXPECT_EQ(lines_of(refused.out).size(), 2U) << refused.out;
+  const std::string refused = out_of(ninebit({"validate", program}), 1);
+  EXPECT_EQ(lines_of(refused).size(), 2U) << refused;
 }
 
 TEST_F(Validate, WhatIsNoProgram) {
   expect_error(validate("glFoo(3);\n"), 3, {"program:1:1: "});
-  const Outcome cut = validate("!!RC1.0\n{ rgb {");
-  EXPECT_EQ(cut.code, 3);
-  expect_parts(cut.err, {"program:2:"});
+  expect_parts(err_of(validate("!!RC1.0\n{ rgb {"), 3), {"program:2:"});
   expect_error(validate("{\"ninebit\": \"program\", \"version\": 9}"), 3, {"program:1:"});
   expect_error(validate("RC_IN_RGB[0] = 0x00000006\n"), 3, {"program:1:"});
   expect_error(validate(std::string("\0\0\0", 3)), 3, {"program: this is a binary file; expected "});

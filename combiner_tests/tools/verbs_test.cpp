@@ -47,9 +47,8 @@ TEST(Verbs, ProfilesAreComplete) {
   EXPECT_GE(fields.size(), 4U);
   for (const auto& [profile, names] : fields) EXPECT_EQ(names, fields["geforce2"]) << profile;
 
-  const Outcome people = ninebit({"profiles"});
-  EXPECT_EQ(people.code, 0);
-  for (const std::string& field : fields["geforce2"]) expect_parts(people.out, {field});
+  const std::string people = out_of(ninebit({"profiles"}));
+  for (const std::string& field : fields["geforce2"]) expect_parts(people, {field});
 }
 
 // An answer that could not be delivered is an error that could not be written; messages that cannot be are none.

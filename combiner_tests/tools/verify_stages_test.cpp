@@ -32,9 +32,7 @@ TEST_F(VerifyStages, ThePicturesOfAnNv2a) {
     EXPECT_EQ(nv2a.out, answer) << name;
   }
   // The chip's quotients are not exact: two depths of a thousand are one off.
-  const Outcome depths = ninebit({"verify", folder + "dot_zw.csv", "--profile", "nv2a", "--json"});
-  EXPECT_EQ(depths.code, 1);
-  EXPECT_EQ(Json::parse(depths.out)["differ"], 2);
+  EXPECT_EQ(json_of(ninebit({"verify", folder + "dot_zw.csv", "--profile", "nv2a", "--json"}), 1)["differ"], 2);
 }
 
 // The gradient texture is computed; the published file has its 64 rows of 64 texels. Each is read here, on face +z.
@@ -94,9 +92,7 @@ TEST_F(VerifyStages, WrongTables) {
 // Colours to nearest, as OpenGL has them, are not what the chip gives.
 TEST_F(VerifyStages, ARuleIsFound) {
   const std::string file = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_passthru.csv";
-  const Outcome outcome = ninebit({"verify", file, "--profile", "ideal", "--json"});
-  EXPECT_EQ(outcome.code, 1);
-  const Json object = Json::parse(outcome.out);
+  const Json object = json_of(ninebit({"verify", file, "--profile", "ideal", "--json"}), 1);
   EXPECT_EQ(object["rules"][0]["field"], "stage_byte");
   EXPECT_EQ(object["rules"][0]["value"], "12-bits");
 }

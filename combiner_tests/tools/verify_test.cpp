@@ -27,9 +27,7 @@ class Verify : public testing::Test {
 };
 
 TEST_F(Verify, ThePicturesOfAnNv2a) {
-  const Outcome nv2a = ninebit({"verify", kNv2aRows, "--profile", "nv2a"});
-  EXPECT_EQ(nv2a.code, 0) << nv2a.out << nv2a.err;
-  EXPECT_EQ(nv2a.out, "592 rows: 592 agree, 0 differ\n");
+  EXPECT_EQ(out_of(ninebit({"verify", kNv2aRows, "--profile", "nv2a"})), "592 rows: 592 agree, 0 differ\n");
 }
 
 TEST_F(Verify, PixelsOfAnNv2a) {
@@ -69,9 +67,7 @@ TEST_F(Verify, PixelsOfAnNv2a) {
 // table: those may be off by one, which is counted.
 TEST_F(Verify, FogOfAnNv2a) {
   const std::string file = NINEBIT_SOURCE_DIR "/combiner_tests/hardware/nv2a_fog.csv";
-  const Outcome fog = ninebit({"verify", file, "--profile", "nv2a", "--json"});
-  EXPECT_EQ(fog.code, 1);
-  const Json object = Json::parse(fog.out);
+  const Json object = json_of(ninebit({"verify", file, "--profile", "nv2a", "--json"}), 1);
   EXPECT_EQ(object["agree"], 1198);
   EXPECT_EQ(object["near"], 173);
   EXPECT_EQ(object["rows"][0]["line"], 654);
@@ -140,9 +136,7 @@ TEST_F(Verify, WrongTablesOfSurfacesAndSamples) {
 // The GeForce 2 kept 16 bits of DXT1 without a dither.
 TEST_F(Verify, ARuleOfPixelsIsFound) {
   const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_dxt1.csv";
-  const Outcome outcome = ninebit({"verify", file, "--json"});
-  EXPECT_EQ(outcome.code, 1);
-  const Json object = Json::parse(outcome.out);
+  const Json object = json_of(ninebit({"verify", file, "--json"}), 1);
   EXPECT_EQ(object["places"], Json::parse(R"([{"place": "DXT1", "rows": 3348}])"));
   EXPECT_EQ(object["rules"][0]["value"], "dithered565");
   EXPECT_EQ(object["rules"][0]["agree_then"], 3542);
@@ -154,9 +148,7 @@ TEST_F(Verify, TheShapesOfLinesAndPointsAreFound) {
   for (const auto& [table, rule, differ] :
        {std::tuple("lines", "line_shape", 663), std::tuple("points", "point_shape", 166)}) {
     const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_" + table + ".csv";
-    const Outcome outcome = ninebit({"verify", file, "--profile", "ideal", "--json"});
-    EXPECT_EQ(outcome.code, 1);
-    const Json object = Json::parse(outcome.out);
+    const Json object = json_of(ninebit({"verify", file, "--profile", "ideal", "--json"}), 1);
     EXPECT_EQ(object["differ"], differ);
     ASSERT_FALSE(object["rules"].empty());
     EXPECT_EQ(object["rules"][0]["field"], rule);
@@ -223,9 +215,7 @@ TEST_F(Verify, WrongTablesOfCombiners) {
 // The scale of one half and the products of the final combiner show how the GeForce 2 narrows.
 TEST_F(Verify, ARuleOfTheCombinersIsFound) {
   const std::string file = std::string(NINEBIT_SOURCE_DIR) + "/combiner_tests/hardware/nv2a_combiner_ops.csv";
-  const Outcome outcome = ninebit({"verify", file, "--json"});
-  EXPECT_EQ(outcome.code, 1);
-  const Json object = Json::parse(outcome.out);
+  const Json object = json_of(ninebit({"verify", file, "--json"}), 1);
   EXPECT_EQ(object["places"], Json::parse(R"([{"place": "scale and bias", "rows": 4}])"));
   EXPECT_EQ(object["rules"][0]["field"], "general_narrowing");
   EXPECT_EQ(object["rules"][0]["agree_then"], 24);
@@ -235,11 +225,7 @@ TEST_F(Verify, ARuleOfTheCombinersIsFound) {
 TEST_F(Verify, AnotherRuleIsFound) {
   const std::string own = folder_ / "own.json";
   write_bytes(own, R"({"base": "nv2a", "name": "mine", "general_narrowing": "toward-zero"})");
-  const Json object = [&] {
-    const Outcome outcome = ninebit({"verify", kNv2aRows, "--profile", own, "--json"});
-    EXPECT_EQ(outcome.code, 1);
-    return Json::parse(outcome.out);
-  }();
+  const Json object = [&] { return json_of(ninebit({"verify", kNv2aRows, "--profile", own, "--json"}), 1); }();
   EXPECT_EQ(object["count"], 592);
   EXPECT_EQ(object["differ"], 4);
   EXPECT_EQ(object["agree"], 588);
@@ -319,9 +305,7 @@ TEST_F(Verify, TheFirstPlaceThatDiffers) {
       "square.rc,101,50,10,10\n"
       "square.rc,101,,,11|12\n"
       "square.rc,101,50|51,9,\n";
-  const Outcome outcome = verify(table, {"--json"});
-  ASSERT_EQ(outcome.code, 1) << outcome.err;
-  const Json object = Json::parse(outcome.out);
+  const Json object = json_of(verify(table, {"--json"}), 1);
   EXPECT_EQ(object["count"], 5);
   EXPECT_EQ(object["agree"], 2);
   EXPECT_EQ(object["places"], Json::parse(R"([{"place": "general combiner 0, rgb", "rows": 1},
@@ -339,17 +323,15 @@ TEST_F(Verify, TheFirstPlaceThatDiffers) {
 }
 
 TEST_F(Verify, WhatNoRuleExplains) {
-  const Outcome outcome = verify("program,primary.r,out.r\nsquare.rc,101,200\n");
-  EXPECT_EQ(outcome.code, 1);
-  expect_parts(outcome.out, {"No single rule with another value explains"});
+  expect_parts(out_of(verify("program,primary.r,out.r\nsquare.rc,101,200\n"), 1),
+               {"No single rule with another value explains"});
 }
 
 TEST_F(Verify, AProgramForAllRowsAndStandardInput) {
   EXPECT_EQ(verify("primary.r,out.r\n101,9\n", {"--program", folder_ / "square.rc"}).code, 0);
   const std::string table = write_bytes(folder_ / "in.csv", "# a comment\nprimary.r,out.r\n\n101,9\n");
-  const Outcome outcome = ninebit({"verify", "-", "--program", folder_ / "square.rc"}, {.in = table});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "1 rows: 1 agree, 0 differ\n");
+  EXPECT_EQ(out_of(ninebit({"verify", "-", "--program", folder_ / "square.rc"}, {.in = table})),
+            "1 rows: 1 agree, 0 differ\n");
 }
 
 // Programs that rows name stand below the table's folder.
