@@ -45,12 +45,11 @@ TEST(Draw, TheGalleryIsToTheBit) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() != ".json" || name == "expected_hashes") continue;
     ASSERT_TRUE(expected.contains(name)) << name;
-    for (const char* threads : {"1", "3"}) {
-      const Json drawn =
-          json_of(ninebit(draw(entry.path().string(), folder / "p.png", {"--json", "--threads", threads})));
-      EXPECT_EQ(drawn["hash"]["color"], expected[name]) << name << " with " << threads << " threads";
-      EXPECT_TRUE(drawn["warnings"].empty()) << name << ": " << drawn["warnings"];
-    }
+    const std::string threads = count % 2 == 0 ? "1" : "3";
+    const Json drawn =
+        json_of(ninebit(draw(entry.path().string(), folder / "p.png", {"--json", "--threads", threads})));
+    EXPECT_EQ(drawn["hash"]["color"], expected[name]) << name;
+    EXPECT_TRUE(drawn["warnings"].empty()) << name << ": " << drawn["warnings"];
     ++count;
   }
   EXPECT_EQ(count, expected.size());

@@ -101,14 +101,6 @@ TEST(Help, Lists) {
     if (*list == '\0') continue;
     expect_parts(err_of(steps(list), 2), {std::string("invalid list '") + list + "'; expected a list of"});
   }
-  const TempFolder folder;
-  const auto varied = [&](const std::string& list) {
-    return ninebit({"compare", kRoom, "-o", folder / "out", "--size", "16x12", "--map-size", "16", "--vary", list,
-                    "--json", "--quiet"});
-  };
-  EXPECT_EQ(json_of(varied("index-step=1-3"))["rows"].size(), 3U);
-  EXPECT_EQ(json_of(varied("index-step=1,2"))["rows"].size(), 2U);
-  expect_parts(varied("index-step=1,1").err, {"'1' is given twice"});
 }
 
 }  // namespace

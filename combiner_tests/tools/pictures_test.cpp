@@ -60,21 +60,39 @@ Words map_channels(const std::string& format) {
   return {format == "l" ? "Y" : "A"};
 }
 
+// A rendering with layers, made once for all tests.
+struct Rendered {
+  TempFolder folder;
+  Json answer;
+  std::vector<StoredPart> layers;
+  std::map<std::string, std::map<std::string, std::vector<double>>> planes;  // of the layers, by part and channel
+};
+
+const Words kSizes{"--size", "120x90", "--map-size", "64", "--json"};
+
+const Rendered& rendered(const PictureCase& c) {
+  static std::map<std::string, Rendered> known;
+  const auto [found, is_new] = known.try_emplace(c.name);
+  Rendered& one = found->second;
+  if (!is_new) return one;
+  one.answer = json_of(ninebit(small_render(c.scene, one.folder / "out", kSizes + Words{"--layers"} + c.flags)));
+  one.layers = read_exr(one.folder / "out/layers.exr");
+  for (const StoredPart& part : one.layers) {
+    for (const auto& [name, channel] : part.channels) one.planes[part.name][name] = channel.numbers();
+  }
+  return one;
+}
+
 class Pictures : public testing::TestWithParam<PictureCase> {
  protected:
   void SetUp() override {
-    answer_ = json_of(
-        ninebit(small_render(GetParam().scene, folder_ / "out",
-                             Words{"--size", "120x90", "--map-size", "64", "--layers", "--json"} + GetParam().flags)));
-    ASSERT_TRUE(answer_.is_object());
-    layers_ = read_exr(folder_ / "out/layers.exr");
-    for (const StoredPart& part : layers_) {
-      for (const auto& [name, channel] : part.channels) planes_[part.name][name] = channel.numbers();
-    }
+    if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
+    rendered_ = &rendered(GetParam());
+    ASSERT_TRUE(rendered_->answer.is_object());
   }
-  [[nodiscard]] std::string file(const std::string& name) const { return folder_ / ("out/" + name); }
+  [[nodiscard]] std::string file(const std::string& name) const { return rendered_->folder / ("out/" + name); }
   [[nodiscard]] const std::vector<double>& plane(const std::string& part, const std::string& channel) const {
-    return planes_.at(part).at(channel);
+    return rendered_->planes.at(part).at(channel);
   }
 
   // The code number in that layer.
@@ -88,10 +106,9 @@ class Pictures : public testing::TestWithParam<PictureCase> {
 
   // Polygons at equal depth are all compared. The layers show the first one; another one may have marked the pixel.
   void expect_marked_by_another(std::size_t pixel, double polygon) const {
-    const Json traced = json_of(ninebit(Words{"trace", "--scene", GetParam().scene, "--pixel",
-                                              std::to_string(pixel % kWidth) + "," + std::to_string(pixel / kWidth),
-                                              "--size", "120x90", "--map-size", "64", "--json"} +
-                                        GetParam().flags));
+    const std::string at = std::to_string(pixel % kWidth) + "," + std::to_string(pixel / kWidth);
+    const Json traced =
+        json_of(ninebit(Words{"trace", "--scene", GetParam().scene, "--pixel", at} + kSizes + GetParam().flags));
     int others = 0;
     for (const Json& pass : traced["scene"]["passes"]) {
       if (pass["name"] != "comparison") continue;
@@ -102,10 +119,7 @@ class Pictures : public testing::TestWithParam<PictureCase> {
     EXPECT_GT(others, 0);
   }
 
-  TempFolder folder_;
-  Json answer_;
-  std::vector<StoredPart> layers_;
-  std::map<std::string, std::map<std::string, std::vector<double>>> planes_;  // of the layers, by part and channel
+  const Rendered* rendered_ = nullptr;
 };
 
 INSTANTIATE_TEST_SUITE_P(
@@ -125,7 +139,6 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Pictures, FilesHaveTheirShapes) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   for (const auto& [name, width, height, channels] : {std::tuple{"color.png", kWidth, kHeight, 3},
                                                       {"shadow.png", kWidth, kHeight, 1},
                                                       {"index_cube.png", 4 * kMap, 3 * kMap, 3}}) {
@@ -145,26 +158,26 @@ TEST_P(Pictures, FilesHaveTheirShapes) {
       {"polygon", {{"polygon", 'u'}}},
       {"object", {{"object", 'u'}}},
   };
-  ASSERT_EQ(layers_.size(), wanted.size());
+  const std::vector<StoredPart>& layers = rendered_->layers;
+  ASSERT_EQ(layers.size(), wanted.size());
   for (std::size_t p = 0; p < wanted.size(); ++p) {
-    EXPECT_EQ(layers_[p].name, wanted[p].first);
-    EXPECT_EQ(layers_[p].types(), wanted[p].second) << layers_[p].name;
-    EXPECT_EQ(layers_[p].width, kWidth);
-    EXPECT_EQ(layers_[p].height, kHeight);
-    EXPECT_FALSE(layers_[p].cube);
+    EXPECT_EQ(layers[p].name, wanted[p].first);
+    EXPECT_EQ(layers[p].types(), wanted[p].second) << layers[p].name;
+    EXPECT_EQ(layers[p].width, kWidth);
+    EXPECT_EQ(layers[p].height, kHeight);
+    EXPECT_FALSE(layers[p].cube);
   }
 }
 
 // The result of the article's stages for the two indices, pixel by pixel.
 TEST_P(Pictures, LayersAgreeWithEachOther) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const auto& stencil = plane("stencil", "stencil");
   const auto& depth = plane("depth", "depth");
   const auto& polygon = plane("polygon", "polygon");
   const auto& object = plane("object", "object");
   const auto& alpha = plane("output", "A");
   const auto& index = GetParam().objects ? object : polygon;
-  const double triangles = answer_["triangles"].get<double>();
+  const double triangles = rendered_->answer["triangles"].get<double>();
   std::map<double, double> object_of;
   std::uint64_t background = 0, lit = 0, shadowed = 0, tied = 0;
   for (std::size_t i = 0; i < kPixels; ++i) {
@@ -202,7 +215,7 @@ TEST_P(Pictures, LayersAgreeWithEachOther) {
     }
     ++(stencil[i] == 0 ? lit : shadowed);
   }
-  EXPECT_EQ(answer_["pixels"], (Json{{"background", background}, {"lit", lit}, {"shadowed", shadowed}}));
+  EXPECT_EQ(rendered_->answer["pixels"], (Json{{"background", background}, {"lit", lit}, {"shadowed", shadowed}}));
   EXPECT_LT(tied, 10U);
   EXPECT_GT(lit, kPixels / 20);
   EXPECT_GT(shadowed, kPixels / 200);
@@ -210,7 +223,6 @@ TEST_P(Pictures, LayersAgreeWithEachOther) {
 }
 
 TEST_P(Pictures, PngsAgreeWithTheLayers) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const Image8 color = read_png(file("color.png")), shadow = read_png(file("shadow.png"));
   const auto& stencil = plane("stencil", "stencil");
   const auto& depth = plane("depth", "depth");
@@ -226,7 +238,6 @@ TEST_P(Pictures, PngsAgreeWithTheLayers) {
 }
 
 TEST_P(Pictures, TheCubeHoldsTheIndicesThatWereFetched) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const auto parts = read_exr(file("index_cube.exr"));
   ASSERT_EQ(parts.size(), 1U);
   const StoredPart& cube = parts[0];
@@ -246,7 +257,7 @@ TEST_P(Pictures, TheCubeHoldsTheIndicesThatWereFetched) {
     ASSERT_EQ(code_number(bytes, GetParam().step), index[i]) << i;
     seen.insert(index[i]);
   }
-  EXPECT_LE(*seen.rbegin(), answer_["index"]["used"].get<double>());
+  EXPECT_LE(*seen.rbegin(), rendered_->answer["index"]["used"].get<double>());
   for (std::size_t i = 0; i < kPixels; ++i) {
     if (plane("depth", "depth")[i] == kFar) continue;
     const double number = number_in("texture0", i);
@@ -257,7 +268,6 @@ TEST_P(Pictures, TheCubeHoldsTheIndicesThatWereFetched) {
 // The cross has every index in a colour of its own; faces lie as ARB_texture_cube_map orients them, s to the right and
 // t down, which OpenEXR mirrors.
 TEST_P(Pictures, TheCrossShowsTheCube) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   const Image8 cross = read_png(file("index_cube.png"));
   const auto parts = read_exr(file("index_cube.exr"));
   const std::vector<double> index = parts.at(0).channels.at("index").numbers();

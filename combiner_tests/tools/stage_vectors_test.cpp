@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "combiner_tests/tools/support.h"
+#include "combiner_tests/tools/vector_runner.h"
 #include "ninebit/language/json.h"
 
 namespace tools_test {
@@ -13,46 +14,41 @@ namespace {
 
 const std::string kStages = NINEBIT_SOURCE_DIR "/docs/tutorials/stages.c";
 
+Words make_pack(const std::string& folder) {
+  return {"vectors", "--texture-shader", "-o",  folder,        "--profile", "nv2a",
+          "--quiet", "--programs",       "300", "--fragments", "6"};
+}
+
+// The pack that the tests read, made once.
+const std::string& pack() {
+  static const TempFolder folder;
+  static const std::string made = [] {
+    EXPECT_EQ(ninebit(make_pack(folder / "pack")).code, 0);
+    return folder / "pack";
+  }();
+  return made;
+}
+
 class StageVectors : public testing::Test {
  protected:
-  std::string pack() {
-    const std::string folder = folder_ / "pack";
-    const Outcome outcome = ninebit({"vectors", "--texture-shader", "-o", folder, "--profile", "nv2a", "--quiet",
-                                     "--programs", "300", "--fragments", "6"});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return folder;
-  }
-
-  // The runner's output with the stages that are compiled with these flags.
-  std::pair<std::string, int> check(const std::string& pack, const std::string& flags) {
-    const std::string program = folder_ / "check";
-    const auto [messages, status] = shell("cc -std=c99 -O1 -ffp-contract=off -pedantic -Wall -Wextra -Werror " + flags +
-                                          " '" + pack + "/runner.c' '" + kStages + "' -lm -o '" + program + "'");
-    EXPECT_EQ(status, 0) << messages;
-    return shell("'" + program + "' '" + pack + "/vectors.txt' --results '" + results_ + "'");
-  }
-
   TempFolder folder_;
-  std::string results_ = folder_ / "results.txt";
 };
 
 TEST_F(StageVectors, RightStagesPassAndVerifyAgrees) {
-  const std::string folder = pack();
-  const auto [text, status] = check(folder, "");
-  EXPECT_EQ(status, 0);
-  EXPECT_EQ(text, "profile nv2a: 1800 fragments, 0 differ; 30 of 30 groups pass\n");
-  EXPECT_EQ(out_of(ninebit({"verify", results_, "--vectors", folder})),
+  const Checked& right = check_emulator(pack(), kStages, "");
+  EXPECT_EQ(right.status, 0);
+  EXPECT_EQ(right.text, "profile nv2a: 1800 fragments, 0 differ; 30 of 30 groups pass\n");
+  EXPECT_EQ(out_of(ninebit({"verify", right.results, "--vectors", pack()})),
             "1800 fragments of 300 programs: 1800 agree, 0 differ\n");
-  const std::string results = read_bytes(results_);
-  write_bytes(results_, results.substr(0, results.find("\n300 ") + 1));
-  EXPECT_EQ(ninebit({"verify", results_, "--vectors", folder}).out,
-            results_ +
+  const std::string text = read_bytes(right.results);
+  const std::string cut = write_bytes(folder_ / "results.txt", text.substr(0, text.find("\n300 ") + 1));
+  EXPECT_EQ(ninebit({"verify", cut, "--vectors", pack()}).out,
+            cut +
                 ":301: program 300 is missing; 299 of 300 programs have results\n"
                 "1794 fragments of 299 programs: 1794 agree, 0 differ\n");
 }
 
 TEST_F(StageVectors, EachMistakeIsFoundInItsGroupAndNamed) {
-  const std::string folder = pack();
   struct Case {
     const char *flag, *group, *mistake;
   };
@@ -61,13 +57,13 @@ TEST_F(StageVectors, EachMistakeIsFoundInItsGroupAndNamed) {
         Case{"-DHILO_BITS=8", "dot-mapping-hilo-1", "HILO words have 8 bits instead of 16"},
         Case{"-DEYE=0", "dot-product-reflect-cube-map", "the eye is not used: the normal is looked up"}}) {
     SCOPED_TRACE(c.flag);
-    const auto [text, status] = check(folder, c.flag);
-    EXPECT_EQ(status, 1);
-    EXPECT_TRUE(text.starts_with(std::string("first failing group: ") + c.group + " (rule 3")) << text;
-    expect_parts(text, {"\n  PSTextureModes = 0x", "\n  expected "});
-    expect_parts(out_of(ninebit({"verify", results_, "--vectors", folder, "--most", "1"}), 1),
+    const Checked& wrong = check_emulator(pack(), kStages, c.flag);
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_TRUE(wrong.text.starts_with(std::string("first failing group: ") + c.group + " (rule 3")) << wrong.text;
+    expect_parts(wrong.text, {"\n  PSTextureModes = 0x", "\n  expected "});
+    expect_parts(out_of(ninebit({"verify", wrong.results, "--vectors", pack(), "--most", "1"}), 1),
                  {std::string("\nOne mistake explains all of them: ") + c.mistake + " (rule", "): shows tex0 "});
-    const Json object = Json::parse(ninebit({"verify", results_, "--vectors", folder, "--json"}).out);
+    const Json object = json_of(ninebit({"verify", wrong.results, "--vectors", pack(), "--json"}), 1);
     EXPECT_EQ(object["mistakes"][0]["mistake"], c.mistake);
     EXPECT_EQ(object["rows"][0]["group"], c.group);
     EXPECT_EQ(keys_of(object["rows"][0]["shown"]), (Words{"culled", "texture", "depth"}));
@@ -103,12 +99,13 @@ TEST_F(StageVectors, WhatCannotBeMadeOrJudged) {
                {"--texture-shader", "profile geforce2 has no texture shaders"});
   expect_error(ninebit({"vectors", "--texture-shader", "-o", folder_ / "b", "--profile", "nv2a", "--programs", "24"}),
                2, {"--programs", "24 is too few; expected at least 30"});
-  const std::string folder = pack();
-  (void)check(folder, "");
+  const std::string folder = folder_ / "damaged";
+  std::filesystem::copy(pack(), folder);
   std::string text = read_bytes(folder + "/vectors.txt");
   text.replace(text.find("\no "), 4, "\no q");
   write_bytes(folder + "/vectors.txt", text);
-  expect_error(ninebit({"verify", results_, "--vectors", folder}), 3, {"vectors.txt:", "the pack differs"});
+  expect_error(ninebit({"verify", check_emulator(pack(), kStages, "").results, "--vectors", folder}), 3,
+               {"vectors.txt:", "the pack differs"});
 }
 
 }  // namespace

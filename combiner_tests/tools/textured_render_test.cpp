@@ -59,8 +59,8 @@ TEST_F(TexturedRender, DrawsTheTexture) {
 TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
   picture("scene/t.png", 4, 10);
   const auto trace = [&](const Words& more) {
-    return ninebit(Words{"trace", "--scene", folder_ / "scene/s.obj", "--size", "32x24", "--pixel", "16,14", "--quiet"} +
-                   more);
+    return ninebit(
+        Words{"trace", "--scene", folder_ / "scene/s.obj", "--size", "32x24", "--pixel", "16,14", "--quiet"} + more);
   };
   const Json answer = json_of(trace({"--json"}));
   EXPECT_EQ(answer["scene"]["state"], "lit");
@@ -90,9 +90,9 @@ TEST_F(TexturedRender, TraceNamesThePassThatDecided) {
 // The pass that decided may have no program.
 TEST(TraceOfVolumes, NamesThePassThatHasNothingToTrace) {
   const auto trace = [](Words more) {
-    return ninebit(Words{"trace", "--scene", kRoom, "--size", "64x48", "--pixel", "32,40",
-                                     "--technique", "shadow-volume", "--quiet"} +
-                               more);
+    return ninebit(Words{"trace", "--scene", kRoom, "--size", "64x48", "--pixel", "32,40", "--technique",
+                         "shadow-volume", "--quiet"} +
+                   more);
   };
   const Json answer = json_of(trace({"--json"}));
   EXPECT_EQ(answer["scene"]["pass"], "volumes");

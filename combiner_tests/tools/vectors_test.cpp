@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <csignal>
-#include <map>
 #include <sstream>
-#include <tuple>
 
 #include "combiner_tests/tools/support.h"
+#include "combiner_tests/tools/vector_runner.h"
 #include "ninebit/combiner/normalize.h"
 #include "ninebit/combiner/program.h"
 #include "ninebit/language/json.h"
@@ -37,27 +36,8 @@ const std::string& pack() {
   return made;
 }
 
-// The pack's runner with an emulator: its program, what it printed, its exit status, and its file of results.
-struct Checked {
-  std::string program, text, results;
-  int status = -1;
-};
-
-// With the emulator that is compiled with these flags, once for each.
-const Checked& check(const std::string& flags, const std::string& folder = pack()) {
-  static const TempFolder made;
-  static std::map<std::string, Checked> known;
-  const auto [found, is_new] = known.try_emplace(flags + folder);
-  Checked& one = found->second;
-  if (!is_new) return one;
-  one.program = made / std::to_string(known.size());
-  one.results = one.program + ".txt";
-  const auto [messages, status] = shell("cc -std=c99 -O1 -pedantic -Wall -Wextra -Werror " + flags + " '" + folder +
-                                        "/runner.c' '" + kEmulator + "' -o '" + one.program + "'");
-  EXPECT_EQ(status, 0) << messages;
-  std::tie(one.text, one.status) =
-      shell("'" + one.program + "' '" + folder + "/vectors.txt' --results '" + one.results + "'");
-  return one;
+const Checked& check(const std::string& flags) {
+  return check_emulator(pack(), kEmulator, flags);
 }
 
 Json verdict(const std::string& results, int code) {
@@ -316,7 +296,7 @@ TEST_F(Vectors, OfAProfileOfOnesOwn) {
   const std::string own = write_bytes(folder_ / "own.json", R"({"base": "nv2a", "name": "mine", "half": 127})");
   const std::string folder = folder_ / "own";
   ASSERT_EQ(ninebit({"vectors", "-o", folder, "--profile", own, "--programs", "300", "--fragments", "4"}).code, 0);
-  const Checked& checked = check(kMux + "-DROUNDS=1 -DHALF=127", folder);
+  const Checked& checked = check_emulator(folder, kEmulator, kMux + "-DROUNDS=1 -DHALF=127");
   EXPECT_EQ(checked.status, 0);
   expect_error(ninebit({"verify", checked.results, "--vectors", folder}), 3,
                {"profile mine", "give its file with --profile"});
