@@ -110,7 +110,7 @@ TEST_F(Eval, EnginesAgreeWithTheLibrary) {
   if (ninebit::test::kSanitized) GTEST_SKIP() << "too long, and other tests reach the same lines";
   constexpr std::uint64_t kSeed = 1999;
   int distinct = 0;
-  for (std::uint64_t index = 0; index < 24; ++index) {
+  for (std::uint64_t index = 0; index < 12; ++index) {
     SCOPED_TRACE("program " + std::to_string(index));
     test::Random random(kSeed, index);
     const std::span<const HardwareProfile> all = hardware_profiles();
@@ -131,8 +131,7 @@ TEST_F(Eval, EnginesAgreeWithTheLibrary) {
     }
     table += '\n';
     const Program compiled = normalize(state, profile);
-    std::string expected = "out.r,out.g,out.b,out.a\n";
-    std::string last;
+    Words expected{"out.r,out.g,out.b,out.a"};
     for (int row = 0; row < 600; ++row) {
       RegisterFile registers;
       for (const Register reg : {Register::fog, Register::texture0, Register::texture1, Register::texture2,
@@ -163,19 +162,16 @@ TEST_F(Eval, EnginesAgreeWithTheLibrary) {
       const Rgba9 out = evaluate(own, registers);
       std::string line;
       for (std::size_t c = 0; c < 4; ++c) line += (c > 0 ? "," : "") + std::to_string(out[c]);
-      distinct += line != last ? 1 : 0;
-      last = line;
-      expected += line + '\n';
+      distinct += line != expected.back() ? 1 : 0;
+      expected.push_back(line);
     }
-    const std::string name(profile.name);
-    const Outcome reference = eval(program, table, {"--profile", name, "--engine", "reference"});
-    ASSERT_EQ(reference.code, 0) << reference.err;
-    ASSERT_EQ(reference.out, expected);
-    ASSERT_EQ(eval(program, table, {"--profile", name, "--engine", "simd"}).out, expected);
-    EXPECT_EQ(eval(program, table, {"--profile", name, "--engine", "simd", "--registers"}).out,
-              eval(program, table, {"--profile", name, "--engine", "reference", "--registers"}).out);
+    const Words flags{"--profile", std::string(profile.name), "--registers", "--engine"};
+    const Words reference = lines_of(out_of(eval(program, table, flags + Words{"reference"})));
+    ASSERT_EQ(reference.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_TRUE(reference[i].starts_with(expected[i] + ',')) << i;
+    EXPECT_EQ(lines_of(out_of(eval(program, table, flags + Words{"simd"}))), reference);
   }
-  EXPECT_GT(distinct, 2000);
+  EXPECT_GT(distinct, 1000);
 }
 
 TEST_F(Eval, ConstantColumns) {

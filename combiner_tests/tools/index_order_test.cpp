@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "combiner_tests/support/slow_build.h"
 #include "combiner_tests/tools/support.h"
 
 namespace tools_test {
@@ -58,15 +57,6 @@ TEST(IndexOrder, NeighbourAnswersItsCounts) {
   EXPECT_NE(answer["hash"]["index_map"], plain["hash"]["index_map"]);
 }
 
-TEST(IndexOrder, TheSameBitsForAnyNumberOfThreads) {
-  if (ninebit::test::kSanitized) GTEST_SKIP() << "other numbers of threads: the build without sanitizers runs this";
-  const TempFolder folder;
-  const Json one = answer_of(folder, {"--index-order", "neighbour", "--threads", "1"});
-  const Json five = answer_of(folder, {"--index-order", "neighbour", "--threads", "5"});
-  EXPECT_EQ(five["hash"], one["hash"]);
-  EXPECT_EQ(five["index"], one["index"]);
-}
-
 TEST(IndexOrder, PatchAngleCutsPatches) {
   const TempFolder folder;
   const auto patches = [&](const char* degrees) {
@@ -114,22 +104,6 @@ TEST(IndexOrder, CheckOrderWithoutNeighbourIsAWarning) {
                        "ninebit: warning: --check-order has no effect without --index-order neighbour\n"));
 }
 
-TEST(IndexOrder, IsRefusedByTechniquesWithoutIndices) {
-  const TempFolder folder;
-  const std::vector<Words> others{{"depth-cube"},
-                                  {"shadow-map"},
-                                  {"shadow-volume"},
-                                  {"reflective", "--light-type", "directional", "--samples", "4"},
-                                  {"light-cookie", "--cookie", kLabels, "--cookie-shadows", "none"}};
-  for (const Words& technique : others) {
-    expect_error(ninebit(small_render(kRoom, folder / "out",
-                                      Words{"--technique"} + technique + Words{"--index-order", "neighbour"})),
-                 2, {"--index-order: technique " + technique[0], "does not read it"});
-  }
-  const Words cookie{"--technique", "light-cookie", "--cookie", kLabels, "--index-order", "neighbour"};
-  EXPECT_EQ(answer_of(folder, cookie)["index"]["order"], "neighbour");
-}
-
 // The codes of a register line of a trace: "  primary   136    8    8  255".
 std::vector<int> codes_of(const std::string& text, const std::string& name) {
   std::istringstream line(text.substr(text.find("\n  " + name + " ") + 3 + name.size()));
@@ -153,13 +127,18 @@ TEST(IndexOrder, TraceOfAFormerJointShowsWhereTheDifferenceIsLost) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_LE(std::abs(own[c] - other[c]), 1);
 }
 
-TEST(IndexOrder, TraceAndStudyRefuseToo) {
-  expect_error(ninebit({"trace", "--scene", kRoom, "--pixel", "80,60", "--size", "160x120", "--technique", "shadow-map",
-                        "--index-order", "neighbour"}),
-               2, {"--index-order: technique shadow-map does not read it", "--polygon-offset"});
-  expect_error(ninebit({"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32", "--technique", "shadow-map",
-                        "--index-order", "neighbour"}),
-               2, {"--index-order: technique shadow-map does not read it"});
+// The settings that a technique reads stand in its table: combiner_tests/shadow/technique_settings_test.cpp.
+TEST(IndexOrder, IsRefusedByTechniquesWithoutIndices) {
+  const TempFolder folder;
+  const Words other{"--technique", "shadow-map", "--index-order", "neighbour"};
+  const std::string refused = "--index-order: technique shadow-map does not read it";
+  expect_error(ninebit(small_render(kRoom, folder / "out", other)), 2, {refused});
+  expect_error(ninebit(Words{"trace", "--scene", kRoom, "--pixel", "80,60", "--size", "160x120"} + other), 2,
+               {refused, "--polygon-offset"});
+  expect_error(ninebit(Words{"study", "shadows", kRoom, "--size", "80x60", "--map-sizes", "32"} + other), 2, {refused});
+  EXPECT_EQ(answer_of(folder, {"--technique", "light-cookie", "--cookie", kLabels, "--index-order",
+                               "neighbour"})["index"]["order"],
+            "neighbour");
 }
 
 Words sweep_words(const Words& more) {
@@ -182,35 +161,6 @@ TEST(IndexOrder, SweptRowsAreWhatRenderCounts) {
     for (const char* count : {"lit", "shadowed"}) EXPECT_EQ(row[count], render["pixels"][count]) << count;
     for (const char* count : {"false_lit", "false_shadowed"}) EXPECT_EQ(row[count], render["errors"][count]) << count;
   }
-}
-
-// Tables and parts of studies that do not use the order keep their columns.
-TEST(IndexOrder, ColumnsOnlyWhereTheyVary) {
-  const auto keys = [](const Words& more) { return keys_of(json_of(ninebit(sweep_words(more)))["rows"][0]); };
-  const Words plain = keys({});
-  EXPECT_EQ(plain, (Words{"point", "technique", "map_size", "index_format", "index_scope", "index_step", "lit",
-                          "shadowed", "false_lit", "false_shadowed", "wrong", "wrong_share", "truncation", "joint",
-                          "vanished", "shared", "sampling", "refused"}));
-  EXPECT_EQ(keys({"--index-order", "file", "--index-scales", "both-x4"}), plain);
-  const auto with = [&](const Words& settings, const Words& reasons) {
-    Words all = plain;
-    all.insert(std::find(all.begin(), all.end(), "lit"), settings.begin(), settings.end());
-    all.insert(all.end() - 1, reasons.begin(), reasons.end());
-    return all;
-  };
-  EXPECT_EQ(keys({"--index-order", "neighbour"}), with({"index_order"}, {"index_order_reason"}));
-  EXPECT_EQ(keys({"--orders", "file"}), with({"index_order"}, {"index_order_reason"}));
-  EXPECT_EQ(keys({"--index-scales", "no-scale"}), with({"index_scales"}, {}));
-  EXPECT_EQ(keys({"--orders", "neighbour", "--scales", "first-x4"}),
-            with({"index_order", "index_scales"}, {"index_order_reason"}));
-}
-
-TEST(IndexOrder, PartsResumeAndKeepTheirQuestion) {
-  const TempFolder folder;
-  const Words more{"--orders", "file,neighbour", "-o", folder / "out"};
-  const Json first = json_of(ninebit(sweep_words(more)));
-  EXPECT_EQ(json_of(ninebit(sweep_words(more))), first);
-  EXPECT_NE(json_of(ninebit(sweep_words({"--orders", "neighbour,file"})))["question"], first["question"]);
 }
 
 }  // namespace

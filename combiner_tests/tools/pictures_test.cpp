@@ -295,25 +295,5 @@ TEST_P(Pictures, TheCrossShowsTheCube) {
   EXPECT_GT(different.size(), colors.size() / 4);
 }
 
-// A sheet that is lit from behind: what the article leaves lit, --light-facing puts into shadow.
-TEST(LightFacing, ShadowsWhatFacesAwayFromTheLight) {
-  const TempFolder folder;
-  const std::string sheet = write_bytes(folder.path() / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const auto pixels = [&](const std::string& light, const char* flag) {
-    return json_of(ninebit(small_render(sheet, folder / "out",
-                                        {"--json", flag, "--light", light, "--floor", "none", "--camera", "0.3,0.3,2",
-                                         "--look-at", "0.3,0.3,0"})))
-        .at("pixels");
-  };
-  const Json front = pixels("0.2,0.2,2", "--light-facing"), behind = pixels("0.2,0.2,-2", "--quiet");
-  const Json facing = pixels("0.2,0.2,-2", "--light-facing");
-  // Along its outline the sheet meets texels of the cleared map: some pixels are in shadow from either side.
-  EXPECT_GT(behind["lit"], 150);
-  EXPECT_LT(behind["shadowed"], 20);
-  EXPECT_EQ(front, behind);
-  EXPECT_EQ(facing["lit"], 0);
-  EXPECT_EQ(facing["shadowed"].get<int>(), behind["lit"].get<int>() + behind["shadowed"].get<int>());
-}
-
 }  // namespace
 }  // namespace tools_test
