@@ -18,8 +18,12 @@ TEST(ShownPictures, TheDemoNamesTheProfileOfEachPicture) {
   const TempFolder folder, tools;
   write_bytes(tools / "dpkg", "#!/bin/sh\nexit 1\n");  // no model is installed
   std::filesystem::permissions(tools / "dpkg", std::filesystem::perms::owner_all);
+  // The page says the same of smaller pictures.
+  write_bytes(tools / "ninebit", "#!/usr/bin/env bash\nwords=(\"${@/#[48]00x[36]00/80x60}\")\nexec '" + kProgram +
+                                     "' \"${words[@]/#1024/64}\"\n");
+  std::filesystem::permissions(tools / "ninebit", std::filesystem::perms::owner_all);
   const std::string demo = "cd '" + kTree + "' && PATH='" + tools.path().string() + "':\"$PATH\" scenes/demo '" +
-                           kProgram + "' '" + folder.path().string() + "' >'" + tools / "log" + "' 2>&1";
+                           (tools / "ninebit") + "' '" + folder.path().string() + "' >'" + tools / "log" + "' 2>&1";
   ASSERT_EQ(std::system(demo.c_str()), 0) << read_bytes(tools / "log");
   const std::string page = read_bytes(folder / "index.html"), begin = "<figure>", effects = "\"effects/";
   int figures = 0;

@@ -60,13 +60,12 @@ class AlteredPart : public testing::Test {
   StudyPart part_;
 };
 
-TEST_F(AlteredPart, OfDepthPackingIsRefused) {
+// Every value of every study: combiner_tests/study/row_rules_test.cpp.
+TEST_F(AlteredPart, IsRefused) {
   make({"depth-packing", "--packings", "rgba8-mod", "--depths", "16", "--storages", "round"});
   expect_refused([](auto& p) { value(p, 0, "packing") = std::string("x"); },
                  {":2: unit 0", "row 1", "packing is 'x'; expected 'rgba8-mod'"});
   expect_refused([](auto& p) { value(p, 0, "max_error") = 1e308; }, {"max_error is 1e+308"});
-  expect_refused([](auto& p) { value(p, 0, "count") = std::uint64_t{1} << 63; }, {"expected 65536"});
-  expect_refused([](auto& p) { value(p, 1, "digit") = std::int64_t{-1}; }, {":3: unit 1", "expected 0"});
   expect_refused([](auto& p) { p.units[1].rows.pop_back(); }, {"has 255 rows; expected 256"});
   expect_refused([](auto& p) { std::swap(p.units[0].rows, p.units[1].rows); }, {"unit 0"});
   expect_refused([](auto& p) { p.header.units = std::size_t{1} << 24; }, {":1: ", "expected 2"});
@@ -74,16 +73,6 @@ TEST_F(AlteredPart, OfDepthPackingIsRefused) {
   expect_refused([](auto& p) { p.header.shard = {3, 3}; }, {":1: shard 3/3 of 2 units"});
   expect_refused([](auto& p) { p.header.question.study = "none"; }, {":1: its command"});
   expect_refused([](auto& p) { p.header.question.options[0].second = "rgba8-mod,rgba8-mod"; }, {"given twice"});
-}
-
-TEST_F(AlteredPart, OfIndexStepsIsRefused) {
-  make({"index-steps", "--formats", "la", "--steps", "2-3", "--profile", "geforce2"});
-  for (const char* name : {"profile", "format", "variant"}) {
-    expect_refused([&](auto& p) { value(p, 0, name) = std::string("nobody"); }, {name, "'nobody'", "expected"});
-  }
-  expect_refused([](auto& p) { value(p, 1, "step") = std::int64_t{200}; }, {"step is 200; expected 2"});
-  expect_refused([](auto& p) { value(p, 1, "codes") = 1e300; }, {"codes is 1e+300; expected 16384"});
-  expect_refused([](auto& p) { value(p, 1, "false_matches") = std::monostate(); }, {"false_matches is nothing"});
 }
 
 TEST_F(AlteredPart, OfShadowsIsRefused) {
@@ -201,17 +190,6 @@ TEST_F(AlteredPart, LinesThatStandTwiceHeal) {
   other.rows[0].fields.back().second = std::uint64_t{3};
   write_bytes(file, header + first + unit_line(other));
   expect_error(ninebit(words), 3, {file + ":3", "unit 0 is repeated with other rows"});
-}
-
-// A first line alone: what it says costs neither memory nor time.
-TEST_F(AlteredPart, NumbersThatNothingStandsBehindCostNothing) {
-  make({"index-steps", "--formats", "la", "--steps", "2", "--profile", "geforce2"});
-  StudyPart part = part_;
-  part.header.units = std::size_t{1} << 24;
-  part.units.resize(1);
-  const std::string file = write_bytes(folder_ / "evil.jsonl", header_line(part.header) + unit_line(part.units[0]));
-  const Outcome outcome = merge_parts({file}, folder_ / "merged");
-  expect_error(outcome, 3, {"evil.jsonl:1", "16777216 units; expected 8"});
 }
 
 }  // namespace
