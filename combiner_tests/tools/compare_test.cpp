@@ -14,9 +14,8 @@ Words small_compare(const std::string& scene, const std::string& folder, const W
   return Words{"compare", scene, "-o", folder, "--size", "64x48", "--map-size", "32", "--quiet"} + more;
 }
 
-Words plus(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
+Json compared(const std::string& folder, const Words& more) {
+  return json_of(ninebit(small_compare(kRoom, folder, Words{"--json"} + more)));
 }
 
 Words names_of_rows(const Json& object) {
@@ -27,13 +26,12 @@ Words names_of_rows(const Json& object) {
 
 TEST(Compare, AllTechniquesThatTheLightAllows) {
   const TempFolder folder;
-  const Json point = json_of(ninebit(small_compare(kRoom, folder / "point", {"--json"})));
+  const Json point = compared(folder / "point", {});
   EXPECT_EQ(names_of_rows(point), (Words{"index-cube", "depth-cube", "shadow-volume"}));
   ASSERT_EQ(point["left_out"].size(), 3U);
   EXPECT_EQ(point["left_out"][2]["technique"], "light-cookie");
   expect_parts(point["left_out"][2]["reason"].get<std::string>(), {"--cookie"});
-  const Json spot = json_of(ninebit(
-      small_compare(kRoom, folder / "spot", {"--json", "--light-type", "spot", "--samples", "4", "--kernel", "3"})));
+  const Json spot = compared(folder / "spot", {"--light-type", "spot", "--samples", "4", "--kernel", "3"});
   EXPECT_EQ(names_of_rows(spot), (Words{"shadow-map", "shadow-volume", "reflective"}));
   EXPECT_TRUE(spot["light"].get<std::string>().starts_with("spot light at ")) << spot["light"];
 }
@@ -42,14 +40,12 @@ TEST(Compare, AllTechniquesThatTheLightAllows) {
 TEST(Compare, ASpotThatHoldsThePictureIsAPointLight) {
   const TempFolder folder;
   const Words view{"--camera", "0.5,1,0.9", "--look-at", "0.2,0.2,0", "--fov", "30"};
-  const auto with_view = [&](const Words& flags) { return plus(flags, view); };
-  const Words spot{"--json", "--light-type", "spot", "--light", "0.3,2,0.2", "--light-target", "0.2,0.2,0"};
-  const Json narrow =
-      json_of(ninebit(small_compare(kRoom, folder / "narrow", with_view(plus(spot, {"--spot-angle", "20"})))));
+  const Words spot =
+      view + Words{"--light-type", "spot", "--light", "0.3,2,0.2", "--light-target", "0.2,0.2,0", "--spot-angle"};
+  const Json narrow = compared(folder / "narrow", spot + Words{"20"});
   EXPECT_EQ(names_of_rows(narrow), (Words{"shadow-map", "shadow-volume", "reflective"}));
   EXPECT_EQ(narrow["left_out"][0]["reason"], "no support for a spot light that does not reach all of the picture");
-  const Json wide =
-      json_of(ninebit(small_compare(kRoom, folder / "wide", with_view(plus(spot, {"--spot-angle", "150"})))));
+  const Json wide = compared(folder / "wide", spot + Words{"150"});
   EXPECT_EQ(names_of_rows(wide), (Words{"index-cube", "depth-cube", "shadow-map", "shadow-volume", "reflective"}));
   EXPECT_EQ(wide["light"],
             "spot light at 0.3, 2, 0.2; it reaches all of the picture: a point light for index-cube, depth-cube");
@@ -57,7 +53,7 @@ TEST(Compare, ASpotThatHoldsThePictureIsAPointLight) {
   EXPECT_EQ(wide["rows"][2]["light"], "spot");
   const Words alone{"render", kRoom,    "-o",      folder / "render", "--size",  "64x48",    "--map-size",
                     "32",     "--json", "--quiet", "--ground-truth",  "--light", "0.3,2,0.2"};
-  const Json rendered = json_of(ninebit(with_view(alone)));
+  const Json rendered = json_of(ninebit(alone + view));
   EXPECT_EQ(wide["rows"][0]["hash"]["color"], rendered["hash"]["color"]);
   EXPECT_EQ(wide["rows"][0]["errors"]["by_cause"], rendered["errors"]["by_cause"]);
   for (const Json& worst : wide["rows"][0]["errors"]["worst"]) {
@@ -66,12 +62,10 @@ TEST(Compare, ASpotThatHoldsThePictureIsAPointLight) {
     EXPECT_EQ(command.find("spot"), std::string::npos) << command;
   }
   const Words mixed{"--vary", "technique=index-cube,shadow-map"};
-  const Json both = json_of(
-      ninebit(small_compare(kRoom, folder / "both", with_view(plus(plus(spot, {"--spot-angle", "150"}), mixed)))));
+  const Json both = compared(folder / "both", spot + Words{"150"} + mixed);
   EXPECT_EQ(both["rows"][0]["hash"]["color"], rendered["hash"]["color"]);
   EXPECT_EQ(both["rows"][1]["hash"]["color"], wide["rows"][2]["hash"]["color"]);
-  const Json refused =
-      json_of(ninebit(small_compare(kRoom, folder / "no", with_view(plus(plus(spot, {"--spot-angle", "20"}), mixed)))));
+  const Json refused = compared(folder / "no", spot + Words{"20"} + mixed);
   EXPECT_EQ(refused["rows"][0]["refused"], "no support for a spot light that does not reach all of the picture");
   EXPECT_TRUE(refused["rows"][1].contains("hash"));
 }
@@ -79,8 +73,7 @@ TEST(Compare, ASpotThatHoldsThePictureIsAPointLight) {
 // A row has the bits and the wrong pixels of the same rendering by `render`.
 TEST(Compare, RowsAreThoseOfRender) {
   const TempFolder folder;
-  const Json object = json_of(ninebit(
-      small_compare(kRoom, folder / "out", {"--json", "--vary", "index-step=1,2", "--vary", "index-format=rgb,la"})));
+  const Json object = compared(folder / "out", {"--vary", "index-step=1,2", "--vary", "index-format=rgb,la"});
   EXPECT_EQ(names_of_rows(object), (Words{"index-step 1, index-format rgb", "index-step 1, index-format la",
                                           "index-step 2, index-format rgb", "index-step 2, index-format la"}));
   const Words render{"render",         kRoom,          "-o", folder / "render", "--size",
@@ -125,14 +118,14 @@ TEST(Compare, UnitsOfTheComparisonAndTheTotal) {
 // drawn is a row with its reason.
 TEST(Compare, UnitsOfSeveralPassesAndRowsWithoutPictures) {
   const TempFolder folder;
-  const Json facing = json_of(ninebit(small_compare(
-      kRoom, folder / "a", {"--json", "--light-facing", "--vary", "index-format=rgb,a", "--vary", "index-step=1-2"})));
+  const Json facing =
+      compared(folder / "a", {"--light-facing", "--vary", "index-format=rgb,a", "--vary", "index-step=1-2"});
   EXPECT_EQ(names_of_rows(facing), (Words{"index-format rgb, index-step 1", "index-format rgb, index-step 2",
                                           "index-format a, index-step 1", "index-format a, index-step 2"}));
   EXPECT_EQ(facing["rows"][0]["texture_units"], 1) << "averted polygons need none";
   expect_parts(facing["rows"][2]["refused"].get<std::string>(), {"index"});
-  const Json floats = json_of(ninebit(small_compare(
-      kRoom, folder / "b", {"--json", "--light-facing", "--technique", "depth-cube", "--vary", "depth-bits=8,float"})));
+  const Json floats =
+      compared(folder / "b", {"--light-facing", "--technique", "depth-cube", "--vary", "depth-bits=8,float"});
   EXPECT_EQ(floats["rows"][0]["texture_units"], 2);
   EXPECT_TRUE(floats["rows"][1]["texture_units"].is_null());
 }
@@ -140,8 +133,8 @@ TEST(Compare, UnitsOfSeveralPassesAndRowsWithoutPictures) {
 // A flag applies to the techniques that read it; one that none of them reads is an error.
 TEST(Compare, FlagsOfOneTechnique) {
   const TempFolder folder;
-  const Json plain = json_of(ninebit(small_compare(kRoom, folder / "a", {"--json"})));
-  const Json biased = json_of(ninebit(small_compare(kRoom, folder / "b", {"--json", "--bias", "2"})));
+  const Json plain = compared(folder / "a", {});
+  const Json biased = compared(folder / "b", {"--bias", "2"});
   EXPECT_EQ(plain["rows"][0]["hash"], biased["rows"][0]["hash"]) << "index-cube";
   EXPECT_NE(plain["rows"][1]["hash"]["stencil"], biased["rows"][1]["hash"]["stencil"]) << "depth-cube";
   expect_error(ninebit(small_compare(kRoom, folder / "c", {"--bias", "2", "--light-type", "spot"})), 2,
@@ -151,8 +144,7 @@ TEST(Compare, FlagsOfOneTechnique) {
 
 TEST(Compare, OffsetsHaveSemicolons) {
   const TempFolder folder;
-  const Json object = json_of(ninebit(small_compare(
-      kRoom, folder / "out", {"--json", "--technique", "shadow-map", "--vary", "polygon-offset=0,0;1,16"})));
+  const Json object = compared(folder / "out", {"--technique", "shadow-map", "--vary", "polygon-offset=0,0;1,16"});
   EXPECT_EQ(names_of_rows(object), (Words{"polygon-offset 0,0", "polygon-offset 1,16"}));
   EXPECT_NE(object["rows"][0]["errors"]["wrong"], object["rows"][1]["errors"]["wrong"]);
 }
@@ -203,7 +195,7 @@ TEST(Compare, ThePageHasTheTracesOfListedPixels) {
       {"--size", "96x72", "--map-size", "32", "--camera", "0.5,1,0.9", "--look-at", "0.2,0.2,0", "--fov", "30",
        "--light-type", "spot", "--light", "0.3,2,0.2", "--light-target", "0.2,0.2,0", "--spot-angle", "150"}};
   for (const Words& flags : cases) {
-    const Json object = json_of(ninebit(plus({"compare", kRoom, "-o", folder / "out", "--quiet", "--json"}, flags)));
+    const Json object = json_of(ninebit(Words{"compare", kRoom, "-o", folder / "out", "--quiet", "--json"} + flags));
     const Json data = data_of(read_bytes(folder / "out/index.html"));
     std::size_t texts = 0, listed = 0;
     for (std::size_t i = 0; i < object["rows"].size(); ++i) {
@@ -220,7 +212,7 @@ TEST(Compare, ThePageHasTheTracesOfListedPixels) {
 TEST(Compare, ManyPicturesHaveOneTraceOfEachCause) {
   const TempFolder folder;
   const Words steps{"--vary", "index-step=1-3", "--vary", "index-format=rgb,la,l"};
-  ASSERT_EQ(ninebit(plus(small_compare(kCornell, folder / "out"), steps)).code, 0);
+  ASSERT_EQ(ninebit(small_compare(kCornell, folder / "out", steps)).code, 0);
   const Json data = data_of(read_bytes(folder / "out/index.html"));
   ASSERT_GT(data["rows"].size(), 8U);
   for (const Json& row : data["rows"]) {

@@ -26,6 +26,11 @@ Words draw(const std::string& what, const std::string& picture, const Words& mor
   return Words{"draw", what, "-o", picture, "--quiet"} + more;
 }
 
+// The hash of what is drawn.
+Json color_of(const TempFolder& folder, const std::string& what, const Words& more) {
+  return json_of(ninebit(draw(what, folder / "p.png", Words{"--json"} + more)))["hash"]["color"];
+}
+
 // The stencil plane of the effect is that of the technique, bit for bit.
 TEST(Draw, IndexCubeIsTheTechnique) {
   const TempFolder folder;
@@ -125,8 +130,7 @@ TEST(Draw, TheWordArithmeticIsNoFile) {
 TEST(Draw, FlagsReplaceTheSceneOfAnEffect) {
   const TempFolder folder;
   const auto hash = [&](const Words& flags) {
-    return json_of(ninebit(
-        draw(kEffects + "toon.json", folder / "p.png", Words{"--json", "--size", "64x64"} + flags)))["hash"]["color"];
+    return color_of(folder, kEffects + "toon.json", Words{"--size", "64x64"} + flags);
   };
   const Json plain = hash({});
   for (const Words& flags : std::vector<Words>{{"--light", "2,0,2"},
@@ -143,10 +147,8 @@ TEST(Draw, FlagsReplaceTheSceneOfAnEffect) {
 TEST(Draw, FlagsOfAPassChangeThePicture) {
   const TempFolder folder;
   const auto hash = [&](const Words& flags) {
-    return json_of(ninebit(
-        draw(kEffects + "programs/fog.rc1", folder / "p.png",
-             Words{"--json", "--size", "64x64", "--mesh", "sphere:16", "--tex0", "checker:64", "--primary", "lambert"} +
-                 flags)))["hash"]["color"];
+    const Words sphere{"--size", "64x64", "--mesh", "sphere:16", "--tex0", "checker:64", "--primary", "lambert"};
+    return color_of(folder, kEffects + "programs/fog.rc1", sphere + flags);
   };
   const Json plain = hash({});
   for (const Words& flags : std::vector<Words>{{"--fog", "exp:0.5"},
@@ -169,10 +171,9 @@ TEST(Draw, FlagsOfAPassChangeThePicture) {
 // The checkerboard's darker squares are 0x40, of texels that a filter does not mix.
 TEST(Draw, FlagsOfASamplerChangeThePicture) {
   const TempFolder folder;
-  const auto hash = [&](Words flags, const std::string& mesh = "sphere:16") {
-    flags.insert(flags.end(),
-                 {"--json", "--size", "64x64", "--mesh", mesh, "--tex0", "checker:64", "--filter0", "nearest"});
-    return json_of(ninebit(draw(kEffects + "programs/texture0.rc1", folder / "p.png", flags)))["hash"]["color"];
+  const auto hash = [&](const Words& flags, const std::string& mesh = "sphere:16") {
+    const Words textured{"--size", "64x64", "--mesh", mesh, "--tex0", "checker:64", "--filter0", "nearest"};
+    return color_of(folder, kEffects + "programs/texture0.rc1", textured + flags);
   };
   std::set<std::string> seen{hash({})};
   for (const Words& flags :
@@ -206,9 +207,9 @@ TEST(Draw, FlagsOfASamplerChangeThePicture) {
 TEST(Draw, EveryDepthFormatDrawsATorus) {
   const TempFolder folder;
   const auto drawn = [&](const std::string& format) {
-    return json_of(ninebit({"draw", kEffects + "programs/fog.rc1", "-o", folder / "p.png", "--json", "--size", "64x64",
-                            "--mesh", "torus:16", "--tex0", "checker:64", "--primary", "lambert", "--depth-stencil",
-                            format}))["hash"]["color"];
+    return color_of(folder, kEffects + "programs/fog.rc1",
+                    {"--size", "64x64", "--mesh", "torus:16", "--tex0", "checker:64", "--primary", "lambert",
+                     "--depth-stencil", format});
   };
   const Json fixed = drawn("d24s8");
   ASSERT_FALSE(fixed.is_null());
@@ -229,8 +230,7 @@ TEST(Draw, AConstantOfOneCombinerReplacesTheGlobalOneThere) {
               "!!RC1.0\n{ rgb { spare0 = const0; } }\n{ rgb { spare1 = const0; } }\n"
               "out.rgb = spare0 * const1 + spare1;\n");
   const auto hash = [&](const Words& flags) {
-    return json_of(ninebit(draw(folder / "constants.rc1", folder / "p.png",
-                                Words{"--json", "--size", "8x8", "--profile", "nv2a"} + flags)))["hash"]["color"];
+    return color_of(folder, folder / "constants.rc1", Words{"--size", "8x8", "--profile", "nv2a"} + flags);
   };
   const Json red_then_blue = hash({"--const0", "0:1,0,0,1", "--const0", "1:0,0,1,1", "--const1", "1,1,1,1"});
   EXPECT_EQ(hash({"--const0", "1,0,0,1", "--const0", "1:0,0,1,1", "--const1", "1,1,1,1"}), red_then_blue);
