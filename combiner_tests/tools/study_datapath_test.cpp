@@ -108,7 +108,7 @@ TEST_F(StudyDatapath, ColumnsAreDocumented) {
   const std::string columns = page.substr(page.find("## Columns"));
   EXPECT_EQ(study({"--program", kArticle, "--over", "tex0.r", "-o", folder_ / "program", "--quiet"}).code, 0);
   const Json operations =
-      json_of(study({"--profile", "geforce256-8bit,geforce2", "-o", folder_ / "operations", "--quiet", "--json"}));
+      json_of(study({"--profile", "geforce2,nv2a", "-o", folder_ / "operations", "--quiet", "--json"}));
   EXPECT_EQ(operations["rows"].size(), 2 * kOperations) << "those of both profiles";
   std::size_t seen = 0;
   for (const char* folder : {"program", "operations"}) {
