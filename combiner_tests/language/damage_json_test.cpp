@@ -33,8 +33,8 @@ TEST(DamagedJson, Programs) {
                                .whole = printed,
                                .bytes = "{}[]\",:.0123456789eE+-\\u tnr\n\x01\x80\xff",
                                .parse = [&](const SourceText& text) { return parse_json_program(text, *profile); },
-                               .states = 250,
-                               .refused = 1000,
+                               .states = 30,
+                               .refused = 300,
                                .texts = 2000,
                                .edits = edits,
                                .profile = *profile});
@@ -53,8 +53,8 @@ TEST(DamagedJson, RegisterWords) {
                            .whole = printed,
                            .bytes = "{}[]\",:.0123456789abcdefx\\u \n\x80",
                            .parse = parse,
-                           .states = 200,
-                           .refused = 5000});
+                           .states = 60,
+                           .refused = 2000});
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ TEST(Damaged, GlCalls) {
                            .whole = lines,
                            .bytes = "(){}[],;=+-&*#/\"'\\.0x1eEfGL_NV \n\t\0\x80\xFF"sv,
                            .parse = [](const SourceText& text) { return parse_gl_calls(text, profiles::nv2a); },
-                           .states = 100,
-                           .refused = 10'000});
+                           .states = 25,
+                           .refused = 4000});
 }
 
 TEST(Damaged, Rc10) {
@@ -58,8 +58,8 @@ TEST(Damaged, Rc10) {
                            .whole = always(kRc10),
                            .bytes = "(){}.,;=+-*#/!_abrgx0159 \n\t\0\x80\xFF"sv,
                            .parse = [](const SourceText& text) { return parse_rc10(text, profiles::nv2a); },
-                           .states = 400,
-                           .refused = 10'000,
+                           .states = 120,
+                           .refused = 4000,
                            .kept = 7});
 }
 
@@ -92,8 +92,8 @@ TEST(Damaged, PixelShaders) {
                            .whole = always(kWhole),
                            .bytes = "rtvcx0123_.,+-;#abdmulsop \n\t\0\x80\xFF[]1"sv,
                            .parse = [](const SourceText& text) { return parse_pixel_shader(text, profiles::nv2a); },
-                           .states = 400,
-                           .refused = 8000,
+                           .states = 120,
+                           .refused = 3000,
                            .kept = 7});
 }
 
@@ -105,8 +105,8 @@ TEST(Damaged, RegisterWords) {
          .whole = [&](Random& random) { return *print_register_words(random_state(random, profile), chip, profile); },
          .bytes = "0123456789abcdefxX=[]()_ \t\r\n#/RCINOUTALPHGB{}\",:\x01\x80\xff",
          .parse = [&](const SourceText& text) { return parse_register_words(text, chip, profile); },
-         .states = 250,
-         .refused = 2500,
+         .states = 50,
+         .refused = 500,
          .texts = 4000,
          .profile = profile});
   }
@@ -122,8 +122,8 @@ TEST(Damaged, DefinitionsOfEveryShape) {
                            .whole = [&](Random& random) { return one_of(random, shapes).text(random_words(random)); },
                            .bytes = "0123456789abcdefxX{}[]()=,;.|<>-~+ \n\"/*#:&PSRGB",
                            .parse = parse_definition,
-                           .states = 1000,
-                           .refused = 1000});
+                           .states = 300,
+                           .refused = 300});
 }
 
 TEST(Damaged, DefinitionsInMacros) {
@@ -136,8 +136,8 @@ TEST(Damaged, DefinitionsInMacros) {
                            .whole = printed,
                            .bytes = "0123{}()=,|<>-~ \n_PSREGITZC",
                            .parse = parse_definition,
-                           .states = 200,
-                           .refused = 1000,
+                           .states = 60,
+                           .refused = 400,
                            .texts = 4000});
 }
 
@@ -156,8 +156,8 @@ TEST(Damaged, RegisterLogs) {
                            .whole = [&](Random& random) { return one_of(random, styles).text(random_trace(random)); },
                            .bytes = "0123456789abcdefxX<>[]()->,;:|\"=/\n\r\t \x01\x80",
                            .parse = parse,
-                           .states = 2000,
-                           .refused = 50,
+                           .states = 150,
+                           .refused = 15,
                            .texts = 2500,
                            .edits = 40});
 }
