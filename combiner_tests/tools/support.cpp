@@ -92,12 +92,12 @@ Words lines_of(const std::string& text) {
 void expect_parts(const std::string& text, const Words& parts, const Place& place) {
   for (const std::string& part : parts) {
     if (text.find(part) != std::string::npos) continue;
-    ADD_FAILURE_AT(place.file_name(), static_cast<int>(place.line())) << "no '" << part << "' in: " << text;
+    ADD_FAILURE_AT(place.file, place.line) << "no '" << part << "' in: " << text;
   }
 }
 
 void expect_error(const Outcome& outcome, int code, const Words& words, const Place& place) {
-  const testing::ScopedTrace trace(place.file_name(), static_cast<int>(place.line()), "expected here");
+  const testing::ScopedTrace trace(place.file, place.line, "expected here");
   EXPECT_EQ(outcome.code, code) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_TRUE(outcome.err.ends_with('\n')) << outcome.err;
@@ -124,7 +124,7 @@ const std::map<std::string, std::string>& help_of_all_verbs() {
 namespace {
 
 void expect_code(const Outcome& outcome, int code, const Place& place) {
-  const testing::ScopedTrace trace(place.file_name(), static_cast<int>(place.line()), "expected here");
+  const testing::ScopedTrace trace(place.file, place.line, "expected here");
   EXPECT_EQ(outcome.code, code) << outcome.out << outcome.err;
 }
 

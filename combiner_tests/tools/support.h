@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,7 +20,12 @@ using ninebit::test::read_bytes;
 using ninebit::test::TempFolder;
 using ninebit::test::write_bytes;
 using Json = nlohmann::ordered_json;
-using Place = std::source_location;
+// The line that called: std::source_location, which Clang 14 has not.
+struct Place {
+  const char* file;
+  int line;
+  static Place current(const char* file = __builtin_FILE(), int line = __builtin_LINE()) { return {file, line}; }
+};
 using Files = std::map<std::string, std::string>;  // name: bytes
 
 inline const std::string kRoom = NINEBIT_SOURCE_DIR "/scenes/index_room.gltf";
