@@ -35,7 +35,7 @@ class Loading(unittest.TestCase):
                   "print([name for name in sys.modules if name.startswith('ninebit.')])\n"
                   "print([line.split('/')[-1].strip() for line in open('/proc/self/maps') if 'assimp' in line or 'embree' in line])")
         said = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout.splitlines()
-        self.assertEqual(sorted(ast.literal_eval(said[0])), ["ninebit._arrays", "ninebit._combiner", "ninebit._programs"])
+        self.assertEqual(sorted(ast.literal_eval(said[0])), ["ninebit._arrays", "ninebit._combiner", "ninebit._programs", "ninebit._sources"])
         self.assertEqual(said[1], "[]")
 
     def test_everything_has_a_description(self):

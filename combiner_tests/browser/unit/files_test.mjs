@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { commandsOf, inOneFolder } from '../../../src/playground/web/command_line.js';
-import { allFiles, besideProgram, faultOfName, freeName, includedIn, isBelow, programFile, programIn, remove, rename } from '../../../src/playground/web/files.js';
-import { bare, checkedState } from '../../../src/playground/web/state.js';
+import { allFiles, besideProgram, faultOfName, freeName, includedIn, isBelow, remove, rename } from '../../../src/playground/web/files.js';
+import { bare, checkedState, programFile, programIn } from '../../../src/playground/web/state.js';
 
 const state = () => bare({
   effect: { ninebit: 'effect', version: 1, passes: [{ program: 'b.c#2' }, {}, { program: 'a.rc1' }, { program: 'b.c' }] },

@@ -2,8 +2,9 @@
  * The same with `ninebit`: a shell script that writes the files and runs the program.
  */
 import { element, save } from './dom.js';
-import { isBelow, programIn } from './files.js';
+import { isBelow } from './files.js';
 import { fileIn } from './shelf.js';
+import { programIn } from './state.js';
 
 /** A word for a shell. @param {string} word */
 const quoted = (word) => (/^[\w./,:=-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);

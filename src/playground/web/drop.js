@@ -6,9 +6,9 @@ import { unpacked } from './archive.js';
 import { mostBytes } from './decode_picture.js';
 import { findEffect, stateOfDropped } from './effect_drop.js';
 import { messageOf } from './dom.js';
-import { besideProgram, fileName, freeName, programFile } from './files.js';
+import { besideProgram, fileName, freeName } from './files.js';
 import { meshEnding } from './shelf.js';
-import { copied, mostCharacters, passOf } from './state.js';
+import { copied, mostCharacters, passOf, programFile } from './state.js';
 
 /**
  * @param {File} file

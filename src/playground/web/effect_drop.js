@@ -2,10 +2,10 @@
  * An effect file dropped together with the files that it names: what `ninebit gl-run --dump-frame` writes, for one.
  */
 import { messageOf } from './dom.js';
-import { fileName, includedIn, isBelow, plainPath, programIn, sourcesFile } from './files.js';
+import { fileName, includedIn, isBelow, plainPath, sourcesFile } from './files.js';
 import { complaint } from './schema.js';
 import { fileIn } from './shelf.js';
-import { bare, checkedEffect, checkedState, kindOfChoice, mostCharacters, profileFile, stateOf } from './state.js';
+import { bare, checkedEffect, checkedState, kindOfChoice, mostCharacters, profileFile, programIn, stateOf } from './state.js';
 
 /** The folder of a file with its last slash; empty: none. @param {string} path */
 const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);

@@ -1,7 +1,7 @@
 /**
  * The files of an effect as a person sees them: programs of its passes, what sources include, the effect itself.
  */
-import { effectFile, passOf, profileFile } from './state.js';
+import { effectFile, numbered, profileFile, programFile, programIn } from './state.js';
 
 /** @typedef {import('./state.js').State} State */
 
@@ -19,28 +19,8 @@ export function plainPath(path) {
   return parts.join('/');
 }
 
-/** The number behind the name of a program in a source or a log. */
-const numbered = /^(.+)#(\d{1,9})$/;
-
 /** The name of the file of sources that an archive holds. */
 export const sourcesFile = 'sources.json';
-
-/**
- * A pass's program as its file and, of FILE#N, the number; a file of the whole name goes before.
- * @param {Record<string, unknown>} files
- * @param {string} program
- * @returns {{file: string, number: number}} 0: there is none
- */
-export function programIn(files, program) {
-  const found = program in files ? null : numbered.exec(program);
-  return found ? { file: found[1], number: Number(found[2]) } : { file: program, number: 0 };
-}
-
-/** The file of the program of the pass that the panels are about, or `undefined`. @param {State} state @returns {string|undefined} */
-export function programFile(state) {
-  const { program } = passOf(state);
-  return typeof program === 'string' ? programIn(state.files, program).file : undefined;
-}
 
 /** Names of programs' files, in the order of the passes. @param {State} state @returns {string[]} */
 export const programFiles = ({ effect, files }) => [...new Set(/** @type {string[]} */ (effect.passes.flatMap(

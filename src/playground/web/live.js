@@ -2,8 +2,7 @@
  * Keeps the page in step with the state: reads the program, draws the picture, traces the chosen pixel.
  */
 import { Replaced } from './engine_client.js';
-import { programIn } from './files.js';
-import { passOf, programOf } from './state.js';
+import { passOf, programIn, programOf } from './state.js';
 
 /** When the picture is drawn. @typedef {{time: number, frame: number}} Moment */
 

@@ -3,10 +3,10 @@
  */
 import { byId, choice, element, messageOf, replaceChildren } from './dom.js';
 import { Editor } from './editor.js';
-import { allFiles, freeName, programFile, programIn } from './files.js';
+import { allFiles, freeName } from './files.js';
 import { FileTabs } from './file_tabs.js';
 import { SourceChoices } from './source_choices.js';
-import { checkedEffect, effectFile, passOf } from './state.js';
+import { checkedEffect, effectFile, passOf, programFile, programIn } from './state.js';
 
 export class ProgramPane {
   /**

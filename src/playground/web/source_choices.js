@@ -3,8 +3,7 @@
  * that the text does not give.
  */
 import { choice, element, replaceChildren } from './dom.js';
-import { programFile, programIn } from './files.js';
-import { bare, passOf } from './state.js';
+import { bare, passOf, programFile, programIn } from './state.js';
 
 /** What the engine says there is. @typedef {{functions?: {name: string, line: number, helper: boolean, needs: string[]}[], programs?: number, needs?: string[]}} Offered */
 

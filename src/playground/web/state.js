@@ -14,7 +14,6 @@
  */
 
 import effectSchema from '../../../docs/effect.schema.json' with { type: 'json' };
-import { programFile, programIn } from './files.js';
 import { complaint } from './schema.js';
 
 /** The name under which the editor offers the effect itself. */
@@ -22,6 +21,20 @@ export const effectFile = 'effect.json';
 
 /** The name of a profile of one's own among an effect's files. */
 export const profileFile = 'profile.json';
+
+/** The number behind the name of a program in a source or a log. */
+export const numbered = /^(.+)#(\d{1,9})$/;
+
+/**
+ * A pass's program as its file and, of FILE#N, the number; a file of the whole name goes before.
+ * @param {Record<string, unknown>} files
+ * @param {string} program
+ * @returns {{file: string, number: number}} 0: there is none
+ */
+export function programIn(files, program) {
+  const found = program in files ? null : numbered.exec(program);
+  return found ? { file: found[1], number: Number(found[2]) } : { file: program, number: 0 };
+}
 
 /** The profile to compare with: each effect can be drawn with exact combiners. */
 const defaultOther = 'arithmetic';
@@ -133,6 +146,12 @@ export function checkedState(found) {
 
 /** The pass that the panels are about. @param {State} state */
 export const passOf = (state) => state.effect.passes[state.pass] ?? state.effect.passes[0] ?? {};
+
+/** The file of the program of the pass that the panels are about, or `undefined`. @param {State} state @returns {string|undefined} */
+export function programFile(state) {
+  const { program } = passOf(state);
+  return typeof program === 'string' ? programIn(state.files, program).file : undefined;
+}
 
 /** The text of that pass's program, or `undefined`. @param {State} state @returns {string|undefined} */
 export const programOf = (state) => state.files[programFile(state) ?? ''];

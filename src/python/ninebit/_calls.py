@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _verbs
 from ._combiner import Error, Program, State, nearest_name  # the bases of ninebit.Program and ninebit.State
-from ._programs import source_of
+from ._sources import source_of
 
 _verbs.set_file(_verbs.__file__)
 
