@@ -1,11 +1,9 @@
 #include "src/bench/combiner_rate.h"
 
 #include <algorithm>
-#include <barrier>
 #include <memory>
 #include <numeric>
 #include <random>
-#include <thread>
 
 #include "hwy/highway.h"
 #include "ninebit/combiner/batch_program.h"
@@ -89,36 +87,8 @@ double combiner_rate(const Program& program, Engine engine, int threads, double 
   for (std::size_t i = 0; i < count; ++i) fragments[i] = std::make_unique<Fragments>(static_cast<unsigned>(i));
   const Evaluator evaluator{program, engine};
   const std::size_t batches = batches_in(std::min(2e-3, seconds / 8), evaluator, *fragments[0]);
-
-  // All threads begin a run together. A run lasts until the last thread is done.
-  std::vector<Clock::time_point> begin(count), end(count);
-  std::barrier gate(threads);
-  bool over = false;
-  const auto run = [&](std::size_t i) {
-    gate.arrive_and_wait();
-    if (over) return false;
-    begin[i] = Clock::now();
-    evaluate_batches(evaluator, *fragments[i], batches);
-    end[i] = Clock::now();
-    gate.arrive_and_wait();
-    return true;
-  };
-  std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < count; ++i) {
-    others.emplace_back([&run, i] {
-      while (run(i)) continue;
-    });
-  }
-  double shortest = 1e9;
-  const auto start = Clock::now();
-  for (int runs = 0; runs < 3 || seconds_since(start) < seconds; ++runs) {
-    run(0);
-    const auto first = *std::min_element(begin.begin(), begin.end());
-    const auto last = *std::max_element(end.begin(), end.end());
-    shortest = std::min(shortest, std::chrono::duration<double>(last - first).count());
-  }
-  over = true;
-  run(0);
+  const double shortest =
+      shortest_together(threads, seconds, [&](std::size_t i) { evaluate_batches(evaluator, *fragments[i], batches); });
   return static_cast<double>(count * batches * kBatchSize) / shortest / 1e6;
 }
 

@@ -1,11 +1,46 @@
 #include "src/bench/timing.h"
 
 #include <algorithm>
+#include <barrier>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <thread>
 
 namespace ninebit::bench {
+
+double shortest_together(int threads, double seconds, const std::function<void(std::size_t)>& work) {
+  const auto count = static_cast<std::size_t>(threads);
+  std::vector<Clock::time_point> begin(count), end(count);
+  std::barrier gate(threads);
+  bool over = false;
+  const auto run = [&](std::size_t i) {
+    gate.arrive_and_wait();
+    if (over) return false;
+    begin[i] = Clock::now();
+    work(i);
+    end[i] = Clock::now();
+    gate.arrive_and_wait();
+    return true;
+  };
+  std::vector<std::jthread> others;
+  for (std::size_t i = 1; i < count; ++i) {
+    others.emplace_back([&run, i] {
+      while (run(i)) continue;
+    });
+  }
+  double shortest = 1e9;
+  const auto start = Clock::now();
+  for (int runs = 0; runs < 3 || seconds_since(start) < seconds; ++runs) {
+    run(0);
+    const auto first = *std::min_element(begin.begin(), begin.end());
+    const auto last = *std::max_element(end.begin(), end.end());
+    shortest = std::min(shortest, std::chrono::duration<double>(last - first).count());
+  }
+  over = true;
+  run(0);
+  return shortest;
+}
 
 Spread spread_of(std::vector<double> samples) {
   std::sort(samples.begin(), samples.end());

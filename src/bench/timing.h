@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace ninebit::bench {
@@ -20,6 +22,10 @@ template <class Work>
   work();
   return seconds_since(start);
 }
+
+// Runs of several threads that begin together, work(i) in thread i, and last until the last one is done: how many
+// seconds the shortest takes of those that fit into `seconds`, three at least.
+[[nodiscard]] double shortest_together(int threads, double seconds, const std::function<void(std::size_t)>& work);
 
 struct Spread {
   double median = 0.0;
