@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "hwy/highway.h"
 #include "src/raster/lanes/lane_depth-inl.h"
@@ -126,9 +127,10 @@ HWY_INLINE bool is_full(const TileTriangles& t, std::size_t k) {
 // How a triangle fills the vectors of its region's rows: it is_full(); those without a fragment are skipped, or not.
 enum class Filling { full, skipping, drawing_all };
 
-// True where a vector without a fragment costs less than a branch that cannot be predicted. (Measured with AVX2.)
-template <Drawing kDrawing>
-inline constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes == 8;
+// True where a vector without a fragment costs less than a branch that cannot be predicted: measured with AVX2. Depths
+// that are real numbers cost more.
+template <Drawing kDrawing, class Draw>
+inline constexpr bool kDrawsEmpty = is_nearest(kDrawing) && kLanes == 8 && std::is_same_v<Draw, PrimitiveDraw>;
 
 // Draws triangle k row by row.
 template <Drawing kDrawing, Filling kFilling, class Draw>
@@ -196,7 +198,7 @@ HWY_INLINE void draw_slim_triangle(const Draw& current, const TileTriangles& t, 
     const V outside = hn::BitCast(kD, hn::Or(hn::Or(e[0], e[1]), e[2]));
     M mask = hn::AndNot(hn::Lt(outside, hn::Zero(kD)), within);
     if constexpr (kRows > 1) mask = hn::And(mask, hn::Lt(row, hn::Set(kD, top - y + 1)));
-    if (kDrawsEmpty<kDrawing> || !hn::AllFalse(kD, mask)) {
+    if (kDrawsEmpty<kDrawing, Draw> || !hn::AllFalse(kD, mask)) {
       const PixelVector<VF> at{left, y, place, mask, z_low, z_high, {e[0], e[1], e[2]}};
       draw_fragments<kDrawing, Rows>(draw, current, t, k, at);
     }

@@ -78,6 +78,7 @@ HWY_INLINE void draw_placed(const Draw& current, const TileTriangles& t, std::si
     using Rows = SeveralRows<2>;
     if (columns <= Rows::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, Rows>(current, t, k);
   }
+  // Fragments that are gathered have loops of their own, below.
   if constexpr (kLanes == 8 && kDrawing != Drawing::gathers) {
     if (columns <= OneRow::kColumns && t.has_floats[k] != 0) return draw_slim_triangle<kDrawing, OneRow>(current, t, k);
   }
@@ -91,7 +92,7 @@ HWY_INLINE void draw_placed(const Draw& current, const TileTriangles& t, std::si
   }
   // Only large triangles cover regions so wide.
   if (columns >= 2 * kLanes && is_full(t, k)) return draw_triangle<kDrawing, Filling::full>(current, t, k);
-  if constexpr (kDrawsEmpty<kDrawing>) {
+  if constexpr (kDrawsEmpty<kDrawing, Draw>) {
     // The whole of a small triangle has a fragment in most vectors of its box; a large one's part of a tile has not.
     constexpr int kSmall = 5 * kLanes;
     const PixelBounds& box = current.primitive.box;

@@ -152,7 +152,8 @@ HWY_INLINE V64 fixed_point(hn::Vec<DD> v) {
 #endif
 }
 
-// The depth planes: the operations of TileTriangles::place in the same order.
+// The depth planes: the operations of TileTriangles::place in the same order, but that fixed_point may round where that
+// cuts.
 HWY_INLINE void store_depths(TileTriangles& t, const PrimitiveWords& word, const EdgeLanes& edges) {
   constexpr std::size_t kZ24 = offsetof(SetupPrimitive, z24);
   const V z0 = word(kZ24), dz1 = hn::Sub(word(kZ24 + 4), z0), dz2 = hn::Sub(word(kZ24 + 8), z0);
