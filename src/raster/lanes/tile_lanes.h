@@ -12,10 +12,10 @@
 //   at a time. No two fragments of a batch share a pixel: a batch may then be drawn in any order of its vectors.
 //
 // The steps, each in its file: triangles of a block are placed in the tile several at a time, as 32-bit edge functions
-// and depth planes relative to the tile (tile_triangles-inl.h); slim ones are drawn with two or four rows in a vector, or
-// one with AVX2 (lane_rows-inl.h), others row by row (lane_triangle-inl.h; smoothed ones: lane_smooth-inl.h); fragments
-// of lines and points are found one by one (lane_lines-inl.h); fragments that pass the tests that can be made early are
-// pushed into the batch (lane_gather-inl.h); a full batch is interpolated, textured, combined and stored
+// and depth planes relative to the tile (tile_triangles-inl.h); slim ones are drawn with two or four rows in a vector,
+// or one with AVX2 (lane_rows-inl.h), others row by row (lane_triangle-inl.h; smoothed ones: lane_smooth-inl.h);
+// fragments of lines and points are found one by one (lane_lines-inl.h); fragments that pass the tests that can be made
+// early are pushed into the batch (lane_gather-inl.h); a full batch is interpolated, textured, combined and stored
 // (lane_batch.cpp).
 //
 // Exactness: coverage is decided by whole numbers, which are the edge functions or have their signs. Depth is a
