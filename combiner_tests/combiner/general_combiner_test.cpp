@@ -168,6 +168,7 @@ TEST(GeneralCombiner, DotProductsGoToAllThreeComponentsAndIntoTheSum) {
                          Row{true, false, codes(150, 150, 150, 0), codes(-90, 30, 20, 0), codes(60, 180, 170, 0)},
                          Row{false, true, codes(100, 50, 0, 0), codes(-40, -40, -40, 0), codes(60, 10, -40, 0)},
                          Row{true, true, codes(150, 150, 150, 0), codes(-40, -40, -40, 0), codes(110, 110, 110, 0)}}) {
+    SCOPED_TRACE(std::string(row.ab ? "AB " : "") + (row.cd ? "CD" : "") + " as dot products");
     const RegisterFile out = judged(dot_state(row.ab, row.cd), kCard, dot_registers()).registers;
     EXPECT_EQ(out[Register::primary], row.primary);
     EXPECT_EQ(out[Register::secondary], row.secondary);

@@ -191,11 +191,20 @@ Rgba9 lane_of(const OutputBatch& out, std::size_t lane) {
 
 void Lanes::expect_on_every_target(const BatchProgram& program, std::size_t count, const HardwareProfile& p,
                                    const std::function<int()>& difference) {
+  constexpr s9 kNobodys = 0x5A5A;
   for (const std::int64_t target : simd_targets()) {
     const OnTarget on_target(target);
+    // What the target before has written must not pass for this one's.
+    for (auto& plane : out->plane) plane.fill(kNobodys);
+    for (std::size_t r = 0; r < kRegisterCount; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        const bool is_input = program.reads().contains(static_cast<Register>(r), static_cast<int>(c));
+        if (!is_input) registers->plane[r][c].fill(kNobodys);
+      }
+    }
     program.run(*registers, count, *out);
     ASSERT_EQ(difference(), 0) << p.name << " on " << simd_target_name(target) << '\n'
-                               << program.describe() << "first of " << count << " fragments:\n"
+                               << program.describe() << "fragment 0 of " << count << ":\n"
                                << describe(lane_of(*registers, 0));
     ASSERT_TRUE(on_target.ran()) << simd_target_name(target);
   }

@@ -164,11 +164,13 @@ TEST_F(IsolatedReader, IsStoppedByTheCaller) {
 // Answers that no reader should give are not taken for pictures.
 TEST_F(IsolatedReader, IsNotBelievedWhereItIsMad) {
   static void (*madden)(FileTexture&) = nullptr;
+  int number = 0;
   for (void (*const each)(FileTexture&) : std::initializer_list<void (*)(FileTexture&)>{
            [](FileTexture& t) { t.faces[0][0].width = 0; }, [](FileTexture& t) { t.faces[0][0].height = 1 << 30; },
            [](FileTexture& t) { t.faces[0][0].samples = std::vector<std::uint8_t>(5); },
            [](FileTexture& t) { t.format = static_cast<ninebit::InternalFormat>(200); }}) {
     madden = each;
+    SCOPED_TRACE(number++);
     EXPECT_EQ(complaint([](const PictureSource& file) {
                 Result<FileTexture> texture = good();
                 if (is_second(file)) madden(*texture);

@@ -131,6 +131,7 @@ TEST_P(EveryTechnique, WithLightFacingWhatTurnsAwayIsInShadow) {
   scene.lights[0].spot_degrees = 60.0F;
   for (const LightKind kind : {LightKind::point, LightKind::spot, LightKind::directional}) {
     if (!technique_.lights.has(kind)) continue;
+    SCOPED_TRACE(static_cast<int>(kind));
     scene.lights[0].kind = kind;
     const auto r = technique_.render(scene, settings_, {});
     ASSERT_TRUE(r.ok()) << r.error().text();
@@ -142,7 +143,7 @@ TEST_P(EveryTechnique, WithLightFacingWhatTurnsAwayIsInShadow) {
       const glm::uvec3 t = scene.triangles[polygon[i] - 1];
       const bool top = std::min({scene.positions[t.x].y, scene.positions[t.y].y, scene.positions[t.z].y}) == 1.0F;
       const bool dark = r->frame.stencil()[i] != 0;
-      ASSERT_TRUE(dark != top || (by_index && top));
+      ASSERT_TRUE(dark != top || (by_index && top)) << i;
       lit += dark ? 0U : 1U;
       averted += top ? 0U : 1U;
     }

@@ -223,7 +223,7 @@ TEST(Archive, DamagedHeadings) {
       EXPECT_EQ(json_of(outcome)["hash"], expected) << at;
     } else {
       EXPECT_EQ(outcome.code, 3) << at << ": " << outcome.err;
-      expect_parts(outcome.err, {"a.zip"});
+      EXPECT_NE(outcome.err.find("a.zip"), std::string::npos) << at << ": " << outcome.err;
     }
   }
 }

@@ -93,7 +93,7 @@ TEST_F(EvalStream, OutputsAreWholeOrNotThere) {
 }
 
 TEST_F(EvalStream, ManyRowsInConstantMemory) {
-  constexpr int kRows = 500'000;
+  constexpr int kRows = 1'000'000;  // 7 bytes each, of which the program may hold 4 MiB
   std::string text = "primary.r,tex0.r\n";
   for (int i = 0; i < kRows; ++i) text += std::to_string(i % 256) + ',' + std::to_string(i / 256 % 256) + '\n';
   const std::string many = write_bytes(folder_ / "many.csv", text);

@@ -15,7 +15,7 @@ namespace tools_test {
 namespace {
 
 // For flags that take a number or a list, and for others, where any number is as wrong as another.
-const Words kNumbers{"nan", "inf", "-1", "0", "1e308", "1000000000000000000000000000000", "1e-320"};
+const Words kNumbers{"", "nan", "inf", "-inf", "-1", "0", "1e308", "1000000000000000000000000000000", "1e-320"};
 const Words kOthers{"nan", "0"};
 const std::string kCompare = NINEBIT_SOURCE_DIR "/docs/programs/index_compare.gl";
 
@@ -152,7 +152,7 @@ TEST(Flags, OfAllVerbsRefuseWhatNobodyMeans) {
       const bool known = !seen.insert(flag.kind()).second;
       if (known && flag.is_choice()) continue;
       Words values = known || flag.is_choice() ? Words{"nan"} : flag.is_number() ? kNumbers : kOthers;
-      if (&flag == &flags.front()) values.emplace_back();
+      if (&flag == &flags.front() && values.front() != "") values.emplace_back();
       for (const std::string& value : values) {
         const Words words = command(verb, flag, folder.path()) + Words{flag.name + '=' + value};
         SCOPED_TRACE(testing::PrintToString(words));

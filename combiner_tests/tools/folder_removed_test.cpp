@@ -60,8 +60,10 @@ TEST_F(FolderRemoved, WhileFilesAreWritten) {
                      "-o", parts})
                 .code,
             0);
-  for (const Words& words : {Words{"convert", kArticle, "--to", "rc10", "-o", out_ + "/article.rc"},
-                             Words{"study", "merge", parts + "/part-1-of-1.jsonl", "--quiet", "-o", out_}}) {
+  const std::string article = out_ + "/article.rc";
+  for (const auto& [words, named] :
+       {std::pair{Words{"convert", kArticle, "--to", "rc10", "-o", article}, article},
+        {Words{"study", "merge", parts + "/part-1-of-1.jsonl", "--quiet", "-o", out_}, out_}}) {
     SCOPED_TRACE(words[0]);
     Child child(words, {.traced = true});
     if (!child.run_to([](std::uint64_t call) { return call == SYS_fsync; })) {
@@ -72,7 +74,7 @@ TEST_F(FolderRemoved, WhileFilesAreWritten) {
     EXPECT_GE(files_in(out_).size(), 1U);
     std::filesystem::remove_all(out_);
     child.let_go();
-    expect_error(child.wait(), 4, {out_});
+    expect_error(child.wait(), 4, {named});
     EXPECT_FALSE(std::filesystem::exists(out_));
   }
 }

@@ -25,6 +25,7 @@ void expect_shown(const TempFolder& folder, Words words) {
   for (const auto& [name, text] : files_in(out)) {
     if (!name.ends_with(".html")) continue;
     EXPECT_EQ(text.find("<img src=x"), std::string::npos) << name;
+    SCOPED_TRACE(name);
     expect_parts(text, {kShown});
     // The data of plots and maps end their script themselves.
     const std::size_t data = text.find("<script type=\"application/json\" id=\"data\">");
