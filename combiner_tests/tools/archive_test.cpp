@@ -33,7 +33,7 @@ std::string archive_of(const NamedFiles& files, const std::map<std::string, std:
     const std::string facts = number(20, 2) + number(0, 2) + number(found != deflated.end() ? 8 : 0, 2) + number(0, 4) +
                               number(crc32_of(content), 4) + number(packed.size(), 4) + number(content.size(), 4) +
                               number(name.size(), 2) + number(0, 2);
-    directory += "PK\1\2" + number(20, 2) + facts + number(0, 10) + number(files_part.size(), 4) + name;
+    directory += "PK\1\2" + number(20, 2) + facts + std::string(10, '\0') + number(files_part.size(), 4) + name;
     files_part += "PK\3\4" + facts + name + packed;
   }
   return files_part + directory + "PK\5\6" + number(0, 4) + number(files.size(), 2) + number(files.size(), 2) +
